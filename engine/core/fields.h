@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace dollytrack {
+
+/// What every shell needs to know of one number: limits, unit, meaning, and the paper's symbol.
+struct FieldInfo {
+    double min = 0.0;
+    double max = 0.0;
+    std::string_view unit;
+    std::string_view text;
+    std::string_view symbol = {};
+};
+
+/// What every shell needs to know of an on/off switch.
+struct SwitchInfo {
+    std::string_view text;
+};
+
+/// What every shell needs to know of an enumeration: its values' names, in order.
+struct ChoiceInfo {
+    std::vector<std::string_view> names;
+    std::string_view text;
+};
+
+}  // namespace dollytrack

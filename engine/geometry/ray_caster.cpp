@@ -1,0 +1,225 @@
+#include "engine/geometry/ray_caster.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+float upperBound(double max_distance) {
+    return static_cast<float>(
+        std::min(max_distance, static_cast<double>(std::numeric_limits<float>::infinity())));
+}
+
+RTCRay makeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double min_distance,
+               double max_distance) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(origin.x());
+    ray.org_y = static_cast<float>(origin.y());
+    ray.org_z = static_cast<float>(origin.z());
+    ray.dir_x = static_cast<float>(direction.x());
+    ray.dir_y = static_cast<float>(direction.y());
+    ray.dir_z = static_cast<float>(direction.z());
+    ray.tnear = static_cast<float>(min_distance);
+    ray.tfar = upperBound(max_distance);
+    ray.mask = ~0U;
+    return ray;
+}
+
+/// Closest point of the triangle abc to p (Ericson, Real-Time Collision Detection, 5.1.5).
+Eigen::Vector3d closestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const Eigen::Vector3d ab = b - a;
+    const Eigen::Vector3d ac = c - a;
+    const Eigen::Vector3d ap = p - a;
+    const double d1 = ab.dot(ap);
+    const double d2 = ac.dot(ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const Eigen::Vector3d bp = p - b;
+    const double d3 = ab.dot(bp);
+    const double d4 = ac.dot(bp);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return d1 - d3 > 0.0 ? Eigen::Vector3d(a + ab * (d1 / (d1 - d3))) : a;
+    }
+    const Eigen::Vector3d cp = p - c;
+    const double d5 = ab.dot(cp);
+    const double d6 = ac.dot(cp);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return d2 - d6 > 0.0 ? Eigen::Vector3d(a + ac * (d2 / (d2 - d6))) : a;
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+        const double length = (d4 - d3) + (d5 - d6);
+        return length > 0.0 ? Eigen::Vector3d(b + (c - b) * ((d4 - d3) / length)) : b;
+    }
+    const double denominator = va + vb + vc;
+    return a + ab * (vb / denominator) + ac * (vc / denominator);
+}
+
+struct ObjectGeometry {
+    RTCGeometry geometry = nullptr;
+    const float* vertices = nullptr;  // Embree's own copy
+    const unsigned* indices = nullptr;
+    std::uint32_t first_triangle = 0;
+    RTCScene alone = nullptr;  // built on first use
+    std::unique_ptr<std::once_flag> alone_once = std::make_unique<std::once_flag>();
+
+    [[nodiscard]] Eigen::Vector3d corner(unsigned triangle, unsigned k) const {
+        const float* v = vertices + 3UL * indices[3UL * triangle + k];
+        return {v[0], v[1], v[2]};
+    }
+};
+
+struct ClosestSearch {
+    const std::vector<ObjectGeometry>* objects = nullptr;
+    Eigen::Vector3d query;
+    double best_squared = 0.0;
+    ClosestPoint best;
+};
+
+bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<ClosestSearch*>(arguments->userPtr);
+    const ObjectGeometry& object = (*search.objects)[arguments->geomID];
+    const unsigned triangle = arguments->primID;
+    const Eigen::Vector3d point =
+        closestOnTriangle(search.query, object.corner(triangle, 0), object.corner(triangle, 1),
+                          object.corner(triangle, 2));
+    const double squared = (point - search.query).squaredNorm();
+    if (squared >= search.best_squared) return false;
+    search.best_squared = squared;
+    search.best = {static_cast<int>(arguments->geomID) + 1, std::sqrt(squared), point};
+    // Rounded up, so that float rounding never hides a closer triangle.
+    arguments->query->radius = static_cast<float>(search.best.distance) * 1.000001F;
+    return true;
+}
+
+}  // namespace
+
+struct RayCaster::Impl {
+    RTCDevice device = rtcNewDevice("threads=0");
+    RTCScene scene = nullptr;
+    std::vector<ObjectGeometry> objects;
+
+    explicit Impl(const Scene& source) {
+        scene = rtcNewScene(device);
+        // Robust: no ray slips through the seam between two triangles.
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        objects.resize(source.objects.size());
+        for (std::size_t i = 0; i < objects.size(); ++i) addObject(source, i);
+        rtcCommitScene(scene);
+    }
+
+    ~Impl() {
+        for (ObjectGeometry& object : objects) {
+            if (object.alone) rtcReleaseScene(object.alone);
+            rtcReleaseGeometry(object.geometry);
+        }
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    void addObject(const Scene& source, std::size_t index) {
+        const Object& object = source.objects[index];
+        ObjectGeometry& made = objects[index];
+        made.geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        made.first_triangle = object.first_triangle;
+        auto* vertices = static_cast<float*>(
+            rtcSetNewGeometryBuffer(made.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), std::max(1U, object.vertex_count)));
+        for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
+            const Eigen::Vector3f& position = source.positions[object.first_vertex + v];
+            std::copy_n(position.data(), 3, vertices + 3UL * v);
+        }
+        auto* indices = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(made.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), object.triangle_count));
+        for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
+            for (unsigned k = 0; k < 3; ++k) {
+                indices[3UL * t + k] =
+                    source.triangles[object.first_triangle + t][k] - object.first_vertex;
+            }
+        }
+        made.vertices = vertices;
+        made.indices = indices;
+        rtcSetGeometryPointQueryFunction(made.geometry, visitClosest);
+        rtcCommitGeometry(made.geometry);
+        rtcAttachGeometryByID(scene, made.geometry, static_cast<unsigned>(index));
+    }
+
+    RTCScene aloneScene(std::size_t index) {
+        ObjectGeometry& object = objects[index];
+        std::call_once(*object.alone_once, [&] {
+            object.alone = rtcNewScene(device);
+            rtcSetSceneFlags(object.alone, RTC_SCENE_FLAG_ROBUST);
+            rtcAttachGeometryByID(object.alone, object.geometry, static_cast<unsigned>(index));
+            rtcCommitScene(object.alone);
+        });
+        return object.alone;
+    }
+
+    [[nodiscard]] RayHit trace(RTCScene target, const RTCRay& ray) const {
+        RTCRayHit query{};
+        query.ray = ray;
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcIntersect1(target, &context, &query);
+        if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+        return {static_cast<int>(query.hit.geomID) + 1, query.ray.tfar,
+                objects[query.hit.geomID].first_triangle + query.hit.primID};
+    }
+};
+
+RayCaster::RayCaster(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+RayHit RayCaster::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                       double max_distance, double min_distance) const {
+    return impl_->trace(impl_->scene, makeRay(origin, direction, min_distance, max_distance));
+}
+
+RayHit RayCaster::castObject(int object_id, const Eigen::Vector3d& origin,
+                             const Eigen::Vector3d& direction, double max_distance) const {
+    const auto index = static_cast<std::size_t>(object_id) - 1;
+    return impl_->trace(impl_->aloneScene(index), makeRay(origin, direction, 0.0, max_distance));
+}
+
+bool RayCaster::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    RTCRay ray = makeRay(from, to - from, 0.0, 1.0);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(impl_->scene, &context, &ray);
+    return ray.tfar >= 0.0F;
+}
+
+ClosestPoint RayCaster::closest(const Eigen::Vector3d& point, double max_distance) const {
+    ClosestSearch search;
+    search.objects = &impl_->objects;
+    search.query = point;
+    search.best_squared = max_distance * max_distance;
+    RTCPointQuery query{};
+    query.x = static_cast<float>(point.x());
+    query.y = static_cast<float>(point.y());
+    query.z = static_cast<float>(point.z());
+    // Wider by the rounding of the query point itself, so that nothing at the rim is missed.
+    query.radius = upperBound(max_distance * 1.000001 + 1e-6);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(impl_->scene, &query, &context, nullptr, &search);
+    return search.best;
+}
+
+}  // namespace dollytrack

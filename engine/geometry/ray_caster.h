@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <memory>
+
+namespace dollytrack {
+
+struct RayHit {
+    int object_id = 0;           // 0: nothing hit
+    double distance = 0.0;       // in lengths of the direction given
+    std::uint32_t triangle = 0;  // index into Scene::triangles
+};
+
+struct ClosestPoint {
+    int object_id = 0;  // 0: nothing within the radius asked for
+    double distance = std::numeric_limits<double>::infinity();  // m
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+};
+
+/// Exact questions about a scene's triangles, answered through Embree's trees. Holds a copy of the
+/// geometry, so the scene may go. All questions are const and may be asked from many threads.
+class RayCaster {
+  public:
+    explicit RayCaster(const Scene& scene);
+    ~RayCaster();
+    RayCaster(RayCaster&&) noexcept;
+    RayCaster& operator=(RayCaster&&) noexcept;
+
+    /// First surface along origin + t * direction with min_distance < t < max_distance. Both
+    /// sides of a triangle count.
+    [[nodiscard]] RayHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                              double max_distance = std::numeric_limits<double>::infinity(),
+                              double min_distance = 0.0) const;
+
+    /// The same as if `object_id` stood alone in empty space.
+    [[nodiscard]] RayHit castObject(
+        int object_id, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+        double max_distance = std::numeric_limits<double>::infinity()) const;
+
+    /// Whether the open segment between two points is free of surfaces.
+    [[nodiscard]] bool sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+    /// Closest surface point within `max_distance`.
+    [[nodiscard]] ClosestPoint closest(
+        const Eigen::Vector3d& point,
+        double max_distance = std::numeric_limits<double>::infinity()) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack

@@ -1,0 +1,76 @@
+#include "engine/geometry/ray_caster.h"
+
+#include "engine/core/random.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack {
+
+TEST(RayCaster, HitsTheFirstSurfaceAtItsExactDistance) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    const RayHit sofa = rays.cast({2.0, 1.5, 0.4}, {-1, 0, 0});
+    ASSERT_NE(sofa.object_id, 0);
+    EXPECT_EQ(scene.object(sofa.object_id).name, "sofa");
+    EXPECT_NEAR(sofa.distance, 1.1, 1e-5);
+    const Object& object = scene.object(sofa.object_id);
+    EXPECT_GE(sofa.triangle, object.first_triangle);
+    EXPECT_LT(sofa.triangle, object.first_triangle + object.triangle_count);
+
+    const RayHit wall = rays.cast({2.0, 1.5, 1.2}, {-1, 0, 0});
+    EXPECT_EQ(scene.object(wall.object_id).name, "wall_west");
+    EXPECT_EQ(rays.cast({2.0, 1.5, 1.2}, {-1, 0, 0}, 1.9).object_id, 0);
+}
+
+TEST(RayCaster, CastObjectLooksThroughEverythingElse) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    const int wall = 5;
+    ASSERT_EQ(scene.object(wall).name, "wall_west");
+    EXPECT_NEAR(rays.castObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}).distance, 2.0, 1e-5);
+}
+
+TEST(RayCaster, SeesOnlyThroughAir) {
+    const Scene scene = test::twoRoomsWithDoor(0.9);
+    const RayCaster rays(scene);
+    EXPECT_TRUE(rays.sees({1, 1.5, 1}, {5, 1.5, 1}));
+    EXPECT_FALSE(rays.sees({1, 0.5, 1}, {5, 0.5, 1}));
+}
+
+TEST(RayCaster, ClosestPointAgreesWithBruteForce) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    Random random(5);
+    for (int i = 0; i < 200; ++i) {
+        const Eigen::Vector3d p(random.uniform(-1, 5), random.uniform(-1, 4),
+                                random.uniform(-1, 3));
+        // Brute force by minimising over a fine grid of each triangle: an upper bound that is
+        // within the grid's spacing of the truth.
+        double best = 1e9;
+        for (const Triangle& t : scene.triangles) {
+            const Eigen::Vector3d a = scene.positions[t[0]].cast<double>();
+            const Eigen::Vector3d b = scene.positions[t[1]].cast<double>();
+            const Eigen::Vector3d c = scene.positions[t[2]].cast<double>();
+            constexpr int kSteps = 60;
+            for (int u = 0; u <= kSteps; ++u) {
+                for (int v = 0; u + v <= kSteps; ++v) {
+                    const Eigen::Vector3d q = a + (b - a) * u / kSteps + (c - a) * v / kSteps;
+                    best = std::min(best, (q - p).norm());
+                }
+            }
+        }
+        const ClosestPoint closest = rays.closest(p);
+        ASSERT_NE(closest.object_id, 0);
+        EXPECT_LE(closest.distance, best + 1e-5);
+        EXPECT_GE(closest.distance, best - 0.12);
+        EXPECT_NEAR((closest.point - p).norm(), closest.distance, 1e-9);
+    }
+}
+
+TEST(RayCaster, ClosestFindsNothingBeyondItsRadius) {
+    const RayCaster rays(test::furnishedRoom());
+    EXPECT_EQ(rays.closest({2.0, 1.0, 1.6}, 0.05).object_id, 0);
+}
+
+}  // namespace dollytrack
