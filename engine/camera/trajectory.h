@@ -12,11 +12,12 @@ struct TrajectoryFrame {
     Pose pose;                                                  // world_from_camera
     Eigen::Vector3d target_in_world = Eigen::Vector3d::Zero();  // a point the camera looks at
     int component = 0;        // free-space component (room) the frame is in
+    int path = 0;             // which continuous motion it belongs to
     int position_point = -1;  // index into Plan::position_points when it stands on a key frame
 };
 
-/// Frames at a fixed rate. Where `component` changes from one frame to the next the camera was
-/// carried over: there is no motion between the two.
+/// Frames at a fixed rate. Where `path` changes from one frame to the next the camera was carried
+/// over: there is no motion between the two.
 struct Trajectory {
     double frame_interval_s = 0.1;
     std::vector<TrajectoryFrame> frames;

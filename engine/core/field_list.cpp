@@ -1,0 +1,218 @@
+#include "engine/core/field_list.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace dollytrack {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+/// Whole text as a number, in the C locale whatever the user's.
+template <class Number>
+bool parse(std::string_view text, Number& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+std::string join(const std::vector<std::string_view>& names) {
+    return fmt::format("{}", fmt::join(names, " | "));
+}
+
+Status outOfRange(const Field& field, std::string_view value) {
+    return fail(ErrorCode::Usage,
+                fmt::format("'{}' is out of range; it must be {}{}{}.", value, field.rangeText(),
+                            field.unit().empty() ? "" : " ", field.unit()),
+                field.name);
+}
+
+Status setNumber(const Field& field, double value, std::string_view text) {
+    return std::visit(
+        Overloaded{[&](const Field::Integer& f) -> Status {
+                       if (value < f.info.min || value > f.info.max || value != std::floor(value)) {
+                           return outOfRange(field, text);
+                       }
+                       *f.value = static_cast<int>(value);
+                       return {};
+                   },
+                   [&](const Field::Real& f) -> Status {
+                       // Negated, so that NaN is refused too.
+                       if (!(value >= f.info.min && value <= f.info.max)) {
+                           return outOfRange(field, text);
+                       }
+                       *f.value = value;
+                       return {};
+                   },
+                   [&](const auto&) -> Status { return outOfRange(field, text); }},
+        field.value);
+}
+
+Status setText(const Field& field, std::string_view text) {
+    if (const auto* choice = std::get_if<Field::Choice>(&field.value)) {
+        const auto& names = choice->info.names;
+        const auto found = std::find(names.begin(), names.end(), text);
+        if (found == names.end()) return outOfRange(field, text);
+        choice->set(static_cast<int>(found - names.begin()));
+        return {};
+    }
+    if (const auto* on = std::get_if<Field::Switch>(&field.value)) {
+        if (text != "true" && text != "false") return outOfRange(field, text);
+        *on->value = text == "true";
+        return {};
+    }
+    double value = 0.0;
+    if (!parse(text, value)) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("'{}' is not a number; it must be {}.", text, field.rangeText()),
+                    field.name);
+    }
+    return setNumber(field, value, text);
+}
+
+const Field* find(const FieldList& fields, std::string_view name) {
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const Field& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+std::string unknownField(const FieldList& fields, std::string_view name) {
+    std::vector<std::string> names;
+    for (const Field& field : fields) names.push_back(field.name);
+    const std::string close = closestName(name, names);
+    return close.empty()
+               ? fmt::format("There is no parameter '{}'.", name)
+               : fmt::format("There is no parameter '{}'; did you mean '{}'?", name, close);
+}
+
+}  // namespace
+
+std::string_view Field::text() const {
+    return std::visit([](const auto& f) { return f.info.text; }, value);
+}
+
+std::string_view Field::unit() const {
+    return std::visit(Overloaded{[](const Integer& f) { return f.info.unit; },
+                                 [](const Real& f) { return f.info.unit; },
+                                 [](const auto&) { return std::string_view(); }},
+                      value);
+}
+
+std::string_view Field::symbol() const {
+    return std::visit(Overloaded{[](const Integer& f) { return f.info.symbol; },
+                                 [](const Real& f) { return f.info.symbol; },
+                                 [](const auto&) { return std::string_view(); }},
+                      value);
+}
+
+std::string Field::valueText() const {
+    return std::visit(
+        Overloaded{[](const Integer& f) { return fmt::format("{}", *f.value); },
+                   [](const Real& f) { return fmt::format("{}", *f.value); },
+                   [](const Switch& f) { return std::string(*f.value ? "true" : "false"); },
+                   [](const Choice& f) {
+                       return std::string(f.info.names[static_cast<std::size_t>(f.get())]);
+                   }},
+        value);
+}
+
+std::string Field::rangeText() const {
+    return std::visit(
+        Overloaded{[](const Integer& f) { return fmt::format("{} .. {}", f.info.min, f.info.max); },
+                   [](const Real& f) { return fmt::format("{} .. {}", f.info.min, f.info.max); },
+                   [](const Switch&) { return std::string("true | false"); },
+                   [](const Choice& f) { return join(f.info.names); }},
+        value);
+}
+
+Status setField(const FieldList& fields, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("'{}' sets nothing; write name=value.", assignment));
+    }
+    const std::string_view name = assignment.substr(0, equals);
+    const Field* field = find(fields, name);
+    if (!field) return fail(ErrorCode::Usage, unknownField(fields, name));
+    return setText(*field, assignment.substr(equals + 1));
+}
+
+nlohmann::json toJson(const FieldList& fields) {
+    nlohmann::json sections = nlohmann::json::object();
+    for (const Field& field : fields) {
+        nlohmann::json& slot = sections[field.section][field.name];
+        std::visit(Overloaded{[&](const Field::Integer& f) { slot = *f.value; },
+                              [&](const Field::Real& f) { slot = *f.value; },
+                              [&](const Field::Switch& f) { slot = *f.value; },
+                              [&](const Field::Choice&) { slot = field.valueText(); }},
+                   field.value);
+    }
+    return sections;
+}
+
+Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
+    if (!sections.is_object()) {
+        return fail(ErrorCode::BadInput, "The parameters must be an object of sections.");
+    }
+    for (const auto& [section, entries] : sections.items()) {
+        if (!entries.is_object()) {
+            return fail(ErrorCode::BadInput, "A section of parameters must be an object.", section);
+        }
+        for (const auto& [name, value] : entries.items()) {
+            const Field* field = find(fields, name);
+            if (!field) return fail(ErrorCode::BadInput, unknownField(fields, name), section);
+            Status status;
+            if (value.is_number()) {
+                status = setNumber(*field, value.get<double>(), value.dump());
+            } else if (value.is_boolean()) {
+                status = setText(*field, value.get<bool>() ? "true" : "false");
+            } else if (value.is_string()) {
+                status = setText(*field, value.get<std::string>());
+            } else {
+                status = outOfRange(*field, value.type_name());
+            }
+            if (!status) {
+                return fail(ErrorCode::BadInput, status.error().message, section + "." + name);
+            }
+        }
+    }
+    return {};
+}
+
+std::string closestName(std::string_view wrong, const std::vector<std::string>& names) {
+    const auto distance = [&](std::string_view name) {
+        std::vector<std::size_t> row(name.size() + 1);
+        std::iota(row.begin(), row.end(), 0U);
+        for (std::size_t i = 0; i < wrong.size(); ++i) {
+            std::size_t diagonal = row[0];
+            row[0] = i + 1;
+            for (std::size_t j = 0; j < name.size(); ++j) {
+                const std::size_t change = diagonal + (wrong[i] == name[j] ? 0 : 1);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, change});
+            }
+        }
+        return row[name.size()];
+    };
+    std::string best;
+    std::size_t least = std::max<std::size_t>(2, wrong.size() / 2) + 1;
+    for (const std::string& name : names) {
+        const bool begins = !wrong.empty() && name.starts_with(wrong);
+        const std::size_t d = begins ? 1 : distance(name);
+        if (d >= least) continue;
+        least = d;
+        best = name;
+    }
+    return best;
+}
+
+}  // namespace dollytrack

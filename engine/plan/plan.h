@@ -1,0 +1,67 @@
+#pragma once
+
+#include "engine/camera/trajectory.h"
+#include "engine/plan/camera_path.h"
+#include "engine/plan/capture.h"
+#include "engine/plan/roadmap.h"
+#include "engine/plan/targets.h"
+#include "engine/plan/viewpoint.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+/// A target that no frame captures, and the reason in words.
+struct UncapturedObject {
+    int object_id = 0;
+    std::string reason;
+};
+
+struct StageTime {
+    std::string name;
+    double milliseconds = 0.0;
+    bool reused = false;  // nothing it depends on had changed since the last run
+};
+
+/// The metrics that are not about objects. Rates are 0..1.
+struct TrajectoryMetrics {
+    double path_length_m = 0.0;
+    double repeat_rate = 0.0;    // frames of which < 1 % of the rays meet a 0.1 m patch of
+                                 // surface that no earlier frame saw
+    double object_pixels = 0.0;  // mean share of the image on targets
+    double corner_collision_rate = 0.0;
+    double frame_collision_rate = 0.0;
+    double min_clearance_m = 0.0;
+};
+
+/// How many targets a dense search over all legal poses could capture.
+struct CaptureBound {
+    double capturable_rate = 0.0;
+    double well_capturable_rate = 0.0;
+    std::vector<int> not_capturable;       // object ids
+    std::vector<int> not_well_capturable;  // object ids
+};
+
+/// Everything that planning found. Plain data, shared by export, project files and pictures.
+struct Plan {
+    std::vector<ObservationPoint> observation_points;
+    std::vector<ViewpointSearch> searches;  // one an observation point
+    std::vector<PositionPoint> position_points;
+    std::vector<int> key_frames;  // indices of the position points that are visited
+    Roadmap roadmap;
+    std::vector<CameraPath> paths;  // one a component of free space, largest room first
+    std::vector<SmoothPath> smooth_paths;
+    Trajectory trajectory;
+
+    std::vector<ObjectCapture> captures;  // estimated by rays
+    CaptureMetrics capture_metrics;
+    TrajectoryMetrics trajectory_metrics;
+    std::vector<UncapturedObject> uncaptured;
+
+    std::vector<StageTime> stages;
+    double map_ms = 0.0;
+    double plan_ms = 0.0;
+};
+
+}  // namespace dollytrack

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dollytrack {
+
+/// A collision-free way between two position points. Straight when `via` is empty.
+struct RoadmapEdge {
+    int a = 0;  // indices of position points
+    int b = 0;
+    std::vector<Eigen::Vector3d> via;  // corners from a to b, found by RRT*
+    double length_m = 0.0;
+    bool in_tree = true;  // false: dropped because it closes a cycle
+};
+
+/// A straight move that was refused, and where it would have hit.
+struct RefusedEdge {
+    int a = 0;
+    int b = 0;
+    Eigen::Vector3d collision = Eigen::Vector3d::Zero();
+    int object_id = 0;  // 0: it would have left free space
+};
+
+/// H in the paper: position points and the moves between them.
+struct Roadmap {
+    std::vector<RoadmapEdge> edges;
+    std::vector<RefusedEdge> refused;
+    std::vector<Eigen::Vector3d> samples;  // of RRT*, for the picture
+    std::vector<int> group;                // connected part of each position point
+    int group_count = 0;
+};
+
+}  // namespace dollytrack

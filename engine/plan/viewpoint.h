@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/math/pose.h"
+
+#include <string_view>
+#include <vector>
+
+namespace dollytrack {
+
+/// Why a candidate position was not taken, or that it could be.
+enum class Verdict { Legal, InObstacle, OutsideRoom, OccludedBy, TooClose, Cropped, TooSmall };
+
+std::string_view name(Verdict verdict);
+
+/// One place tried for an observation point. Kept so that a person can see why.
+struct Candidate {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    double fill = 0.0;              // share of the image's length in the tighter direction
+    double visible_fraction = 0.0;  // of the worst object of the group
+    Verdict verdict = Verdict::Legal;
+    int occluder = 0;  // object id, with OccludedBy
+};
+
+/// Where a key frame stands: P in the paper.
+struct PositionPoint {
+    int observation_point = 0;  // index
+    Pose pose;                  // world_from_camera, roll 0, looks at the observation point
+    int component = 0;          // of free space
+    double fill = 0.0;
+    std::vector<int> well_captured;  // ids of every object this frame captures well
+    std::vector<int> captured;       // ids of every object it captures, the above included
+};
+
+/// The outcome of the search for one observation point.
+struct ViewpointSearch {
+    std::vector<Candidate> candidates;
+    int position_point = -1;  // index of the best, -1 when none was legal
+};
+
+}  // namespace dollytrack
