@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace dollytrack::io {
+
+/// How much a finished write promises if the power fails.
+enum class Durability {
+    Synced,   // on the disk when the call returns
+    Renamed,  // whole or absent to every reader; on the disk after the next syncFolder()
+};
+
+/// Writes a file whole or not at all: under a temporary name (`<name>.tmp.<pid>`) in the same
+/// folder, renamed when everything is written. A file that was there stays until then. Errors are
+/// CannotWrite and tell a full disk from missing permission and the like.
+[[nodiscard]] Status writeWhole(const std::filesystem::path& path,
+                                std::span<const std::uint8_t> bytes,
+                                Durability durability = Durability::Synced);
+[[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view text,
+                                Durability durability = Durability::Synced);
+
+/// Brings everything written so far on the folder's file system to the disk.
+[[nodiscard]] Status syncFolder(const std::filesystem::path& folder);
+
+/// The sentence and code for a failed write or folder creation, from errno.
+[[nodiscard]] Error writeError(int error_number, const std::filesystem::path& path);
+
+}  // namespace dollytrack::io

@@ -1,0 +1,74 @@
+#include "engine/io/sha256.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <cstdio>
+#include <vector>
+
+namespace dollytrack::io {
+
+struct Sha256::Impl {
+    EVP_MD_CTX* context = EVP_MD_CTX_new();
+
+    Impl() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
+    ~Impl() { EVP_MD_CTX_free(context); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+};
+
+Sha256::Sha256() : impl_(std::make_unique<Impl>()) {}
+Sha256::~Sha256() = default;
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256& Sha256::operator=(Sha256&&) noexcept = default;
+
+void Sha256::add(std::span<const std::uint8_t> bytes) {
+    EVP_DigestUpdate(impl_->context, bytes.data(), bytes.size());
+}
+
+void Sha256::add(std::string_view text) {
+    EVP_DigestUpdate(impl_->context, text.data(), text.size());
+}
+
+std::string Sha256::finish() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned size = 0;
+    EVP_DigestFinal_ex(impl_->context, digest.data(), &size);
+    std::string hex;
+    hex.reserve(2UL * size);
+    for (unsigned i = 0; i < size; ++i) {
+        constexpr std::string_view kDigits = "0123456789abcdef";
+        hex += kDigits[digest[i] >> 4U];
+        hex += kDigits[digest[i] & 15U];
+    }
+    return hex;
+}
+
+std::string sha256Of(std::span<const std::uint8_t> bytes) {
+    Sha256 hash;
+    hash.add(bytes);
+    return hash.finish();
+}
+
+std::string sha256Of(std::string_view text) {
+    Sha256 hash;
+    hash.add(text);
+    return hash.finish();
+}
+
+Result<std::string> sha256OfFile(const std::filesystem::path& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                               &std::fclose);
+    if (!file) return fail(ErrorCode::BadInput, "the file cannot be opened", path.string());
+    Sha256 hash;
+    std::vector<std::uint8_t> block(1UL << 16U);
+    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+        hash.add(std::span(block).first(count));
+    }
+    if (std::ferror(file.get()) != 0) {
+        return fail(ErrorCode::BadInput, "the file cannot be read to its end", path.string());
+    }
+    return hash.finish();
+}
+
+}  // namespace dollytrack::io
