@@ -1,0 +1,118 @@
+#include "engine/io/project_file.h"
+
+#include "engine/io/durable_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace dollytrack::io {
+namespace {
+
+// Deeper nesting than any project has would only exhaust the parser's stack.
+constexpr int kDeepest = 64;
+constexpr std::uintmax_t kLargest = 1ULL << 30U;
+
+tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message) {
+    return fail(ErrorCode::BadInput, std::move(message), path.string());
+}
+
+std::size_t lineOf(const std::string& text, std::size_t byte) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+    return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
+}
+
+bool nestsTooDeep(const std::string& text) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') ++i;
+            if (c == '"') in_string = false;
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kDeepest) return true;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+    return false;
+}
+
+Result<std::string> readText(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        return fail(ErrorCode::BadInput, "There is no such file.", path.string());
+    }
+    if (std::filesystem::file_size(path, error) > kLargest) {
+        return fail(ErrorCode::BadInput, "The project is larger than 1 GiB.", path.string());
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
+    return text.str();
+}
+
+}  // namespace
+
+Result<ProjectFile> loadProject(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    if (nestsTooDeep(*text)) {
+        return badProject(path, "The JSON is nested too deeply.");
+    }
+    nlohmann::json json;
+    try {
+        json = nlohmann::json::parse(*text);
+    } catch (const nlohmann::json::parse_error& e) {
+        return fail(ErrorCode::BadInput, "This is not valid JSON; restore a backup or plan again.",
+                    fmt::format("{}:{}", path.string(), lineOf(*text, e.byte)));
+    }
+    if (!json.is_object() || !json.contains("dollytrack_project")) {
+        return badProject(path, "This is JSON, but no Dollytrack project.");
+    }
+    try {
+        const int version = json.at("dollytrack_project").get<int>();
+        if (version > ProjectFile::kVersion) {
+            return badProject(path, fmt::format("The project has version {}, this program knows up "
+                                                "to {}; use a newer Dollytrack.",
+                                                version, ProjectFile::kVersion));
+        }
+        ProjectFile project;
+        const std::filesystem::path scene = json.at("scene").at("path").get<std::string>();
+        project.scene = (std::filesystem::absolute(path).parent_path() / scene).lexically_normal();
+        project.scene_sha256 = json.at("scene").value("sha256", "");
+        project.parameters = json.value("parameters", nlohmann::json::object());
+        if (json.contains("result")) project.result = json["result"];
+        for (const char* known : {"dollytrack_project", "scene", "parameters", "result"}) {
+            json.erase(known);
+        }
+        project.others = std::move(json);
+        return project;
+    } catch (const nlohmann::json::exception& e) {
+        return badProject(path, fmt::format("A field of the project is missing or of the wrong "
+                                            "type ({}).",
+                                            e.what()));
+    }
+}
+
+Status saveProject(const ProjectFile& project, const std::filesystem::path& path) {
+    nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    const std::filesystem::path scene = std::filesystem::absolute(project.scene);
+    const std::filesystem::path relative = scene.lexically_relative(folder);
+    json["dollytrack_project"] = ProjectFile::kVersion;
+    json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
+                     {"sha256", project.scene_sha256}};
+    json["parameters"] = project.parameters;
+    if (!project.result.is_null()) json["result"] = project.result;
+    return writeWhole(path,
+                      json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace dollytrack::io

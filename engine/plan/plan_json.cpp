@@ -1,0 +1,164 @@
+#include "engine/plan/plan_json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace dollytrack {
+namespace {
+
+using nlohmann::json;
+
+json vectorJson(const Eigen::Vector3d& v) {
+    return json::array({v.x(), v.y(), v.z()});
+}
+
+json poseJson(const Pose& pose) {
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {{"position", vectorJson(pose.position)},
+            {"quaternion_xyzw", json::array({q.x(), q.y(), q.z(), q.w()})}};
+}
+
+Eigen::Vector3d vectorFrom(const json& value) {
+    return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
+}
+
+json names(const Scene& scene, const std::vector<int>& ids) {
+    json list = json::array();
+    for (const int id : ids) list.push_back(scene.object(id).name);
+    return list;
+}
+
+json pathJson(const CameraPath& path) {
+    json vertices = json::array();
+    for (const PathVertex& vertex : path.vertices) {
+        vertices.push_back(
+            {{"position", vectorJson(vertex.position)}, {"position_point", vertex.position_point}});
+    }
+    return {{"component", path.component}, {"vertices", std::move(vertices)}};
+}
+
+}  // namespace
+
+json metricsJson(const Scene& scene, const Plan& plan) {
+    const CaptureMetrics& capture = plan.capture_metrics;
+    const TrajectoryMetrics& motion = plan.trajectory_metrics;
+    json result = {
+        {"objects", capture.objects},
+        {"captured", capture.captured},
+        {"well_captured", capture.well_captured},
+        {"capture_rate", capture.capture_rate},
+        {"well_captured_rate", capture.well_captured_rate},
+        {"small_capture_rate", capture.small_capture_rate},
+        {"area_share_box", capture.area_share_box},
+        {"area_share_mask", capture.area_share_mask},
+        {"repeat_rate", motion.repeat_rate},
+        {"object_pixels", motion.object_pixels},
+        {"corner_collision_rate", motion.corner_collision_rate},
+        {"frame_collision_rate", motion.frame_collision_rate},
+        {"min_clearance_m", motion.min_clearance_m},
+        {"path_length_m", motion.path_length_m},
+        {"frames", plan.trajectory.frames.size()},
+        {"frame_interval_s", plan.trajectory.frame_interval_s},
+        {"key_frames", plan.key_frames.size()},
+        {"map_ms", plan.map_ms},
+        {"plan_ms", plan.plan_ms},
+        {"stages", json::object()},
+        {"uncaptured", json::array()},
+        {"not_well_captured", json::array()},
+    };
+    for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
+    for (const UncapturedObject& one : plan.uncaptured) {
+        result["uncaptured"].push_back({{"object", scene.object(one.object_id).name},
+                                        {"id", one.object_id},
+                                        {"reason", one.reason}});
+    }
+    for (const ObjectCapture& one : plan.captures) {
+        if (one.captured && !one.well_captured) {
+            result["not_well_captured"].push_back(scene.object(one.object_id).name);
+        }
+    }
+    return result;
+}
+
+void addBound(json& metrics, const CaptureBound& bound, double milliseconds) {
+    metrics["capturable_rate"] = bound.capturable_rate;
+    metrics["well_capturable_rate"] = bound.well_capturable_rate;
+    metrics["bound_ms"] = milliseconds;
+}
+
+json trajectoryJson(const Trajectory& trajectory) {
+    json frames = json::array();
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        json one = poseJson(frame.pose);
+        one["time_s"] = frame.time_s;
+        one["target"] = vectorJson(frame.target_in_world);
+        one["component"] = frame.component;
+        one["path"] = frame.path;
+        one["position_point"] = frame.position_point;
+        frames.push_back(std::move(one));
+    }
+    return {{"frame_interval_s", trajectory.frame_interval_s}, {"frames", std::move(frames)}};
+}
+
+Result<Trajectory> trajectoryFromJson(const json& value) {
+    Trajectory trajectory;
+    std::size_t index = 0;
+    try {
+        trajectory.frame_interval_s = value.at("frame_interval_s").get<double>();
+        for (const json& one : value.at("frames")) {
+            TrajectoryFrame frame;
+            frame.time_s = one.at("time_s").get<double>();
+            frame.pose.position = vectorFrom(one.at("position"));
+            const json& q = one.at("quaternion_xyzw");
+            frame.pose.rotation = Eigen::Quaterniond(q.at(3).get<double>(), q.at(0).get<double>(),
+                                                     q.at(1).get<double>(), q.at(2).get<double>());
+            frame.target_in_world = vectorFrom(one.at("target"));
+            frame.component = one.value("component", 0);
+            frame.path = one.value("path", 0);
+            frame.position_point = one.value("position_point", -1);
+            const double norm = frame.pose.rotation.norm();
+            if (!frame.pose.position.allFinite() || !(std::abs(norm - 1.0) < 1e-3)) {
+                return fail(ErrorCode::BadInput,
+                            "The pose is not finite or its quaternion not unit.",
+                            fmt::format("trajectory frame {}", index));
+            }
+            frame.pose.rotation.normalize();
+            trajectory.frames.push_back(frame);
+            ++index;
+        }
+    } catch (const json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("trajectory frame {}", index));
+    }
+    return trajectory;
+}
+
+json resultJson(const Scene& scene, const Plan& plan) {
+    json result;
+    result["metrics"] = metricsJson(scene, plan);
+    result["trajectory"] = trajectoryJson(plan.trajectory);
+    for (const ObservationPoint& point : plan.observation_points) {
+        result["observation_points"].push_back({{"kind", name(point.kind)},
+                                                {"position", vectorJson(point.position)},
+                                                {"direction", vectorJson(point.direction)},
+                                                {"objects", names(scene, point.objects)},
+                                                {"carrier", point.carrier}});
+    }
+    for (const PositionPoint& point : plan.position_points) {
+        json one = poseJson(point.pose);
+        one["observation_point"] = point.observation_point;
+        one["component"] = point.component;
+        one["fill"] = point.fill;
+        one["well_captured"] = names(scene, point.well_captured);
+        one["captured"] = names(scene, point.captured);
+        result["position_points"].push_back(std::move(one));
+    }
+    result["key_frames"] = plan.key_frames;
+    for (const CameraPath& path : plan.paths) result["paths"].push_back(pathJson(path));
+    return result;
+}
+
+}  // namespace dollytrack

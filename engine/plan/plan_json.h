@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/plan/plan.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace dollytrack {
+
+/// The metrics of a plan under their published names, for `--json` and dataset.json: object
+/// counts, rates (0..1), stage times, path length, frames and the uncaptured objects with reasons.
+nlohmann::json metricsJson(const Scene& scene, const Plan& plan);
+
+/// The same with the dense search's rates, when it was made.
+void addBound(nlohmann::json& metrics, const CaptureBound& bound, double milliseconds);
+
+/// Poses as position and quaternion (x, y, z, w), world_from_camera, full precision.
+nlohmann::json trajectoryJson(const Trajectory& trajectory);
+
+/// Error: BadInput when a field is missing, of the wrong type, or no finite pose.
+Result<Trajectory> trajectoryFromJson(const nlohmann::json& json);
+
+/// The result section of a project: metrics, trajectory, observation and position points, path.
+nlohmann::json resultJson(const Scene& scene, const Plan& plan);
+
+}  // namespace dollytrack
