@@ -1,0 +1,350 @@
+#include "planning/free_space/free_space.h"
+
+#include "engine/core/log.h"
+#include "engine/jobs/parallel.h"
+#include "planning/free_space/components.h"
+#include "planning/free_space/distance_field.h"
+#include "planning/free_space/enclosure.h"
+#include "planning/free_space/octree.h"
+#include "planning/free_space/rooms.h"
+#include "planning/free_space/voxelize.h"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dollytrack::planning {
+namespace {
+
+// 130 million cells take about 0.8 GB while the map is built.
+constexpr std::size_t kMaxCells = std::size_t{1} << 27U;
+constexpr std::size_t kMaxSampleCells = std::size_t{1} << 19U;
+// Rules stricter than needed find little; below this share of the air the next rule is tried.
+constexpr double kEnoughAir = 0.15;
+
+constexpr std::array kRules = {EnclosureRule::Walls, EnclosureRule::FewWalls,
+                               EnclosureRule::FloorOnly};
+
+tl::unexpected<Error> cancelled() {
+    return fail(ErrorCode::Cancelled, "mapping the free space was cancelled");
+}
+
+std::string inMetres(double value) {
+    std::array<char, 32> text = {};
+    std::snprintf(text.data(), text.size(), "%.3g m", value);
+    return text.data();
+}
+
+}  // namespace
+
+struct FreeSpace::Impl {
+    VoxelGrid grid;
+    std::vector<std::uint8_t> cells;  // state and leaf level
+    std::vector<std::uint16_t> squared_gaps;
+    std::array<double, 6> gap_beyond_m = {};
+    std::vector<std::uint8_t> room_of_cell;
+    std::vector<float> gap_m;  // by squared gap
+    std::vector<Room> rooms;
+    std::vector<std::vector<Eigen::Vector3f>> room_cells;
+    OctreePtr octree;
+    Eigen::AlignedBox3d bounds;
+    LeakReport leaks;
+
+    Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays,
+                                     const CameraParams& camera, const SurfaceCells& surfaces,
+                                     std::vector<std::uint8_t>& inside, const JobContext& job);
+    void setStates(const std::vector<std::uint8_t>& surfaces, std::vector<std::uint8_t>& inside,
+                   const FoundRooms& found);
+    void describeRooms(const FoundRooms& found);
+    void collectCells(std::size_t room);
+    void makeGapTable();
+};
+
+/// The rooms by the strictest rule that finds any worth the name.
+Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayCaster& rays,
+                                                  const CameraParams& camera,
+                                                  const SurfaceCells& surfaces,
+                                                  std::vector<std::uint8_t>& inside,
+                                                  const JobContext& job) {
+    FoundRooms best;
+    std::int64_t best_cells = 0;
+    double stage = 0.3;
+    for (const EnclosureRule rule : kRules) {
+        std::vector<std::uint8_t> tried = findInside(grid, surfaces.cells, squared_gaps, rule, job);
+        if (job.cancelled()) return cancelled();
+        job.report(stage += 0.1);
+        FoundRooms found =
+            findRooms(scene, rays, grid, squared_gaps, tried, camera.camera_radius_m, job);
+        if (job.cancelled()) return cancelled();
+        job.report(stage += 0.1);
+        std::int64_t cells_found = 0;
+        for (const FoundRoom& room : found.rooms) cells_found += room.cells;
+        // A laxer rule takes over only where the stricter one found nearly nothing.
+        if (best.room_of_cell.empty() ||
+            kEnoughAir * static_cast<double>(cells_found) > static_cast<double>(best_cells)) {
+            best = std::move(found);
+            best_cells = cells_found;
+            inside = std::move(tried);
+        }
+        std::int64_t air = 0;
+        for (std::size_t i = 0; i < grid.size(); ++i) air += surfaces.cells[i] == 0 ? 1 : 0;
+        if (static_cast<double>(best_cells) >= kEnoughAir * static_cast<double>(air)) break;
+    }
+    return best;
+}
+
+/// Free is the air inside that is connected with a room.
+void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
+                                std::vector<std::uint8_t>& inside, const FoundRooms& found) {
+    parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            inside[i] = inside[i] != 0 && found.hollow[i] == 0 ? 1 : 0;
+        }
+    });
+    const CellComponents air = findComponents(grid, inside, 1);
+    std::vector<std::uint8_t> has_room(air.cells.size(), 0);
+    for (const CellRun& run : air.runs) {
+        const auto component = static_cast<std::size_t>(run.component);
+        if (has_room[component] != 0) continue;
+        const auto row = room_of_cell.begin() +
+                         static_cast<std::ptrdiff_t>(grid.indexOf(run.x_begin, run.y, run.z));
+        has_room[component] = std::any_of(row, row + (run.x_end - run.x_begin),
+                                          [](std::uint8_t room) { return room != kNoRoom; });
+    }
+    cells.assign(grid.size(), kUnknownCell);
+    parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (surfaces[i] != 0) cells[i] = kOccupiedCell;
+        }
+    });
+    for (const CellRun& run : air.runs) {
+        if (has_room[static_cast<std::size_t>(run.component)] == 0) continue;
+        std::fill_n(
+            cells.begin() + static_cast<std::ptrdiff_t>(grid.indexOf(run.x_begin, run.y, run.z)),
+            run.x_end - run.x_begin, kFreeCell);
+    }
+}
+
+void FreeSpace::Impl::describeRooms(const FoundRooms& found) {
+    const double size = grid.resolution_m;
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size);
+    for (const FoundRoom& from : found.rooms) {
+        Room room;
+        room.component = static_cast<int>(rooms.size());
+        room.box.extend(grid.centerOf(from.low[0], from.low[1], from.low[2]) - half);
+        room.box.extend(grid.centerOf(from.high[0], from.high[1], from.high[2]) + half);
+        room.volume_m3 = static_cast<double>(from.cells) * size * size * size;
+        room.floor_area_m2 = static_cast<double>(from.columns) * size * size;
+        room.sample = grid.centerOf(from.roomiest[0], from.roomiest[1], from.roomiest[2]);
+        rooms.push_back(room);
+    }
+    room_cells.resize(rooms.size());
+    parallelFor(rooms.size(), [&](std::size_t room) { collectCells(room); });
+}
+
+void FreeSpace::Impl::collectCells(std::size_t room) {
+    const double volume_cells = rooms[room].volume_m3 / std::pow(grid.resolution_m, 3);
+    const auto count = static_cast<std::size_t>(std::llround(volume_cells));
+    const std::size_t every = (count + kMaxSampleCells - 1) / kMaxSampleCells;
+    std::vector<Eigen::Vector3f>& centers = room_cells[room];
+    centers.reserve(count / every + count / every / 8);
+    std::array<int, 3> low;
+    std::array<int, 3> high;
+    const Eigen::Vector3d inset = Eigen::Vector3d::Constant(0.5 * grid.resolution_m);
+    if (!grid.find(rooms[room].box.min() + inset, low)) return;
+    if (!grid.find(rooms[room].box.max() - inset, high)) return;
+    for (int z = low[2]; z <= high[2]; ++z) {
+        for (int y = low[1]; y <= high[1]; ++y) {
+            const std::size_t row = grid.rowOf(y, z);
+            for (int x = low[0]; x <= high[0]; ++x) {
+                const std::size_t i = row + static_cast<std::size_t>(x);
+                if (room_of_cell[i] != room) continue;
+                // A hashed choice: every n-th cell in order would leave stripes.
+                if (every > 1 && ((i * 0x9E3779B97F4A7C15U) >> 32U) % every != 0) continue;
+                centers.emplace_back(grid.centerOf(x, y, z).cast<float>());
+            }
+        }
+    }
+}
+
+void FreeSpace::Impl::makeGapTable() {
+    // Surfaces are marked in cells a hair larger than cells are, so gaps hold exactly; the factor
+    // covers the rounding of the ray caster's floats.
+    gap_m.resize(std::size_t{kMaxSquaredGap} + 1);
+    for (std::size_t i = 0; i < gap_m.size(); ++i) {
+        gap_m[i] =
+            static_cast<float>(std::sqrt(static_cast<double>(i)) * grid.resolution_m * 0.9999);
+    }
+}
+
+FreeSpace::FreeSpace(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+FreeSpace::~FreeSpace() = default;
+FreeSpace::FreeSpace(FreeSpace&&) noexcept = default;
+FreeSpace& FreeSpace::operator=(FreeSpace&&) noexcept = default;
+
+Result<FreeSpace> FreeSpace::build(const Scene& scene, const RayCaster& rays,
+                                   const CameraParams& camera, const FreeSpaceParams& params,
+                                   const JobContext& job) {
+    if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {
+        return fail(ErrorCode::BadInput, "give a cell size from 0.01 to 0.5 m",
+                    "octree_resolution_m");
+    }
+    if (!(camera.camera_radius_m >= 0.01 && camera.camera_radius_m <= 1.0)) {
+        return fail(ErrorCode::BadInput, "give a radius from 0.01 to 1 m", "camera_radius_m");
+    }
+    const Eigen::AlignedBox3d& room = scene.room_bounds;
+    if (!room.min().allFinite() || !room.max().allFinite() || room.isEmpty() ||
+        room.sizes().maxCoeff() > 1e4) {
+        return fail(ErrorCode::BadInput,
+                    "the scene has no usable bounds to look for rooms in; check its units",
+                    scene.name);
+    }
+    auto impl = std::make_unique<Impl>();
+    VoxelGrid& grid = impl->grid;
+    grid = makeVoxelGrid(room, params.octree_resolution_m, kMaxCells);
+    if (!fitsOctree(grid)) {
+        return fail(ErrorCode::BadInput,
+                    "the room lies too far from the origin for its map; move it to within " +
+                        inMetres(32000 * grid.resolution_m) + " or raise octree_resolution_m",
+                    scene.name);
+    }
+    if (grid.resolution_m > params.octree_resolution_m) {
+        log::warn("planning", "the scene is too large for cells of " +
+                                  inMetres(params.octree_resolution_m) + ": it is mapped with " +
+                                  inMetres(grid.resolution_m) +
+                                  "; set octree_resolution_m, or check the scene's units");
+    }
+
+    const SurfaceCells surfaces = voxelize(scene, grid, job);
+    if (job.cancelled()) return cancelled();
+    job.report(0.15);
+    impl->squared_gaps = squaredGaps(grid, surfaces.cells, job);
+    impl->gap_beyond_m = surfaces.gap_beyond_m;
+    if (job.cancelled()) return cancelled();
+    job.report(0.3);
+
+    std::vector<std::uint8_t> inside;
+    Result<FoundRooms> found = impl->findBestRooms(scene, rays, camera, surfaces, inside, job);
+    if (!found) return tl::unexpected(found.error());
+    if (found->rooms.empty()) {
+        return fail(ErrorCode::BadInput,
+                    "no room of the scene has space for a camera of radius " +
+                        inMetres(camera.camera_radius_m) + " at cells of " +
+                        inMetres(grid.resolution_m) +
+                        "; lower camera_radius_m or octree_resolution_m, or check the units",
+                    scene.name);
+    }
+    impl->room_of_cell = std::move(found->room_of_cell);
+    impl->setStates(surfaces.cells, inside, *found);
+    impl->describeRooms(*found);
+    if (job.cancelled()) return cancelled();
+    job.report(0.8);
+
+    impl->octree = buildOctree(grid, impl->cells);
+    if (job.cancelled()) return cancelled();
+    found->room_of_cell.swap(impl->room_of_cell);
+    impl->leaks = findLeaks(grid, impl->cells, *found);
+    found->room_of_cell.swap(impl->room_of_cell);
+    impl->bounds = grid.box();
+    impl->makeGapTable();
+    job.report(1.0);
+    return FreeSpace(std::move(impl));
+}
+
+CellState FreeSpace::stateAt(const Eigen::Vector3d& point) const {
+    std::array<int, 3> cell;
+    if (!impl_->grid.find(point, cell)) return CellState::Unknown;
+    const std::uint8_t value =
+        impl_->cells[impl_->grid.indexOf(cell[0], cell[1], cell[2])] & kCellStateMask;
+    return value == kFreeCell       ? CellState::Free
+           : value == kOccupiedCell ? CellState::Occupied
+                                    : CellState::Unknown;
+}
+
+double FreeSpace::cellSizeAt(const Eigen::Vector3d& point) const {
+    std::array<int, 3> cell;
+    const VoxelGrid& grid = impl_->grid;
+    if (!grid.find(point, cell)) return grid.resolution_m;
+    return std::ldexp(grid.resolution_m,
+                      impl_->cells[grid.indexOf(cell[0], cell[1], cell[2])] >> kCellLevelShift);
+}
+
+double FreeSpace::clearanceLowerBound(const Eigen::Vector3d& point) const {
+    std::array<int, 3> cell;
+    const VoxelGrid& grid = impl_->grid;
+    if (!grid.find(point, cell)) return 0.0;
+    const std::size_t i = grid.indexOf(cell[0], cell[1], cell[2]);
+    if ((impl_->cells[i] & kCellStateMask) != kFreeCell) return 0.0;
+    double clearance = impl_->gap_m[impl_->squared_gaps[i]];
+    // Surfaces outside the map lie beyond one of its sides.
+    for (unsigned k = 0; k < 3; ++k) {
+        clearance =
+            std::min({clearance, point[k] - impl_->bounds.min()[k] + impl_->gap_beyond_m[2 * k],
+                      impl_->bounds.max()[k] - point[k] + impl_->gap_beyond_m[2 * k + 1]});
+    }
+    return clearance;
+}
+
+int FreeSpace::componentAt(const Eigen::Vector3d& point) const {
+    std::array<int, 3> cell;
+    if (!impl_->grid.find(point, cell)) return -1;
+    const std::uint8_t room = impl_->room_of_cell[impl_->grid.indexOf(cell[0], cell[1], cell[2])];
+    return room == kNoRoom ? -1 : room;
+}
+
+bool FreeSpace::inOneFreeLeaf(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    std::array<int, 3> cell_a;
+    std::array<int, 3> cell_b;
+    const VoxelGrid& grid = impl_->grid;
+    if (!grid.find(a, cell_a) || !grid.find(b, cell_b)) return false;
+    const std::uint8_t value = impl_->cells[grid.indexOf(cell_a[0], cell_a[1], cell_a[2])];
+    if ((value & kCellStateMask) != kFreeCell) return false;
+    const int level = value >> kCellLevelShift;
+    for (unsigned k = 0; k < 3; ++k) {
+        // Shifted right, negative numbers round down like the octree's keys do.
+        if ((grid.first[k] + cell_a[k]) >> level != (grid.first[k] + cell_b[k]) >> level) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const std::vector<Room>& FreeSpace::rooms() const {
+    return impl_->rooms;
+}
+
+const std::vector<Eigen::Vector3f>& FreeSpace::cells(int component) const {
+    return impl_->room_cells[static_cast<std::size_t>(component)];
+}
+
+const octomap::OcTree& FreeSpace::octree() const {
+    return *impl_->octree;
+}
+
+void FreeSpace::visitLeaves(const std::function<void(const FreeSpaceLeaf&)>& visit) const {
+    const octomap::OcTree& tree = *impl_->octree;
+    for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+        FreeSpaceLeaf seen;
+        seen.center = {leaf.getX(), leaf.getY(), leaf.getZ()};
+        seen.size_m = leaf.getSize();
+        seen.level = static_cast<int>(tree.getTreeDepth() - leaf.getDepth());
+        seen.state = tree.isNodeOccupied(*leaf) ? CellState::Occupied : CellState::Free;
+        visit(seen);
+    }
+}
+
+const Eigen::AlignedBox3d& FreeSpace::bounds() const {
+    return impl_->bounds;
+}
+double FreeSpace::resolution_m() const {
+    return impl_->grid.resolution_m;
+}
+const LeakReport& FreeSpace::leaks() const {
+    return impl_->leaks;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,204 @@
+#include "planning/free_space/rooms.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/free_space/components.h"
+#include "planning/free_space/distance_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dollytrack::planning {
+namespace {
+
+// What a room has at least. Toilets and store rooms pass, shafts, cupboards and the gap between a
+// sofa and the wall do not.
+constexpr double kRoomVolume_m3 = 0.6;
+constexpr double kRoomHeight_m = 1.0;
+constexpr double kRoomGap_m = 0.2;  // from the roomiest cell to the nearest surface
+// Less than this is no place for a camera, even when there is nothing larger.
+constexpr double kPocketVolume_m3 = 0.05;
+// Hollows up to this size may be furniture; larger ones are rooms whatever surrounds them.
+constexpr double kFurnitureVolume_m3 = 12.0;
+// Share of a hollow's surroundings that belongs to one target when it is that target's inside.
+constexpr double kOneObjectShare = 0.5;
+constexpr double kStructureShare = 0.15;
+constexpr std::size_t kMaxRooms = 250;
+// Smaller hollows are not looked into.
+constexpr double kHollowVolume_m3 = 0.02;
+constexpr int kRays = 512;        // to look round a possible room
+constexpr int kHollowRays = 128;  // to look round a small place
+
+/// Cells of `inside` in whose middle the sphere fits.
+std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid& grid,
+                                          const std::vector<std::uint16_t>& squared_gaps,
+                                          const std::vector<std::uint8_t>& inside, double radius_m,
+                                          const JobContext& job) {
+    std::vector<std::uint8_t> fits(grid.size(), 0);
+    const double radius = radius_m / grid.resolution_m;  // cells
+    const auto sure =
+        static_cast<std::uint16_t>(std::min<double>(std::ceil(radius * radius), kMaxSquaredGap));
+    const auto row = static_cast<std::size_t>(grid.count[0]);
+    const auto rows =
+        static_cast<std::size_t>(grid.count[1]) * static_cast<std::size_t>(grid.count[2]);
+    parallelRanges(rows, 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t at = begin; at < end; ++at) {
+            if (job.cancelled()) return;
+            const int y = static_cast<int>(at % static_cast<std::size_t>(grid.count[1]));
+            const int z = static_cast<int>(at / static_cast<std::size_t>(grid.count[1]));
+            for (int x = 0; x < grid.count[0]; ++x) {
+                const std::size_t i = at * row + static_cast<std::size_t>(x);
+                if (inside[i] == 0) continue;
+                if (squared_gaps[i] >= sure) {
+                    fits[i] = 1;
+                    continue;
+                }
+                fits[i] = rays.closest(grid.centerOf(x, y, z), radius_m).object_id == 0 ? 1 : 0;
+            }
+        }
+    });
+    return fits;
+}
+
+std::vector<FoundRoom> measure(const VoxelGrid& grid, const CellComponents& pieces,
+                               const std::vector<std::uint16_t>& squared_gaps) {
+    std::vector<FoundRoom> rooms(pieces.cells.size());
+    std::vector<int> best_gap(rooms.size(), -1);
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        rooms[i].cells = pieces.cells[i];
+        rooms[i].low.fill(std::numeric_limits<int>::max());
+        rooms[i].high.fill(std::numeric_limits<int>::min());
+    }
+    for (const CellRun& run : pieces.runs) {
+        const auto index = static_cast<std::size_t>(run.component);
+        FoundRoom& room = rooms[index];
+        const std::array<int, 3> begin = {run.x_begin, run.y, run.z};
+        const std::array<int, 3> end = {run.x_end - 1, run.y, run.z};
+        for (unsigned k = 0; k < 3; ++k) {
+            room.low[k] = std::min(room.low[k], begin[k]);
+            room.high[k] = std::max(room.high[k], end[k]);
+        }
+        const std::uint16_t* gaps = squared_gaps.data() + grid.rowOf(run.y, run.z);
+        for (int x = run.x_begin; x < run.x_end; ++x) {
+            if (gaps[x] <= best_gap[index]) continue;
+            best_gap[index] = gaps[x];
+            room.roomiest = {x, run.y, run.z};
+        }
+    }
+    return rooms;
+}
+
+double volumeOf(const FoundRoom& room, const VoxelGrid& grid) {
+    return static_cast<double>(room.cells) * std::pow(grid.resolution_m, 3);
+}
+
+bool hasRoomSize(const FoundRoom& room, const VoxelGrid& grid,
+                 const std::vector<std::uint16_t>& squared_gaps) {
+    const auto& [x, y, z] = room.roomiest;
+    const double gap = std::sqrt(squared_gaps[grid.indexOf(x, y, z)]) * grid.resolution_m;
+    const double height = (room.high[2] - room.low[2] + 1) * grid.resolution_m;
+    return volumeOf(room, grid) >= kRoomVolume_m3 && height >= kRoomHeight_m &&
+           gap + grid.resolution_m >= kRoomGap_m;
+}
+
+/// Whether the walls around a small place are those of one piece of furniture, asked by looking
+/// around from its roomiest cell.
+bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaster& rays,
+                       const VoxelGrid& grid, int ray_count) {
+    if (volumeOf(room, grid) > kFurnitureVolume_m3) return false;
+    const Eigen::Vector3d from =
+        grid.centerOf(room.roomiest[0], room.roomiest[1], room.roomiest[2]);
+    std::vector<int> hits(scene.objects.size() + 1, 0);
+    int structure = 0;
+    for (int i = 0; i < ray_count; ++i) {
+        // Directions of a Fibonacci sphere: even over all solid angles.
+        const double z = 1.0 - (2.0 * i + 1.0) / ray_count;
+        const double turn = i * 2.399963229728653;  // the golden angle
+        const double r = std::sqrt(1.0 - z * z);
+        const RayHit hit = rays.cast(from, {r * std::cos(turn), r * std::sin(turn), z});
+        if (hit.object_id == 0) continue;
+        const Object& object = scene.object(hit.object_id);
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& corner : object.box.corners()) box.extend(corner);
+        // What goes through the whole scene is no piece of furniture, whatever its role.
+        const bool shell = (box.sizes().array() >= 0.8 * scene.room_bounds.sizes().array()).all();
+        if (shell || object.role == Role::Structure) {
+            ++structure;
+        } else {
+            ++hits[static_cast<std::size_t>(hit.object_id)];
+        }
+    }
+    return *std::ranges::max_element(hits) >= kOneObjectShare * ray_count ||
+           structure < kStructureShare * ray_count;
+}
+
+}  // namespace
+
+FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
+                     const std::vector<std::uint16_t>& squared_gaps,
+                     const std::vector<std::uint8_t>& inside, double camera_radius_m,
+                     const JobContext& job) {
+    FoundRooms result;
+    const std::vector<std::uint8_t> fits =
+        whereSphereFits(rays, grid, squared_gaps, inside, camera_radius_m, job);
+    if (job.cancelled()) return result;
+    const CellComponents pieces = findComponents(grid, fits, 1);
+    const std::vector<FoundRoom> measured = measure(grid, pieces, squared_gaps);
+
+    std::vector<std::size_t> order(measured.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return measured[a].cells > measured[b].cells; });
+    std::vector<std::uint8_t> number(measured.size(), kNoRoom);
+    const auto keep = [&](std::size_t piece) {
+        if (result.rooms.size() >= kMaxRooms) return;
+        number[piece] = static_cast<std::uint8_t>(result.rooms.size());
+        result.rooms.push_back(measured[piece]);
+    };
+    for (const std::size_t piece : order) {
+        if (hasRoomSize(measured[piece], grid, squared_gaps) &&
+            !isInsideFurniture(measured[piece], scene, rays, grid, kRays)) {
+            keep(piece);
+        }
+    }
+    // A very low or narrow scene has no room by these sizes: its largest place is what there is.
+    if (result.rooms.empty() && !order.empty() &&
+        volumeOf(measured[order[0]], grid) >= kPocketVolume_m3 &&
+        !isInsideFurniture(measured[order[0]], scene, rays, grid, kRays)) {
+        keep(order[0]);
+    }
+
+    std::vector<std::uint8_t> hollow(measured.size(), 0);
+    for (const std::size_t piece : order) {
+        if (volumeOf(measured[piece], grid) < kHollowVolume_m3) break;
+        if (number[piece] != kNoRoom) continue;
+        hollow[piece] = isInsideFurniture(measured[piece], scene, rays, grid, kHollowRays) ? 1 : 0;
+    }
+
+    result.room_of_cell.assign(grid.size(), kNoRoom);
+    result.hollow.assign(grid.size(), 0);
+    const auto columns = static_cast<std::size_t>(grid.rowOf(0, 1));
+    std::vector<std::vector<std::uint8_t>> footprints(result.rooms.size(),
+                                                      std::vector<std::uint8_t>(columns, 0));
+    for (const CellRun& run : pieces.runs) {
+        const std::uint8_t room = number[static_cast<std::size_t>(run.component)];
+        const std::size_t begin = grid.indexOf(run.x_begin, run.y, run.z);
+        const auto length = static_cast<std::size_t>(run.x_end - run.x_begin);
+        if (room == kNoRoom) {
+            std::fill_n(result.hollow.begin() + static_cast<std::ptrdiff_t>(begin), length,
+                        hollow[static_cast<std::size_t>(run.component)]);
+            continue;
+        }
+        std::fill_n(result.room_of_cell.begin() + static_cast<std::ptrdiff_t>(begin), length, room);
+        std::fill_n(footprints[room].begin() + static_cast<std::ptrdiff_t>(begin % columns), length,
+                    std::uint8_t{1});
+    }
+    for (std::size_t i = 0; i < result.rooms.size(); ++i) {
+        result.rooms[i].columns = std::ranges::count(footprints[i], 1);
+    }
+    return result;
+}
+
+}  // namespace dollytrack::planning
