@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace dollytrack {
+class RayCaster;
+}
+
+namespace dollytrack::planning {
+
+class FreeSpace;
+
+/// Result of moving the camera sphere along a curve.
+struct Sweep {
+    bool free = false;
+    double min_clearance_m = 0.0;  // centre to surface, the least met at the proof's points; in
+                                   // between it may be a few millimetres less, but never below
+                                   // the radius
+    Eigen::Vector3d collision = Eigen::Vector3d::Zero();  // the centre where it stops
+    int object_id = 0;  // what it meets; 0 with free == false: it leaves free space
+};
+
+/// Proves moves of the camera sphere free, or finds where they collide. Conservative advancement:
+/// from a point whose surface distance is d, all within d - radius is free, so the proof steps
+/// from ball to ball and cannot miss a thin thing. Keeps references. Const, many threads.
+class SweptSphere {
+  public:
+    SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m);
+
+    /// Places keep this much more than the radius, so that proofs end in few steps.
+    static constexpr double kMargin = 0.01;
+
+    /// Whether the camera may stand here: room for the sphere and the margin, in free space.
+    [[nodiscard]] bool fits(const Eigen::Vector3d& position) const;
+
+    /// Distance to the nearest surface, exact below `limit`, else at least `limit`.
+    [[nodiscard]] double clearance(const Eigen::Vector3d& position, double limit) const;
+
+    [[nodiscard]] Sweep segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+    /// Quadratic Bezier curve.
+    [[nodiscard]] Sweep bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                               const Eigen::Vector3d& end) const;
+
+    [[nodiscard]] double radius() const { return radius_m_; }
+
+  private:
+    const RayCaster* rays_;
+    const FreeSpace* free_space_;
+    double radius_m_;
+};
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,140 @@
+#include "planning/linking/rrt_star.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kReach = 1.5;   // longest single move, m
+constexpr double kRewire = 2.0;  // factor of the shrinking rewiring radius, m
+// Once there, this share of the work spent so far (and at least this many samples) goes into
+// shortening the way.
+constexpr int kImproveAtLeast = 60;
+
+struct Node {
+    Eigen::Vector3d position;
+    int parent = -1;
+    double cost = 0.0;
+};
+
+class Tree {
+  public:
+    Tree(const RrtStarProblem& problem) : problem_(problem) {
+        nodes_.push_back({problem.start, -1, 0.0});
+    }
+
+    [[nodiscard]] int nearest(const Eigen::Vector3d& point) const {
+        int best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const double squared = (nodes_[i].position - point).squaredNorm();
+            if (squared >= least) continue;
+            least = squared;
+            best = static_cast<int>(i);
+        }
+        return best;
+    }
+
+    /// Adds the point with its cheapest free parent, then rewires its neighbours through it.
+    bool add(const Eigen::Vector3d& point) {
+        const double n = static_cast<double>(nodes_.size()) + 1.0;
+        const double radius = std::min(kReach, kRewire * std::cbrt(std::log(n) / n));
+        std::vector<int> near = within(point, radius);
+        near.push_back(nearest(point));
+        int parent = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (const int i : near) {
+            const double cost = at(i).cost + (at(i).position - point).norm();
+            if (cost >= least || !problem_.is_move_free(at(i).position, point)) continue;
+            least = cost;
+            parent = i;
+        }
+        if (parent < 0) return false;
+        const int self = static_cast<int>(nodes_.size());
+        nodes_.push_back({point, parent, least});
+        for (const int i : near) {
+            const double cost = least + (at(i).position - point).norm();
+            if (i == parent || cost >= at(i).cost) continue;
+            if (!problem_.is_move_free(point, at(i).position)) continue;
+            nodes_[static_cast<std::size_t>(i)].parent = self;
+            lower(i, at(i).cost - cost);
+        }
+        return true;
+    }
+
+    [[nodiscard]] const Node& at(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] int last() const { return static_cast<int>(nodes_.size()) - 1; }
+    [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+
+  private:
+    [[nodiscard]] std::vector<int> within(const Eigen::Vector3d& point, double radius) const {
+        std::vector<int> result;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if ((nodes_[i].position - point).squaredNorm() < radius * radius) {
+                result.push_back(static_cast<int>(i));
+            }
+        }
+        return result;
+    }
+
+    /// Takes what was gained at a node off its whole branch.
+    void lower(int top, double gain) {
+        std::vector<int> branch = {top};
+        while (!branch.empty()) {
+            const int i = branch.back();
+            branch.pop_back();
+            nodes_[static_cast<std::size_t>(i)].cost -= gain;
+            for (std::size_t child = 0; child < nodes_.size(); ++child) {
+                if (nodes_[child].parent == i) branch.push_back(static_cast<int>(child));
+            }
+        }
+    }
+
+    const RrtStarProblem& problem_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
+    Tree tree(problem);
+    int best_end = -1;
+    double best_cost = std::numeric_limits<double>::infinity();
+    const auto tryGoal = [&](int node) {
+        const double rest = (tree.at(node).position - problem.goal).norm();
+        if (tree.at(node).cost + rest >= best_cost) return;
+        if (!problem.is_move_free(tree.at(node).position, problem.goal)) return;
+        best_cost = tree.at(node).cost + rest;
+        best_end = node;
+    };
+    tryGoal(0);
+    int stop = problem.max_iterations;
+    for (int i = 0; i < stop; ++i) {
+        const Eigen::Vector3d wish = problem.sample(random);
+        const Eigen::Vector3d& from = tree.at(tree.nearest(wish)).position;
+        const double distance = (wish - from).norm();
+        if (distance < 1e-6) continue;
+        const Eigen::Vector3d point = from + (wish - from) * std::min(1.0, kReach / distance);
+        if (!problem.is_free(point) || !tree.add(point)) continue;
+        const bool was_found = best_end >= 0;
+        tryGoal(tree.last());
+        if (!was_found && best_end >= 0) {
+            stop = std::min(stop, i + std::max(kImproveAtLeast, i / 2));
+        }
+    }
+    RrtStarResult result;
+    for (std::size_t i = 1; i < tree.nodes().size(); ++i) {
+        result.samples.push_back(tree.nodes()[i].position);
+    }
+    if (best_end < 0) return result;
+    result.found = true;
+    for (int node = best_end; node > 0; node = tree.at(node).parent) {
+        result.corners.push_back(tree.at(node).position);
+    }
+    std::reverse(result.corners.begin(), result.corners.end());
+    return result;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/core/random.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// What RRT* is to do. Positions in m, world.
+struct RrtStarProblem {
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();
+    Eigen::Vector3d goal = Eigen::Vector3d::Zero();
+    std::function<Eigen::Vector3d(Random&)> sample;  // places that may or may not be free
+    std::function<bool(const Eigen::Vector3d&)> is_free;
+    std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)> is_move_free;
+    int max_iterations = 1500;
+};
+
+struct RrtStarResult {
+    bool found = false;
+    std::vector<Eigen::Vector3d> corners;  // between start and goal, without them
+    std::vector<Eigen::Vector3d> samples;  // all that became part of the tree
+};
+
+/// RRT* (Karaman and Frazzoli, 2011): grows a tree from the start, rewires it around each new
+/// node, and stops some time after it reached the goal.
+RrtStarResult rrtStar(const RrtStarProblem& problem, Random random);
+
+}  // namespace dollytrack::planning

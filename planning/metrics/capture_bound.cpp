@@ -1,0 +1,133 @@
+#include "planning/metrics/capture_bound.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/viewpoints/candidate_source.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/framing.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kDirections = 300;
+constexpr int kRandomPlaces = 1200;
+constexpr int kCoarseGrid = 8;
+constexpr int kExactGrid = 64;
+constexpr std::size_t kRefined = 24;
+
+struct Reach {
+    bool captured = false;
+    bool well = false;
+};
+
+class DenseSearch {
+  public:
+    DenseSearch(const Surroundings& around, int object_id, Random random)
+        : around_(around),
+          object_id_(object_id),
+          subject_(makeSubject(around.views, {object_id})),
+          random_(random) {}
+
+    Reach run(const Plan& plan) {
+        for (const ObjectCapture& capture : plan.captures) {
+            if (capture.object_id != object_id_) continue;
+            reach_ = {capture.captured, capture.well_captured};
+        }
+        if (reach_.well) return reach_;
+        for (const Eigen::Vector3d& direction :
+             directionsAllAround(Eigen::Vector3d::UnitX(), kDirections)) {
+            for (double fill = 0.08; fill < 1.4; fill *= 1.25) {
+                const double distance = distanceForFill(around_.views, subject_, direction, fill);
+                consider(subject_.center + direction * distance);
+            }
+        }
+        refine();
+        if (reach_.well) return reach_;
+        for (const Eigen::Vector3d& place : randomPlaces(
+                 around_.free_space, around_.views, subject_, 0.05, 1.5, kRandomPlaces, random_)) {
+            consider(place);
+        }
+        refine();
+        return reach_;
+    }
+
+  private:
+    struct Place {
+        Eigen::Vector3d position;
+        ViewEstimator::Estimate coarse;
+    };
+
+    void consider(const Eigen::Vector3d& position) {
+        if (!around_.sphere.fits(position)) return;
+        const Pose pose = lookAt(position, subject_.center);
+        Place place{position, around_.views.estimate(pose, object_id_, kCoarseGrid)};
+        if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
+    }
+
+    /// Looks by every pixel at the best for each of the two rates.
+    void refine() {
+        const auto look = [&](auto&& quality) {
+            std::stable_sort(places_.begin(), places_.end(), [&](const Place& a, const Place& b) {
+                return quality(a.coarse) > quality(b.coarse);
+            });
+            for (std::size_t i = 0; i < std::min(kRefined, places_.size()) && !reach_.well; ++i) {
+                const Pose pose = lookAt(places_[i].position, subject_.center);
+                const ObjectView view =
+                    makeView(around_.views.estimate(pose, object_id_, kExactGrid), object_id_, 0);
+                reach_.captured |= isCaptured(view);
+                reach_.well |= isWellCaptured(view);
+            }
+        };
+        const CaptureRules rules;
+        look([](const ViewEstimator::Estimate& e) {
+            return e.visible_fraction + (e.visible_px >= 120.0 ? 1.0 : 0.0);
+        });
+        look([&](const ViewEstimator::Estimate& e) {
+            return std::min(e.visible_fraction / rules.min_visible_fraction, 1.1) +
+                   std::min(e.box_share / rules.min_box_share, 1.2);
+        });
+        places_.clear();
+    }
+
+    const Surroundings& around_;
+    int object_id_;
+    Subject subject_;
+    Random random_;
+    std::vector<Place> places_;
+    Reach reach_;
+};
+
+}  // namespace
+
+Result<CaptureBound> boundCaptures(const Surroundings& around, const Plan& plan, int seed,
+                                   const JobContext& job) {
+    std::vector<Reach> reaches(plan.captures.size());
+    parallelFor(reaches.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
+        const int id = plan.captures[i].object_id;
+        reaches[i] = DenseSearch(around, id,
+                                 Random(static_cast<std::uint64_t>(seed),
+                                        static_cast<std::uint64_t>(id) + 100'000U))
+                         .run(plan);
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    CaptureBound bound;
+    int captured = 0;
+    int well = 0;
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
+        captured += reaches[i].captured;
+        well += reaches[i].well;
+        if (!reaches[i].captured) bound.not_capturable.push_back(plan.captures[i].object_id);
+        if (!reaches[i].well) bound.not_well_capturable.push_back(plan.captures[i].object_id);
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, reaches.size()));
+    bound.capturable_rate = captured / count;
+    bound.well_capturable_rate = well / count;
+    return bound;
+}
+
+}  // namespace dollytrack::planning

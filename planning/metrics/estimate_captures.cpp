@@ -1,0 +1,80 @@
+#include "planning/metrics/estimate_captures.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kCoarseGrid = 7;
+constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of two orders
+constexpr int kExactGrid = 72;   // denser than this adds nothing that decides
+
+/// A cheap look, without rays, at whether a frame could capture the object.
+bool mayCapture(const ViewEstimator& views, const Pose& pose, int object_id) {
+    const auto extent = views.extent(pose, object_id);
+    if (!extent) return false;
+    const Intrinsics& k = views.intrinsics();
+    const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(), Eigen::Vector2d(k.width, k.height));
+    const Eigen::AlignedBox2d inside = image.intersection(*extent);
+    if (inside.isEmpty()) return false;
+    const double to_vga = 640.0 * 480.0 / (static_cast<double>(k.width) * k.height);
+    return inside.sizes().prod() * to_vga >= CaptureRules{}.min_visible_px &&
+           inside.sizes().prod() >= 0.5 * extent->sizes().prod();
+}
+
+/// The frames that are worth a look by every pixel, by two orders: most visible, and most visible
+/// among those that show the object large.
+std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
+    std::vector<int> frames;
+    const auto take = [&](auto&& better) {
+        const auto count = std::min<std::size_t>(kExactFrames, coarse.size());
+        std::partial_sort(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(count),
+                          coarse.end(), better);
+        for (std::size_t i = 0; i < count; ++i) frames.push_back(coarse[i].frame);
+    };
+    const auto key = [](const ObjectView& v) {
+        return std::tuple(-v.visible_fraction, -v.mask_share, v.frame);
+    };
+    take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
+    std::erase_if(coarse, [](const ObjectView& v) {
+        return v.box_share < 0.9 * CaptureRules{}.min_box_share;
+    });
+    take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
+    std::sort(frames.begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+}  // namespace
+
+Result<std::vector<ObjectCapture>> estimateCaptures(const ViewEstimator& views,
+                                                    const Trajectory& trajectory,
+                                                    const JobContext& job) {
+    const Scene& scene = views.scene();
+    std::vector<std::vector<ObjectView>> exact(scene.objects.size());
+    parallelFor(scene.objects.size(), [&](std::size_t i) {
+        const int id = scene.objects[i].id;
+        if (scene.objects[i].role != Role::Target || job.cancelled()) return;
+        std::vector<ObjectView> coarse;
+        for (std::size_t f = 0; f < trajectory.frames.size(); ++f) {
+            const Pose& pose = trajectory.frames[f].pose;
+            if (!mayCapture(views, pose, id)) continue;
+            coarse.push_back(
+                makeView(views.estimate(pose, id, kCoarseGrid), id, static_cast<int>(f)));
+        }
+        for (const int frame : bestFrames(std::move(coarse))) {
+            const Pose& pose = trajectory.frames[static_cast<std::size_t>(frame)].pose;
+            exact[i].push_back(makeView(views.estimate(pose, id, kExactGrid), id, frame));
+        }
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    std::vector<ObjectView> all;
+    for (const auto& some : exact) all.insert(all.end(), some.begin(), some.end());
+    return bestCaptures(scene, all);
+}
+
+}  // namespace dollytrack::planning

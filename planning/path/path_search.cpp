@@ -1,0 +1,229 @@
+#include "planning/path/path_search.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/collision/shortcut.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/path/tour.h"
+#include "planning/plan_params.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace dollytrack::planning {
+namespace {
+
+/// One connected part of the roadmap, with its vertices numbered 0.. .
+class Part {
+  public:
+    Part(Roadmap& roadmap, const std::vector<PositionPoint>& points, int group)
+        : roadmap_(&roadmap), points_(&points), local_(points.size(), -1) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (roadmap.group[i] != group) continue;
+            local_[i] = static_cast<int>(keys.size());
+            keys.push_back(static_cast<int>(i));
+        }
+        edges.resize(keys.size());
+        for (std::size_t e = 0; e < roadmap.edges.size(); ++e) {
+            const RoadmapEdge& edge = roadmap.edges[e];
+            const int a = local_[static_cast<std::size_t>(edge.a)];
+            const int b = local_[static_cast<std::size_t>(edge.b)];
+            if (a < 0 || b < 0) continue;
+            edges[static_cast<std::size_t>(a)].push_back(static_cast<int>(e));
+            edges[static_cast<std::size_t>(b)].push_back(static_cast<int>(e));
+        }
+    }
+
+    [[nodiscard]] RoadmapEdge& edge(int e) const {
+        return roadmap_->edges[static_cast<std::size_t>(e)];
+    }
+    [[nodiscard]] int otherEnd(int e, int vertex) const {
+        const int a = local_[static_cast<std::size_t>(edge(e).a)];
+        const int b = local_[static_cast<std::size_t>(edge(e).b)];
+        return a == vertex ? b : a;
+    }
+    [[nodiscard]] const PositionPoint& point(int vertex) const {
+        return (*points_)[static_cast<std::size_t>(keys[static_cast<std::size_t>(vertex)])];
+    }
+    [[nodiscard]] int size() const { return static_cast<int>(keys.size()); }
+
+    std::vector<int> keys;                // position points, by local number
+    std::vector<std::vector<int>> edges;  // roadmap edges at each vertex
+
+  private:
+    Roadmap* roadmap_;
+    const std::vector<PositionPoint>* points_;
+    std::vector<int> local_;
+};
+
+/// Depth-first search: edges to vertices already reached close a cycle and are dropped.
+void dropCycleEdges(const Part& part) {
+    std::vector<bool> reached(part.keys.size(), false);
+    std::vector<int> stack = {0};
+    std::vector<bool> seen_edge;
+    for (const auto& at : part.edges) {
+        for (const int e : at) part.edge(e).in_tree = false;
+    }
+    reached[0] = true;
+    while (!stack.empty()) {
+        const int vertex = stack.back();
+        bool went_deeper = false;
+        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+            const int next = part.otherEnd(e, vertex);
+            if (reached[static_cast<std::size_t>(next)]) continue;
+            reached[static_cast<std::size_t>(next)] = true;
+            part.edge(e).in_tree = true;
+            stack.push_back(next);
+            went_deeper = true;
+            break;
+        }
+        if (!went_deeper) stack.pop_back();
+    }
+}
+
+/// Cheapest ways from one vertex: for each vertex the cost and the edge it is reached by.
+struct Ways {
+    std::vector<double> cost;
+    std::vector<int> by_edge;
+};
+
+Ways waysFrom(const Part& part, int start, const std::function<double(const RoadmapEdge&)>& weigh) {
+    Ways ways{std::vector<double>(part.keys.size(), std::numeric_limits<double>::infinity()),
+              std::vector<int>(part.keys.size(), -1)};
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
+        open;
+    ways.cost[static_cast<std::size_t>(start)] = 0.0;
+    open.emplace(0.0, start);
+    while (!open.empty()) {
+        const auto [cost, vertex] = open.top();
+        open.pop();
+        if (cost > ways.cost[static_cast<std::size_t>(vertex)]) continue;
+        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+            const double length = weigh(part.edge(e));
+            const auto next = static_cast<std::size_t>(part.otherEnd(e, vertex));
+            if (cost + length >= ways.cost[next]) continue;
+            ways.cost[next] = cost + length;
+            ways.by_edge[next] = e;
+            open.emplace(cost + length, static_cast<int>(next));
+        }
+    }
+    return ways;
+}
+
+double metres(const RoadmapEdge& edge) {
+    return edge.length_m;
+}
+
+/// One edge of the tree counts as one vertex; what was dropped leads nowhere.
+double steps(const RoadmapEdge& edge) {
+    return edge.in_tree ? 1.0 : std::numeric_limits<double>::infinity();
+}
+
+/// The vertices from the root of the ways to the end, with the edges between them.
+std::vector<std::pair<int, int>> trace(const Part& part, const Ways& ways, int end) {
+    std::vector<std::pair<int, int>> result;  // vertex, edge that leads to it
+    for (int vertex = end;;) {
+        const int e = ways.by_edge[static_cast<std::size_t>(vertex)];
+        result.emplace_back(vertex, e);
+        if (e < 0) break;
+        vertex = part.otherEnd(e, vertex);
+    }
+    std::reverse(result.begin(), result.end());
+    return result;
+}
+
+/// Corners from one vertex to another along an edge, both ends left out.
+std::vector<Eigen::Vector3d> cornersAlong(const Part& part, int e, int to) {
+    std::vector<Eigen::Vector3d> corners = part.edge(e).via;
+    if (part.edge(e).b != part.keys[static_cast<std::size_t>(to)]) {
+        std::reverse(corners.begin(), corners.end());
+    }
+    return corners;
+}
+
+PathVertex keyVertex(const Part& part, int vertex) {
+    return {part.point(vertex).pose.position, part.keys[static_cast<std::size_t>(vertex)]};
+}
+
+std::vector<PathVertex> longestBranch(const Part& part) {
+    // In a tree the vertex furthest from anywhere is an end of the longest branch.
+    const auto furthest = [](const Ways& ways) {
+        return static_cast<int>(std::max_element(ways.cost.begin(), ways.cost.end()) -
+                                ways.cost.begin());
+    };
+    const int one_end = furthest(waysFrom(part, 0, steps));
+    const Ways ways = waysFrom(part, one_end, steps);
+    std::vector<PathVertex> path;
+    for (const auto& [vertex, e] : trace(part, ways, furthest(ways))) {
+        if (e >= 0) {
+            for (const auto& corner : cornersAlong(part, e, vertex)) path.push_back({corner, -1});
+        }
+        path.push_back(keyVertex(part, vertex));
+    }
+    return path;
+}
+
+std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
+                             const RoadmapParams& weights) {
+    const auto count = part.keys.size();
+    std::vector<Ways> ways(count);
+    parallelFor(count,
+                [&](std::size_t i) { ways[i] = waysFrom(part, static_cast<int>(i), metres); });
+    CostMatrix cost(count, std::vector<double>(count, 0.0));
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double turn = angleBetween(part.point(static_cast<int>(i)).pose.rotation,
+                                             part.point(static_cast<int>(j)).pose.rotation);
+            cost[i][j] = cost[j][i] =
+                weights.distance_weight * std::min(ways[i].cost[j], ways[j].cost[i]) + turn;
+        }
+    }
+    const std::vector<int> order = shortTour(cost);
+    std::vector<std::vector<Eigen::Vector3d>> legs(order.size());
+    parallelFor(order.size(), [&](std::size_t i) {
+        if (i == 0) return;
+        const int from = order[i - 1];
+        const int to = order[i];
+        std::vector<Eigen::Vector3d> corners;
+        for (const auto& [vertex, e] : trace(part, ways[static_cast<std::size_t>(from)], to)) {
+            if (e < 0) continue;
+            for (const auto& corner : cornersAlong(part, e, vertex)) corners.push_back(corner);
+            if (vertex != to) corners.push_back(part.point(vertex).pose.position);
+        }
+        legs[i] = shortened(corners, part.point(from).pose.position, part.point(to).pose.position,
+                            sphere);
+    });
+    std::vector<PathVertex> path;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (const auto& corner : legs[i]) path.push_back({corner, -1});
+        path.push_back(keyVertex(part, order[i]));
+    }
+    return path;
+}
+
+}  // namespace
+
+Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
+                                          const std::vector<PositionPoint>& position_points,
+                                          const SweptSphere& sphere, const PathParams& params,
+                                          const RoadmapParams& weights, const JobContext& job) {
+    std::vector<Part> parts;
+    for (int group = 0; group < roadmap.group_count; ++group) {
+        parts.emplace_back(roadmap, position_points, group);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.size() > b.size(); });
+    std::vector<CameraPath> paths;
+    for (const Part& part : parts) {
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        dropCycleEdges(part);
+        CameraPath path;
+        path.component = part.point(0).component;
+        path.vertices = params.path_mode == PathMode::LongestBranch ? longestBranch(part)
+                                                                    : tour(part, sphere, weights);
+        paths.push_back(std::move(path));
+    }
+    return paths;
+}
+
+}  // namespace dollytrack::planning

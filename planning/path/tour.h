@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// Square matrix of costs between stops.
+using CostMatrix = std::vector<std::vector<double>>;
+
+/// A short open tour through all stops: nearest neighbour from several starts, each improved by
+/// reversing stretches (2-opt) and moving short stretches (Or-opt) until neither helps.
+/// Deterministic. Costs must be symmetric and finite.
+std::vector<int> shortTour(const CostMatrix& cost);
+
+double tourCost(const CostMatrix& cost, const std::vector<int>& tour);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,249 @@
+#include "planning/pipeline.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/linking/link_groups.h"
+#include "planning/metrics/estimate_captures.h"
+#include "planning/metrics/explain.h"
+#include "planning/path/path_search.h"
+#include "planning/roadmap/roadmap_search.h"
+#include "planning/smoothing/smooth_path.h"
+#include "planning/stage.h"
+#include "planning/targets/observation_points.h"
+#include "planning/timing/time_trajectory.h"
+#include "planning/viewpoints/key_frames.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <chrono>
+#include <tuple>
+
+namespace dollytrack::planning {
+namespace {
+
+struct Paths {
+    Roadmap roadmap;  // with the cycle edges marked
+    std::vector<CameraPath> paths;
+};
+
+struct Metrics {
+    std::vector<ObjectCapture> captures;
+    TrajectoryMetrics trajectory;
+};
+
+using V = unsigned;  // version of an earlier stage's output
+
+}  // namespace
+
+struct Pipeline::Stages {
+    std::shared_ptr<const Scene> scene;
+    Stage<std::tuple<>, RayCaster> rays;
+    Stage<std::tuple<double, FreeSpaceParams>, FreeSpace> free_space;
+    Stage<std::tuple<CameraParams>, ViewEstimator> views;
+    Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
+    Stage<std::tuple<V, V, V, ViewpointParams, int>, Viewpoints> viewpoints;
+    Stage<std::tuple<V, int>, std::vector<int>> key_frames;
+    Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
+    Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
+    Stage<std::tuple<V, PathParams, RoadmapParams>, Paths> paths;
+    Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
+    Stage<std::tuple<V, TimingParams>, Trajectory> timing;
+    Stage<std::tuple<V>, Metrics> metrics;
+
+    std::vector<StageTime> times;
+
+    /// Runs one stage, timed, unless the job was cancelled before it.
+    template <class StageType, class Inputs, class Make>
+    Status run(std::string_view name, StageType& stage, const Inputs& inputs, const JobContext& job,
+               Make&& make) {
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        job.report(0.0);
+        const auto begin = std::chrono::steady_clock::now();
+        Status status = stage.update(inputs, std::forward<Make>(make));
+        const std::chrono::duration<double, std::milli> spent =
+            std::chrono::steady_clock::now() - begin;
+        times.push_back({std::string(name), spent.count(), stage.reused()});
+        job.report(1.0);
+        return status;
+    }
+
+    Status map(const PlanParams& params, const JobContext& job);
+    Status plan(const PlanParams& params, const JobContext& job);
+    [[nodiscard]] Plan collect() const;
+};
+
+Status Pipeline::Stages::map(const PlanParams& params, const JobContext& job) {
+    return run("rays", rays, std::tuple<>(), job.stage(0.0, 0.1, "rays"),
+               [&]() -> Result<RayCaster> { return RayCaster(*scene); })
+        .and_then([&] {
+            const JobContext part = job.stage(0.1, 0.4, "free space");
+            return run("free_space", free_space,
+                       std::tuple(params.camera.camera_radius_m, params.free_space), part, [&] {
+                           return FreeSpace::build(*scene, *rays, params.camera, params.free_space,
+                                                   part);
+                       });
+        })
+        .and_then([&] {
+            return run("views", views, std::tuple(params.camera), job.stage(0.4, 0.42, "views"),
+                       [&]() -> Result<ViewEstimator> {
+                           return ViewEstimator(*scene, *rays, params.camera);
+                       });
+        });
+}
+
+Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
+    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m);
+    const Surroundings around{*views, *free_space, sphere};
+    return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
+               job.stage(0.42, 0.44, "targets"),
+               [&]() -> Result<std::vector<ObservationPoint>> {
+                   return setObservationPoints(*views, params.targets, params.viewpoints);
+               })
+        .and_then([&] {
+            const JobContext part = job.stage(0.44, 0.7, "viewpoints");
+            return run("viewpoints", viewpoints,
+                       std::tuple(targets.version(), free_space.version(), views.version(),
+                                  params.viewpoints, params.seed),
+                       part, [&] {
+                           return searchViewpoints(around, *targets, params.viewpoints, params.seed,
+                                                   part)
+                               .map([&](Viewpoints found) {
+                                   findCaptured(*views, found.position_points);
+                                   return found;
+                               });
+                       });
+        })
+        .and_then([&] {
+            const int budget = params.timing.max_frames;
+            return run("key_frames", key_frames, std::tuple(viewpoints.version(), budget),
+                       job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
+                           std::vector<int> keys = chooseKeyFrames(viewpoints->position_points);
+                           if (budget > 0 && keys.size() > static_cast<std::size_t>(budget)) {
+                               keys.resize(static_cast<std::size_t>(budget));
+                           }
+                           return keys;
+                       });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.71, 0.75, "roadmap");
+            return run("roadmap", roadmap,
+                       std::tuple(key_frames.version(), params.roadmap, params.seed), part, [&] {
+                           return searchRoadmap(viewpoints->position_points, *key_frames,
+                                                targetSizes(*scene, viewpoints->observation_points,
+                                                            viewpoints->position_points),
+                                                sphere, params.roadmap, params.seed, part);
+                       });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.75, 0.8, "linking");
+            return run("linking", linking,
+                       std::tuple(roadmap.version(), params.linking, params.seed), part,
+                       [&]() -> Result<Roadmap> {
+                           Roadmap linked = *roadmap;
+                           return linkGroups(linked, viewpoints->position_points, *key_frames,
+                                             *free_space, sphere, params.linking, params.seed, part)
+                               .map([&] { return std::move(linked); });
+                       });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.8, 0.84, "path");
+            return run("path", paths, std::tuple(linking.version(), params.path, params.roadmap),
+                       part, [&]() -> Result<Paths> {
+                           Paths taken{*linking, {}};
+                           return takePaths(taken.roadmap, viewpoints->position_points, sphere,
+                                            params.path, params.roadmap, part)
+                               .map([&](std::vector<CameraPath> made) {
+                                   taken.paths = std::move(made);
+                                   return std::move(taken);
+                               });
+                       });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.84, 0.9, "smoothing");
+            return run("smoothing", smoothing, std::tuple(paths.version(), params.smoothing), part,
+                       [&]() -> Result<std::vector<SmoothPath>> {
+                           std::vector<SmoothPath> smooth;
+                           for (const CameraPath& path : paths->paths) {
+                               auto made = smoothPath(path, viewpoints->position_points,
+                                                      viewpoints->observation_points, around,
+                                                      params.smoothing, part);
+                               if (!made) return tl::unexpected<Error>(std::move(made.error()));
+                               smooth.push_back(std::move(*made));
+                           }
+                           return smooth;
+                       });
+        })
+        .and_then([&] {
+            return run("timing", timing, std::tuple(smoothing.version(), params.timing),
+                       job.stage(0.9, 0.91, "timing"), [&] {
+                           return timeTrajectory(*smoothing, viewpoints->position_points,
+                                                 viewpoints->observation_points, params.timing);
+                       });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.91, 1.0, "metrics");
+            return run("metrics", metrics, std::tuple(timing.version()), part,
+                       [&]() -> Result<Metrics> {
+                           auto captures = estimateCaptures(*views, *timing, part);
+                           if (!captures) {
+                               return tl::unexpected<Error>(std::move(captures.error()));
+                           }
+                           return measureTrajectory(*views, *smoothing, *timing, sphere, part)
+                               .map([&](const TrajectoryMetrics& measured) {
+                                   return Metrics{std::move(*captures), measured};
+                               });
+                       });
+        });
+}
+
+Plan Pipeline::Stages::collect() const {
+    Plan plan;
+    plan.observation_points = viewpoints->observation_points;
+    plan.searches = viewpoints->searches;
+    plan.position_points = viewpoints->position_points;
+    plan.key_frames = *key_frames;
+    plan.roadmap = paths->roadmap;
+    plan.paths = paths->paths;
+    plan.smooth_paths = *smoothing;
+    plan.trajectory = *timing;
+    plan.captures = metrics->captures;
+    plan.capture_metrics = summarize(*scene, plan.captures);
+    plan.trajectory_metrics = metrics->trajectory;
+    for (const ObjectCapture& capture : plan.captures) {
+        if (capture.captured) continue;
+        plan.uncaptured.push_back(
+            {capture.object_id, explainUncaptured(*scene, plan, capture.object_id)});
+    }
+    plan.stages = times;
+    for (const StageTime& stage : times) {
+        const bool maps =
+            stage.name == "rays" || stage.name == "free_space" || stage.name == "views";
+        if (maps) plan.map_ms += stage.milliseconds;
+        if (!maps && stage.name != "metrics") plan.plan_ms += stage.milliseconds;
+    }
+    return plan;
+}
+
+Pipeline::Pipeline(std::shared_ptr<const Scene> scene) : stages_(std::make_unique<Stages>()) {
+    stages_->scene = std::move(scene);
+}
+Pipeline::~Pipeline() = default;
+Pipeline::Pipeline(Pipeline&&) noexcept = default;
+Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
+
+Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const JobContext& job) {
+    stages_->times.clear();
+    return stages_->map(params, job).and_then([&] { return stages_->plan(params, job); }).map([&] {
+        return std::make_shared<const Plan>(stages_->collect());
+    });
+}
+
+std::shared_ptr<const FreeSpace> Pipeline::freeSpace() const {
+    return stages_->free_space.share();
+}
+std::shared_ptr<const RayCaster> Pipeline::rays() const {
+    return stages_->rays.share();
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+#include "engine/plan/plan.h"
+#include "planning/plan_params.h"
+
+#include <memory>
+
+namespace dollytrack {
+class RayCaster;
+}
+
+namespace dollytrack::planning {
+
+class FreeSpace;
+
+/// The whole method as a chain of stages: free space, targets, viewpoints, key frames, roadmap,
+/// linking, path, smoothing, timing, metrics. Keeps what each stage made; a later run repeats only
+/// the stages whose parameters, or whose input, have changed.
+class Pipeline {
+  public:
+    explicit Pipeline(std::shared_ptr<const Scene> scene);
+    ~Pipeline();
+    Pipeline(Pipeline&&) noexcept;
+    Pipeline& operator=(Pipeline&&) noexcept;
+
+    /// Errors: Cancelled; BadInput when the scene has no room for the camera. A scene without
+    /// targets, or of which nothing can be captured, gives an empty trajectory.
+    Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const JobContext& job);
+
+    /// Free space of the last run, or null before one came that far.
+    [[nodiscard]] std::shared_ptr<const FreeSpace> freeSpace() const;
+    [[nodiscard]] std::shared_ptr<const RayCaster> rays() const;
+
+  private:
+    struct Stages;
+    std::unique_ptr<Stages> stages_;
+};
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,164 @@
+#pragma once
+
+#include "engine/camera/camera_params.h"
+#include "engine/core/field_list.h"
+#include "planning/free_space/free_space_params.h"
+
+namespace dollytrack::planning {
+
+/// Which objects are small, and what stands on or hangs at what (paper, 3.2.2).
+struct TargetParams {
+    double small_volume_m3 = 0.1;
+    double size_ratio = 5.0;
+    bool operator==(const TargetParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitTargetParams(Params& p, Visitor&& visit) {
+    visit("small_volume_m3", p.small_volume_m3,
+          FieldInfo{0.0, 10.0, "m3", "Objects below this volume are small"});
+    visit("size_ratio", p.size_ratio,
+          FieldInfo{1.0, 1000.0, "",
+                    "An object is also small when what carries it is this many times larger"});
+}
+
+/// Where position points are searched (paper, eq. 1).
+struct ViewpointParams {
+    double fill = 0.6;
+    double yaw_offset_deg = 0.0;
+    double pitch_offset_deg = 15.0;
+    double cone_half_angle_deg = 40.0;
+    bool operator==(const ViewpointParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitViewpointParams(Params& p, Visitor&& visit) {
+    visit("fill", p.fill,
+          FieldInfo{0.1, 1.0, "", "Share of the image's length that the target takes", "d"});
+    visit("yaw_offset_deg", p.yaw_offset_deg,
+          FieldInfo{-180, 180, "deg", "Turns the viewing direction about the vertical", "M"});
+    visit("pitch_offset_deg", p.pitch_offset_deg,
+          FieldInfo{-89, 89, "deg", "Raises the viewing direction", "M"});
+    visit("cone_half_angle_deg", p.cone_half_angle_deg,
+          FieldInfo{0, 180, "deg", "Half angle of the cone searched around it", "M"});
+}
+
+/// The priority search (paper, Algorithm 1).
+struct RoadmapParams {
+    double distance_weight = 1.0;
+    double size_weight = 0.5;
+    int refusal_limit = 5;
+    bool operator==(const RoadmapParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitRoadmapParams(Params& p, Visitor&& visit) {
+    visit("distance_weight", p.distance_weight,
+          FieldInfo{0, 100, "1/m", "Weight of distance in the priority", "\u03bb"});
+    visit("size_weight", p.size_weight,
+          FieldInfo{0, 100, "1/m", "Weight of the target's size in the priority", "\u03b4"});
+    visit("refusal_limit", p.refusal_limit,
+          FieldInfo{1, 100, "", "Refused edges after which a sample is left", "step"});
+}
+
+/// RRT* between the parts of the roadmap that are not joined (paper, 3.2.3).
+struct LinkParams {
+    double sample_sigma_m = 0.5;
+    int link_iterations = 1500;
+    bool operator==(const LinkParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitLinkParams(Params& p, Visitor&& visit) {
+    visit("sample_sigma_m", p.sample_sigma_m,
+          FieldInfo{0.01, 10, "m", "Spread of the linking samples", "\u03c3"});
+    visit("link_iterations", p.link_iterations,
+          FieldInfo{1, 1e6, "", "RRT* samples per link at the most"});
+}
+
+enum class PathMode { Tour, LongestBranch };
+
+/// Which way through the roadmap is taken.
+struct PathParams {
+    PathMode path_mode = PathMode::Tour;
+    bool operator==(const PathParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitPathParams(Params& p, Visitor&& visit) {
+    visit("path_mode", p.path_mode,
+          ChoiceInfo{{"tour", "longest_branch"},
+                     "tour: every key frame; longest_branch: the tree's longest branch (paper)"});
+}
+
+struct SmoothingParams {
+    double corner_distance_m = 0.45;
+    bool operator==(const SmoothingParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitSmoothingParams(Params& p, Visitor&& visit) {
+    visit("corner_distance_m", p.corner_distance_m,
+          FieldInfo{0, 5, "m", "Bezier set-back before and after a corner", "d"});
+}
+
+struct TimingParams {
+    double frame_rate = 10.0;
+    double max_speed_mps = 0.5;
+    double max_turn_dps = 45.0;
+    int max_frames = 0;
+    bool operator==(const TimingParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitTimingParams(Params& p, Visitor&& visit) {
+    visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames a second"});
+    visit("max_speed_mps", p.max_speed_mps, FieldInfo{0.01, 100, "m/s", "Speed limit"});
+    visit("max_turn_dps", p.max_turn_dps, FieldInfo{0.1, 3600, "deg/s", "Turning limit"});
+    visit("max_frames", p.max_frames, FieldInfo{0, 1e6, "", "Budget of frames; 0: no limit"});
+}
+
+/// Everything that shapes a plan. Field names are unique across the sections.
+struct PlanParams {
+    CameraParams camera;
+    FreeSpaceParams free_space;
+    TargetParams targets;
+    ViewpointParams viewpoints;
+    RoadmapParams roadmap;
+    LinkParams linking;
+    PathParams path;
+    SmoothingParams smoothing;
+    TimingParams timing;
+    int seed = 1;
+    bool operator==(const PlanParams&) const = default;
+};
+
+/// The one list of all fields: `section(name)` is called before each section's fields.
+template <class Params, class Section, class Visitor>
+void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
+    section("camera");
+    visitCameraParams(p.camera, visit);
+    section("free_space");
+    visitFreeSpaceParams(p.free_space, visit);
+    section("targets");
+    visitTargetParams(p.targets, visit);
+    section("viewpoints");
+    visitViewpointParams(p.viewpoints, visit);
+    section("roadmap");
+    visitRoadmapParams(p.roadmap, visit);
+    section("linking");
+    visitLinkParams(p.linking, visit);
+    section("path");
+    visitPathParams(p.path, visit);
+    section("smoothing");
+    visitSmoothingParams(p.smoothing, visit);
+    section("timing");
+    visitTimingParams(p.timing, visit);
+    section("random");
+    visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
+}
+
+/// All fields of the parameters, for files, `--set` and widgets. Points into `params`.
+FieldList listFields(PlanParams& params);
+
+}  // namespace dollytrack::planning

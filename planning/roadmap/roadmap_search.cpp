@@ -1,0 +1,155 @@
+#include "planning/roadmap/roadmap_search.h"
+
+#include "engine/core/random.h"
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/plan_params.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace dollytrack::planning {
+namespace {
+
+/// The search itself is sequential by nature (each pick depends on what is joined), but its one
+/// costly question is not: whether a pair is collision-free. So the pairs that the search can ask
+/// about, the few with the best priority for each sample, are answered beforehand in parallel.
+struct Pair {
+    int a = 0;
+    int b = 0;
+    Sweep sweep;
+};
+
+double cost(const PositionPoint& near, const PositionPoint& sample, double near_size,
+            const RoadmapParams& params) {
+    return params.distance_weight * (near.pose.position - sample.pose.position).norm() +
+           params.size_weight * near_size +
+           angleBetween(near.pose.forward(), sample.pose.forward());
+}
+
+/// Other key frames of the same room in the order that Near would give them for this sample.
+std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std::vector<int>& keys,
+                            const std::vector<double>& sizes, int sample,
+                            const RoadmapParams& params) {
+    const auto at = [&](int i) -> const PositionPoint& {
+        return points[static_cast<std::size_t>(i)];
+    };
+    std::vector<std::pair<double, int>> order;
+    for (const int other : keys) {
+        if (other == sample || at(other).component != at(sample).component) continue;
+        order.emplace_back(
+            cost(at(other), at(sample), sizes[static_cast<std::size_t>(other)], params), other);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<int> result;
+    for (const auto& [_, other] : order) result.push_back(other);
+    return result;
+}
+
+}  // namespace
+
+std::vector<double> targetSizes(const Scene& scene,
+                                const std::vector<ObservationPoint>& observation_points,
+                                const std::vector<PositionPoint>& position_points) {
+    std::vector<double> sizes;
+    for (const PositionPoint& point : position_points) {
+        Eigen::AlignedBox3d box;
+        const auto o = static_cast<std::size_t>(point.observation_point);
+        for (const int id : observation_points[o].objects) {
+            for (const Eigen::Vector3d& corner : scene.object(id).box.corners()) box.extend(corner);
+        }
+        sizes.push_back(box.sizes().norm());
+    }
+    return sizes;
+}
+
+Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
+                              const std::vector<int>& key_frames, const std::vector<double>& sizes,
+                              const SweptSphere& sphere, const RoadmapParams& params, int seed,
+                              const JobContext& job) {
+    const auto position = [&](int i) -> const Eigen::Vector3d& {
+        return position_points[static_cast<std::size_t>(i)].pose.position;
+    };
+    // Each sample may try its best `refusal_limit` partners: those it would be joined to until it
+    // has that many refusals or as many edges.
+    std::vector<std::vector<int>> partners(key_frames.size());
+    parallelFor(key_frames.size(), [&](std::size_t i) {
+        partners[i] = byPriority(position_points, key_frames, sizes, key_frames[i], params);
+        const auto tried = static_cast<std::size_t>(params.refusal_limit);
+        if (partners[i].size() > tried) partners[i].resize(tried);
+    });
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < key_frames.size(); ++i) {
+        for (const int other : partners[i]) {
+            pairs.push_back({std::min(key_frames[i], other), std::max(key_frames[i], other), {}});
+        }
+    }
+    const auto ends = [](const Pair& p) { return std::pair(p.a, p.b); };
+    std::sort(pairs.begin(), pairs.end(),
+              [&](const Pair& x, const Pair& y) { return ends(x) < ends(y); });
+    pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                            [&](const Pair& x, const Pair& y) { return ends(x) == ends(y); }),
+                pairs.end());
+    parallelFor(pairs.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
+        pairs[i].sweep = sphere.segment(position(pairs[i].a), position(pairs[i].b));
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+
+    // Sample: a random order of all key frames, so that each is sampled once.
+    std::vector<std::size_t> order(key_frames.size());
+    std::iota(order.begin(), order.end(), 0U);
+    Random random(static_cast<std::uint64_t>(seed), 1);
+    for (std::size_t i = order.size(); i > 1; --i) {
+        std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    }
+    Roadmap roadmap;
+    std::vector<bool> used(pairs.size(), false);
+    for (const std::size_t i : order) {
+        for (const int near : partners[i]) {
+            const std::pair wanted(std::min(key_frames[i], near), std::max(key_frames[i], near));
+            const auto found =
+                std::lower_bound(pairs.begin(), pairs.end(), wanted,
+                                 [&](const Pair& p, const auto& value) { return ends(p) < value; });
+            const auto index = static_cast<std::size_t>(found - pairs.begin());
+            if (used[index]) continue;
+            used[index] = true;
+            const Pair& pair = *found;
+            if (pair.sweep.free) {
+                roadmap.edges.push_back(
+                    {pair.a, pair.b, {}, (position(pair.a) - position(pair.b)).norm(), true});
+            } else {
+                roadmap.refused.push_back(
+                    {pair.a, pair.b, pair.sweep.collision, pair.sweep.object_id});
+            }
+        }
+    }
+    findGroups(roadmap, position_points.size(), key_frames);
+    return roadmap;
+}
+
+void findGroups(Roadmap& roadmap, std::size_t position_point_count,
+                const std::vector<int>& key_frames) {
+    std::vector<int> parent(position_point_count);
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int i) {
+        while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
+        return i;
+    };
+    for (const RoadmapEdge& edge : roadmap.edges) {
+        const int a = root(edge.a);
+        const int b = root(edge.b);
+        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    std::vector<int> keys = key_frames;
+    std::sort(keys.begin(), keys.end());
+    roadmap.group.assign(position_point_count, -1);
+    roadmap.group_count = 0;
+    for (const int key : keys) {
+        int& first = roadmap.group[static_cast<std::size_t>(root(key))];
+        if (first < 0) first = roadmap.group_count++;
+        roadmap.group[static_cast<std::size_t>(key)] = first;
+    }
+}
+
+}  // namespace dollytrack::planning

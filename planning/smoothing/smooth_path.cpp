@@ -1,0 +1,175 @@
+#include "planning/smoothing/smooth_path.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/plan_params.h"
+#include "planning/viewpoints/candidate_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kShrink = 0.6;
+constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother than a stop
+constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
+constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
+constexpr int kGrid = 16;
+
+struct Curve {
+    Eigen::Vector3d start, corner, end;
+    [[nodiscard]] Eigen::Vector3d middle() const {
+        return 0.25 * start + 0.5 * corner + 0.25 * end;
+    }
+};
+
+double curveLength(const SmoothPath::Piece& piece) {
+    if (!piece.curved) return (piece.end - piece.start).norm();
+    constexpr int kSteps = 32;
+    double length = 0.0;
+    Eigen::Vector3d last = piece.start;
+    for (int i = 1; i <= kSteps; ++i) {
+        const double t = static_cast<double>(i) / kSteps;
+        const double u = 1.0 - t;
+        const Eigen::Vector3d point =
+            u * u * piece.start + 2.0 * u * t * piece.control + t * t * piece.end;
+        length += (point - last).norm();
+        last = point;
+    }
+    return length;
+}
+
+class Smoother {
+  public:
+    Smoother(const CameraPath& path, const std::vector<PositionPoint>& points,
+             const std::vector<ObservationPoint>& targets, const Surroundings& around,
+             double set_back)
+        : path_(path), points_(points), targets_(targets), around_(around), set_back_(set_back) {}
+
+    [[nodiscard]] Corner roundCorner(std::size_t i) const {
+        Corner corner;
+        corner.vertex = static_cast<int>(i);
+        const Eigen::Vector3d in = at(i) - at(i - 1);
+        const Eigen::Vector3d out = at(i + 1) - at(i);
+        if (in.norm() < 1e-6 || out.norm() < 1e-6) return corner;
+        const double turn = angleBetween(in, out);
+        if (turn < kStraight) return corner;
+        double wish = std::min({set_back_, 0.5 * in.norm(), 0.5 * out.norm()});
+        corner.shortened = wish < set_back_;
+        if (turn > kReversal) return corner;
+        for (; wish >= kLeastSetBack; wish *= kShrink) {
+            const Curve curve = curveAt(i, wish);
+            if (keepsCaptures(i, curve.middle()) &&
+                around_.sphere.bezier(curve.start, curve.corner, curve.end).free) {
+                corner.set_back_m = wish;
+                return corner;
+            }
+            corner.shortened = true;
+        }
+        return corner;
+    }
+
+    [[nodiscard]] SmoothPath assemble(std::vector<Corner> corners) const {
+        SmoothPath smooth;
+        smooth.component = path_.component;
+        const std::size_t count = path_.vertices.size();
+        Eigen::Vector3d from = at(0);
+        addKey(smooth, 0, 0.0, at(0));
+        for (std::size_t i = 1; i < count; ++i) {
+            const double set_back = i + 1 < count ? corners[i - 1].set_back_m : 0.0;
+            if (set_back <= 0.0) {
+                add(smooth, {from, 0.5 * (from + at(i)), at(i), 0.0, false});
+                addKey(smooth, i, smooth.length_m, at(i));
+                from = at(i);
+                continue;
+            }
+            const Curve curve = curveAt(i, set_back);
+            add(smooth, {from, 0.5 * (from + curve.start), curve.start, 0.0, false});
+            const double before = smooth.length_m;
+            add(smooth, {curve.start, curve.corner, curve.end, 0.0, true});
+            addKey(smooth, i, 0.5 * (before + smooth.length_m), curve.middle());
+            from = curve.end;
+        }
+        smooth.corners = std::move(corners);
+        return smooth;
+    }
+
+  private:
+    [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
+        return path_.vertices[i].position;
+    }
+
+    [[nodiscard]] Curve curveAt(std::size_t i, double set_back) const {
+        return {at(i) + set_back * (at(i - 1) - at(i)).normalized(), at(i),
+                at(i) + set_back * (at(i + 1) - at(i)).normalized()};
+    }
+
+    [[nodiscard]] bool keepsCaptures(std::size_t i, const Eigen::Vector3d& position) const {
+        const int key = path_.vertices[i].position_point;
+        if (key < 0) return true;
+        const PositionPoint& point = points_[static_cast<std::size_t>(key)];
+        const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
+        const Pose pose = lookAt(position, target.position);
+        return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
+            const auto estimate = around_.views.estimate(pose, id, kGrid);
+            const bool was_well =
+                std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
+            return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);
+        });
+    }
+
+    static void add(SmoothPath& smooth, SmoothPath::Piece piece) {
+        piece.length_m = curveLength(piece);
+        if (piece.length_m < 1e-9) return;
+        smooth.length_m += piece.length_m;
+        smooth.pieces.push_back(piece);
+    }
+
+    void addKey(SmoothPath& smooth, std::size_t vertex, double arc,
+                const Eigen::Vector3d& position) const {
+        const int key = path_.vertices[vertex].position_point;
+        if (key >= 0) smooth.keys.push_back({arc, key, position});
+    }
+
+    const CameraPath& path_;
+    const std::vector<PositionPoint>& points_;
+    const std::vector<ObservationPoint>& targets_;
+    const Surroundings& around_;
+    double set_back_;
+};
+
+}  // namespace
+
+Result<SmoothPath> smoothPath(const CameraPath& path,
+                              const std::vector<PositionPoint>& position_points,
+                              const std::vector<ObservationPoint>& observation_points,
+                              const Surroundings& around, const SmoothingParams& params,
+                              const JobContext& job) {
+    const Smoother smoother(path, position_points, observation_points, around,
+                            params.corner_distance_m);
+    const std::size_t inner = path.vertices.size() > 2 ? path.vertices.size() - 2 : 0;
+    std::vector<Corner> corners(inner);
+    parallelFor(inner, [&](std::size_t i) {
+        if (!job.cancelled()) corners[i] = smoother.roundCorner(i + 1);
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    SmoothPath smooth = smoother.assemble(std::move(corners));
+
+    // The proof is made on the pieces as they will be flown, not on what they were made from.
+    std::vector<Sweep> sweeps(smooth.pieces.size());
+    parallelFor(sweeps.size(), [&](std::size_t i) {
+        const SmoothPath::Piece& piece = smooth.pieces[i];
+        sweeps[i] = around.sphere.bezier(piece.start, piece.control, piece.end);
+    });
+    const double limit = 1.0;
+    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, limit);
+    for (const Sweep& sweep : sweeps) {
+        smooth.collisions += sweep.free ? 0 : 1;
+        smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);
+    }
+    return smooth;
+}
+
+}  // namespace dollytrack::planning

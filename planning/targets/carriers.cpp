@@ -1,0 +1,131 @@
+#include "planning/targets/carriers.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "planning/plan_params.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+// Things are modelled to stand on each other within this; more is a gap one can see through.
+constexpr double kTouch = 0.06;
+
+/// First hit that is not on the object itself.
+std::optional<RayHit> castPast(const RayCaster& rays, int self, const Eigen::Vector3d& origin,
+                               const Eigen::Vector3d& direction, double reach) {
+    double begin = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        const RayHit hit = rays.cast(origin, direction, reach, begin);
+        if (hit.object_id == 0) return std::nullopt;
+        if (hit.object_id != self) return hit;
+        begin = hit.distance + 1e-4;
+    }
+    return std::nullopt;
+}
+
+/// What most of five rays down from the object's underside meet.
+int restsOn(const RayCaster& rays, const Object& object) {
+    std::map<int, int> votes;
+    for (const auto& [x, y] :
+         {std::pair{0.0, 0.0}, {0.6, 0.6}, {-0.6, 0.6}, {0.6, -0.6}, {-0.6, -0.6}}) {
+        Eigen::Vector3d origin =
+            object.box.toWorld({x * object.box.half_size.x(), y * object.box.half_size.y(), 0.0});
+        const double bottom = object.box.center.z() - object.box.half_size.z();
+        origin.z() = bottom + 0.5 * std::min(kTouch, object.box.half_size.z());
+        const auto hit = castPast(rays, object.id, origin, -Eigen::Vector3d::UnitZ(),
+                                  origin.z() - bottom + kTouch);
+        if (hit) ++votes[hit->object_id];
+    }
+    int best = 0;
+    int most = 0;
+    for (const auto& [id, count] : votes) {
+        if (count <= most) continue;
+        most = count;
+        best = id;
+    }
+    return best;
+}
+
+/// Whether the carrier also covers the object from above, as a shelf's next board does.
+bool isCovered(const RayCaster& rays, const Object& object, const Object& carrier) {
+    const double top = carrier.box.center.z() + carrier.box.half_size.z();
+    if (object.centroid.z() >= top) return false;
+    const auto hit = castPast(rays, object.id, object.box.center, Eigen::Vector3d::UnitZ(),
+                              top - object.box.center.z() + kTouch);
+    return hit && hit->object_id == carrier.id;
+}
+
+/// The horizontal direction in which the view out of the carrier is longest.
+Eigen::Vector3d openSide(const RayCaster& rays, const Object& object, const Object& carrier) {
+    double longest = -1.0;
+    Eigen::Vector3d best = carrier.front;
+    for (int i = 0; i < 4; ++i) {
+        const double angle = carrier.box.yaw + i * 0.5 * std::numbers::pi;
+        const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
+        const auto hit = castPast(rays, object.id, object.box.center, direction, 10.0);
+        const double reach = (hit ? hit->distance : 10.0) + 0.2 * direction.dot(carrier.front);
+        if (reach <= longest) continue;
+        longest = reach;
+        best = direction;
+    }
+    return best;
+}
+
+/// The nearest upright surface beside the object, and the way off it.
+std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
+                                                       const Object& object) {
+    std::optional<std::pair<int, Eigen::Vector3d>> best;
+    double nearest = kTouch;
+    for (int i = 0; i < 4; ++i) {
+        const double angle = object.box.yaw + i * 0.5 * std::numbers::pi;
+        const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
+        const double half = object.box.half_size[i % 2];
+        const auto hit = castPast(rays, object.id, object.box.center, direction, half + kTouch);
+        if (!hit || hit->distance - half >= nearest) continue;
+        nearest = hit->distance - half;
+        best = {hit->object_id, -direction};
+    }
+    return best;
+}
+
+Carriage findCarrier(const Scene& scene, const RayCaster& rays, const TargetParams& params,
+                     const Object& object) {
+    Carriage carriage;
+    carriage.small = object.box.volume() < params.small_volume_m3;
+    if (const int below = restsOn(rays, object); below != 0) {
+        const Object& carrier = scene.object(below);
+        if (carrier.role == Role::Structure) return carriage;  // stands on the floor
+        const bool much_smaller = carrier.box.volume() > params.size_ratio * object.box.volume();
+        if (!carriage.small && !much_smaller) return carriage;
+        carriage.small = true;
+        carriage.carrier = below;
+        carriage.kind = isCovered(rays, object, carrier) ? TargetKind::Shelf : TargetKind::Support;
+        if (carriage.kind == TargetKind::Shelf) carriage.outward = openSide(rays, object, carrier);
+        return carriage;
+    }
+    if (const auto side = hangsAt(rays, object)) {
+        carriage.kind = TargetKind::Suspension;
+        carriage.carrier = side->first;
+        carriage.outward = side->second;
+    }
+    return carriage;
+}
+
+}  // namespace
+
+std::vector<Carriage> findCarriers(const Scene& scene, const RayCaster& rays,
+                                   const TargetParams& params) {
+    std::vector<Carriage> carriages(scene.objects.size());
+    parallelFor(scene.objects.size(), [&](std::size_t i) {
+        if (scene.objects[i].role != Role::Target) return;
+        carriages[i] = findCarrier(scene, rays, params, scene.objects[i]);
+    });
+    return carriages;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,147 @@
+#include "planning/targets/observation_points.h"
+
+#include "planning/plan_params.h"
+#include "planning/targets/carriers.h"
+#include "planning/visibility/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+namespace dollytrack::planning {
+namespace {
+
+// A group is held together while each member's box still takes this share of the image; above the
+// 5 % that counts as well captured, because estimates and drawings differ a little.
+constexpr double kUsefulShare = 0.065;
+constexpr double kGroupFill = 0.9;
+
+/// Turns a direction by M: yaw about the vertical, then raised by the pitch.
+Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& params) {
+    constexpr double kRadians = std::numbers::pi / 180.0;
+    const Eigen::Vector3d unit = direction.normalized();
+    const double yaw = std::atan2(unit.y(), unit.x()) + params.yaw_offset_deg * kRadians;
+    const double limit = 0.5 * std::numbers::pi;
+    const double pitch =
+        std::clamp(std::asin(std::clamp(unit.z(), -1.0, 1.0)) + params.pitch_offset_deg * kRadians,
+                   -limit, limit);
+    return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
+}
+
+/// R before M: mean direction from the carrier through its load; the carrier's normal; the front.
+Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<Carriage>& carriages,
+                                 const std::vector<int>& objects) {
+    const Carriage& first = carriages[static_cast<std::size_t>(objects.front()) - 1];
+    if (first.kind == TargetKind::Suspension || first.kind == TargetKind::Shelf) {
+        return first.outward;
+    }
+    if (first.kind == TargetKind::Single) return scene.object(objects.front()).front;
+    const Object& carrier = scene.object(first.carrier);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int id : objects) sum += scene.object(id).box.center - carrier.box.center;
+    // Carriers at a wall are seen from the room: a load at the back edge must not turn the
+    // camera into the wall.
+    const Eigen::Vector3d mean = sum / static_cast<double>(objects.size());
+    return mean + mean.norm() * carrier.front;
+}
+
+class Grouping {
+  public:
+    Grouping(const ViewEstimator& views, const std::vector<Carriage>& carriages,
+             const ViewpointParams& params)
+        : views_(views), carriages_(carriages), params_(params) {}
+
+    /// Adds the objects as one observation point when one view holds them, else in halves.
+    void add(std::vector<int> objects) {
+        ObservationPoint point = make(objects);
+        if (objects.size() == 1 || holds(point)) {
+            points.push_back(std::move(point));
+            return;
+        }
+        std::sort(objects.begin(), objects.end(), [&](int a, int b) {
+            return alongSpread(a, objects) != alongSpread(b, objects)
+                       ? alongSpread(a, objects) < alongSpread(b, objects)
+                       : a < b;
+        });
+        const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(objects.size() / 2);
+        std::vector<int> rest(middle, objects.end());
+        objects.erase(middle, objects.end());
+        add(std::move(objects));
+        add(std::move(rest));
+    }
+
+    std::vector<ObservationPoint> points;
+
+  private:
+    [[nodiscard]] ObservationPoint make(const std::vector<int>& objects) const {
+        const Carriage& carriage = carriages_[static_cast<std::size_t>(objects.front()) - 1];
+        ObservationPoint point;
+        point.kind = carriage.kind;
+        point.carrier = carriage.carrier;
+        point.objects = objects;
+        point.position = makeSubject(views_, objects).center;
+        point.direction = turned(viewingDirection(views_.scene(), carriages_, objects), params_);
+        return point;
+    }
+
+    [[nodiscard]] bool holds(const ObservationPoint& point) const {
+        const Subject subject = makeSubject(views_, point.objects);
+        const double distance = distanceForFill(views_, subject, point.direction, kGroupFill);
+        const Pose pose = lookAt(subject.center + point.direction * distance, subject.center);
+        const double image =
+            static_cast<double>(views_.intrinsics().width) * views_.intrinsics().height;
+        return std::all_of(point.objects.begin(), point.objects.end(), [&](int id) {
+            const auto extent = views_.extent(pose, id);
+            return extent && extent->sizes().prod() / image >= kUsefulShare;
+        });
+    }
+
+    /// Position of an object along the longer horizontal spread of the group.
+    [[nodiscard]] double alongSpread(int id, const std::vector<int>& objects) const {
+        Eigen::AlignedBox3d box;
+        for (const int other : objects) box.extend(views_.scene().object(other).box.center);
+        Eigen::Index axis = 0;
+        box.sizes().maxCoeff(&axis);
+        return views_.scene().object(id).box.center[axis];
+    }
+
+    const ViewEstimator& views_;
+    const std::vector<Carriage>& carriages_;
+    const ViewpointParams& params_;
+};
+
+}  // namespace
+
+std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
+                                                   const TargetParams& targets,
+                                                   const ViewpointParams& viewpoints) {
+    const Scene& scene = views.scene();
+    const std::vector<Carriage> carriages = findCarriers(scene, views.rays(), targets);
+
+    // Members of a group share carrier, kind and, for shelves, side and board.
+    std::map<std::tuple<int, TargetKind, int, int>, std::vector<int>> groups;
+    for (const Object& object : scene.objects) {
+        if (object.role != Role::Target) continue;
+        const Carriage& carriage = carriages[static_cast<std::size_t>(object.id) - 1];
+        const bool shares =
+            carriage.kind == TargetKind::Support || carriage.kind == TargetKind::Shelf;
+        const double bottom = object.box.center.z() - object.box.half_size.z();
+        const int board = shares ? static_cast<int>(std::lround(bottom / 0.1)) : 0;
+        groups[{carriage.carrier, carriage.kind, shares ? 0 : object.id, board}].push_back(
+            object.id);
+    }
+    Grouping grouping(views, carriages, viewpoints);
+    for (auto& [key, objects] : groups) grouping.add(std::move(objects));
+    return std::move(grouping.points);
+}
+
+ObservationPoint alone(const ViewEstimator& views, const ObservationPoint& group, int object_id) {
+    ObservationPoint point = group;
+    point.objects = {object_id};
+    point.position = makeSubject(views, point.objects).center;
+    return point;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,197 @@
+#include "planning/timing/time_trajectory.h"
+
+#include "planning/plan_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+// Slerp may rise this much above its ends before heading and elevation are interpolated instead.
+constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
+constexpr int kTurnSamples = 64;
+
+double heading(const Eigen::Vector3d& forward) {
+    return std::atan2(forward.y(), forward.x());
+}
+double elevation(const Eigen::Vector3d& forward) {
+    return std::asin(std::clamp(forward.z(), -1.0, 1.0));
+}
+
+/// The motion from one key frame to the next.
+struct Stretch {
+    const SmoothPath* path = nullptr;
+    std::size_t path_index = 0;
+    const SmoothPath::Key* from = nullptr;
+    const SmoothPath::Key* to = nullptr;
+    Eigen::Quaterniond from_rotation;
+    Eigen::Quaterniond to_rotation;
+    Eigen::Vector3d from_target, to_target;
+    double least_time_s = 0.0;  // by the limits
+
+    [[nodiscard]] int frames(double interval) const {
+        return std::max(1, static_cast<int>(std::ceil(least_time_s / interval - 1e-9)));
+    }
+};
+
+class Timer {
+  public:
+    Timer(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets,
+          const TimingParams& params)
+        : points_(points), targets_(targets), params_(params) {}
+
+    [[nodiscard]] Stretch stretch(const SmoothPath& path, std::size_t path_index,
+                                  std::size_t key) const {
+        Stretch s;
+        s.path = &path;
+        s.path_index = path_index;
+        s.from = &path.keys[key];
+        s.to = &path.keys[key + 1];
+        s.from_target = target(*s.from);
+        s.to_target = target(*s.to);
+        s.from_rotation = lookAt(s.from->position, s.from_target).rotation;
+        s.to_rotation = lookAt(s.to->position, s.to_target).rotation;
+        s.least_time_s = std::max((s.to->arc_m - s.from->arc_m) / params_.max_speed_mps,
+                                  turnTime(s.from_rotation, s.to_rotation));
+        return s;
+    }
+
+    [[nodiscard]] TrajectoryFrame frame(const Stretch& s, double share) const {
+        TrajectoryFrame frame;
+        frame.path = static_cast<int>(s.path_index);
+        frame.component = s.path->component;
+        frame.pose.position =
+            share >= 1.0 ? s.to->position
+                         : s.path->at(s.from->arc_m + share * (s.to->arc_m - s.from->arc_m));
+        frame.pose.rotation = betweenOrientations(s.from_rotation, s.to_rotation, share);
+        const double distance = (1.0 - share) * (s.from_target - s.from->position).norm() +
+                                share * (s.to_target - s.to->position).norm();
+        frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
+        if (share >= 1.0) frame.position_point = s.to->position_point;
+        return frame;
+    }
+
+    [[nodiscard]] TrajectoryFrame first(const SmoothPath& path, std::size_t path_index) const {
+        const SmoothPath::Key& key = path.keys.front();
+        TrajectoryFrame frame;
+        frame.path = static_cast<int>(path_index);
+        frame.component = path.component;
+        frame.pose = lookAt(key.position, target(key));
+        frame.target_in_world = target(key);
+        frame.position_point = key.position_point;
+        return frame;
+    }
+
+  private:
+    [[nodiscard]] const Eigen::Vector3d& target(const SmoothPath::Key& key) const {
+        const auto p = static_cast<std::size_t>(key.position_point);
+        return targets_[static_cast<std::size_t>(points_[p].observation_point)].position;
+    }
+
+    /// Taking the roll out makes some parts of the turn faster than others: the fastest decides.
+    [[nodiscard]] double turnTime(const Eigen::Quaterniond& from,
+                                  const Eigen::Quaterniond& to) const {
+        double fastest = 0.0;
+        Eigen::Quaterniond last = from;
+        for (int i = 1; i <= kTurnSamples; ++i) {
+            const Eigen::Quaterniond next =
+                betweenOrientations(from, to, static_cast<double>(i) / kTurnSamples);
+            fastest = std::max(fastest, angleBetween(last, next));
+            last = next;
+        }
+        const double limit = params_.max_turn_dps * std::numbers::pi / 180.0;
+        return fastest * kTurnSamples / limit;
+    }
+
+    const std::vector<PositionPoint>& points_;
+    const std::vector<ObservationPoint>& targets_;
+    const TimingParams& params_;
+};
+
+int countFrames(const std::vector<Stretch>& stretches, std::size_t path_count, double interval) {
+    int count = static_cast<int>(path_count);
+    for (const Stretch& s : stretches) count += s.frames(interval);
+    return count;
+}
+
+/// The shortest frame interval that keeps to the budget, found to 0.1 %.
+double intervalWithin(const std::vector<Stretch>& stretches, std::size_t path_count,
+                      double interval, int max_frames) {
+    if (countFrames(stretches, path_count, interval) <= max_frames) return interval;
+    double low = interval;
+    double high = interval;
+    for (const Stretch& s : stretches) high = std::max(high, s.least_time_s);
+    while (high > low * 1.001) {
+        const double middle = 0.5 * (low + high);
+        (countFrames(stretches, path_count, middle) <= max_frames ? high : low) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+Eigen::Quaterniond betweenOrientations(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                                       double t) {
+    if (t <= 0.0) return from;
+    if (t >= 1.0) return to;
+    const Eigen::Vector3d a = from * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d b = to * Eigen::Vector3d::UnitZ();
+    const double highest = std::max(std::abs(elevation(a)), std::abs(elevation(b)));
+    double risen = 0.0;
+    for (int i = 1; i < 8; ++i) {
+        const Eigen::Vector3d f = from.slerp(i / 8.0, to) * Eigen::Vector3d::UnitZ();
+        risen = std::max(risen, std::abs(elevation(f)) - highest);
+    }
+    if (risen <= kDetour) return withoutRoll(from.slerp(t, to));
+    const double turn = std::remainder(heading(b) - heading(a), 2.0 * std::numbers::pi);
+    const double yaw = heading(a) + t * turn;
+    const double pitch = elevation(a) + t * (elevation(b) - elevation(a));
+    return lookAlong(
+        {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)},
+        {std::sin(yaw), -std::cos(yaw), 0.0});
+}
+
+Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
+                                  const std::vector<PositionPoint>& position_points,
+                                  const std::vector<ObservationPoint>& observation_points,
+                                  const TimingParams& params) {
+    const Timer timer(position_points, observation_points, params);
+    std::vector<Stretch> stretches;
+    std::size_t keyed_paths = 0;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+        keyed_paths += paths[p].keys.empty() ? 0 : 1;
+        for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) {
+            stretches.push_back(timer.stretch(paths[p], p, k));
+        }
+    }
+    Trajectory trajectory;
+    trajectory.frame_interval_s = 1.0 / params.frame_rate;
+    if (params.max_frames > 0) {
+        if (static_cast<int>(stretches.size() + keyed_paths) > params.max_frames) {
+            return fail(ErrorCode::Failed, "There are more key frames than max_frames allows.",
+                        "max_frames");
+        }
+        trajectory.frame_interval_s =
+            intervalWithin(stretches, keyed_paths, trajectory.frame_interval_s, params.max_frames);
+    }
+    auto stretch = stretches.begin();
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+        if (paths[p].keys.empty()) continue;
+        trajectory.frames.push_back(timer.first(paths[p], p));
+        for (; stretch != stretches.end() && stretch->path_index == p; ++stretch) {
+            const int count = stretch->frames(trajectory.frame_interval_s);
+            for (int i = 1; i <= count; ++i) {
+                trajectory.frames.push_back(timer.frame(*stretch, static_cast<double>(i) / count));
+            }
+        }
+    }
+    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
+        trajectory.frames[i].time_s = static_cast<double>(i) * trajectory.frame_interval_s;
+    }
+    return trajectory;
+}
+
+}  // namespace dollytrack::planning

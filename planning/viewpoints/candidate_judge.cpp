@@ -1,0 +1,100 @@
+#include "planning/viewpoints/candidate_judge.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kFractionMargin = 0.04;
+constexpr double kAreaMargin = 1.12;
+// A view is worth little more when a last sliver comes into sight, so fill may decide then.
+constexpr double kFractionStep = 0.03;
+
+}  // namespace
+
+bool isSafelyCaptured(const ViewEstimator::Estimate& estimate) {
+    const CaptureRules rules;
+    return estimate.visible_fraction >= rules.min_visible_fraction + kFractionMargin &&
+           estimate.visible_px >= rules.min_visible_px * kAreaMargin;
+}
+
+bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate) {
+    return isSafelyCaptured(estimate) &&
+           estimate.box_share >= CaptureRules{}.min_box_share * kAreaMargin;
+}
+
+CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
+                               double wished_fill)
+    : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
+    // Slender things take little area even when they span the image: let them span more of it.
+    const double slender = slenderness(around.views, subject_, point.direction);
+    const double needed = std::sqrt(1.3 * CaptureRules{}.min_box_share / std::max(slender, 1e-3));
+    wished_fill_ = std::max(wished_fill, std::min(needed, 0.92));
+}
+
+Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fill,
+                                     int& obstacle) const {
+    if (!std::isfinite(fill)) return Verdict::TooClose;
+    if (around_.sphere.fits(position)) return Verdict::Legal;
+    const double reach = around_.sphere.radius() + SweptSphere::kMargin;
+    const ClosestPoint closest = around_.views.rays().closest(position, reach);
+    if (closest.object_id == 0 && around_.free_space.stateAt(position) != CellState::Occupied) {
+        return Verdict::OutsideRoom;
+    }
+    obstacle = closest.object_id;
+    const bool own =
+        std::find(point_.objects.begin(), point_.objects.end(), obstacle) != point_.objects.end();
+    return own ? Verdict::TooClose : Verdict::InObstacle;
+}
+
+Judged CandidateJudge::judge(const Eigen::Vector3d& position, int grid) const {
+    Judged judged;
+    judged.candidate.position = position;
+    judged.candidate.fill = fillFrom(around_.views, subject_, position);
+    judged.candidate.verdict =
+        placeVerdict(position, judged.candidate.fill, judged.candidate.occluder);
+    if (judged.candidate.verdict != Verdict::Legal) return judged;
+
+    const Pose pose = lookAt(position, subject_.center);
+    double sum = 0.0;
+    double worst = 1.0;
+    int occluder = 0;
+    bool cropped = false;
+    bool too_small = false;
+    judged.all_well = true;
+    bool all_captured = true;
+    for (const int id : point_.objects) {
+        const auto estimate = around_.views.estimate(pose, id, grid);
+        const bool well = isSafelyWellCaptured(estimate);
+        const bool captured = isSafelyCaptured(estimate);
+        judged.all_well &= well;
+        all_captured &= captured;
+        if (estimate.visible_fraction < worst) {
+            worst = estimate.visible_fraction;
+            occluder = estimate.occluder;
+            cropped = estimate.cropped && occluder == 0;
+        }
+        too_small |= estimate.visible_px < CaptureRules{}.min_visible_px;
+        const double seen = std::round(estimate.visible_fraction / kFractionStep) * kFractionStep;
+        sum += seen + (captured ? 1.0 : 0.0) + (well ? 2.0 : 0.0);
+    }
+    judged.candidate.visible_fraction = worst;
+    // A view that crops its target is not what was asked for, but still shows most of it.
+    const double over = std::max(0.0, judged.candidate.fill - 0.95);
+    const double off = std::abs(std::log(std::max(judged.candidate.fill, 0.01) / wished_fill_));
+    judged.quality = sum / static_cast<double>(point_.objects.size()) - 0.3 * off - over;
+    if (!all_captured) {
+        judged.candidate.occluder = occluder;
+        judged.candidate.verdict = cropped     ? Verdict::Cropped
+                                   : occluder  ? Verdict::OccludedBy
+                                   : too_small ? Verdict::TooSmall
+                                               : Verdict::OccludedBy;
+    }
+    return judged;
+}
+
+}  // namespace dollytrack::planning

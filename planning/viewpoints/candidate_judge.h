@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/plan/targets.h"
+#include "engine/plan/viewpoint.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/framing.h"
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// A candidate with what its view is worth.
+struct Judged {
+    Candidate candidate;
+    double quality = -1.0;  // below 0: not legal
+    bool all_well = false;  // every object is captured well, with a margin
+};
+
+/// Judges places for one observation point: legality first, the view by rays second.
+class CandidateJudge {
+  public:
+    CandidateJudge(const Surroundings& around, const ObservationPoint& point, double wished_fill);
+
+    /// `grid`: rays along each side of each object's extent.
+    [[nodiscard]] Judged judge(const Eigen::Vector3d& position, int grid) const;
+
+    [[nodiscard]] const Subject& subject() const { return subject_; }
+    [[nodiscard]] double wishedFill() const { return wished_fill_; }
+
+  private:
+    [[nodiscard]] Verdict placeVerdict(const Eigen::Vector3d& position, double fill,
+                                       int& obstacle) const;
+
+    const Surroundings& around_;
+    const ObservationPoint& point_;
+    Subject subject_;
+    double wished_fill_;
+};
+
+/// Estimates by rays and pixels of drawings differ a little: what is to count as well captured
+/// must pass the rules with this much to spare.
+bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate);
+bool isSafelyCaptured(const ViewEstimator::Estimate& estimate);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/core/random.h"
+#include "planning/visibility/framing.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+class FreeSpace;
+
+/// Unit directions spread evenly over the cap of `half_angle` around `axis`, the axis first.
+std::vector<Eigen::Vector3d> directionsInCone(const Eigen::Vector3d& axis, double half_angle,
+                                              int count);
+
+/// Unit directions all around a target, nearest to the axis first; not steeper than 85 degrees up
+/// and 60 down.
+std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, int count);
+
+/// Random free places from which the subject fills between the two shares of the image.
+std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const ViewEstimator& views,
+                                          const Subject& subject, double least_fill,
+                                          double most_fill, int count, Random& random);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,102 @@
+#include "planning/viewpoints/key_frames.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/viewpoints/candidate_judge.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kGrid = 16;
+// Share of its own view's box at which an object may ride along in another view.
+constexpr double kRidesAlong = 0.6;
+
+bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
+    const auto extent = views.extent(pose, object_id);
+    if (!extent) return false;
+    const Eigen::AlignedBox2d image(
+        Eigen::Vector2d::Zero(),
+        Eigen::Vector2d(views.intrinsics().width, views.intrinsics().height));
+    const double inside =
+        image.intersection(*extent).isEmpty() ? 0.0 : image.intersection(*extent).sizes().prod();
+    return inside >= 0.6 * extent->sizes().prod() &&
+           inside >= CaptureRules{}.min_box_share * image.sizes().prod();
+}
+
+}  // namespace
+
+void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points) {
+    struct Shown {
+        int object_id = 0;
+        double box_share = 0.0;
+    };
+    std::vector<std::vector<Shown>> shown(position_points.size());
+    parallelFor(position_points.size(), [&](std::size_t i) {
+        for (const Object& object : views.scene().objects) {
+            if (object.role != Role::Target) continue;
+            const Pose& pose = position_points[i].pose;
+            if (!mayShowWell(views, pose, object.id)) continue;
+            const auto estimate = views.estimate(pose, object.id, kGrid);
+            if (isSafelyWellCaptured(estimate)) shown[i].push_back({object.id, estimate.box_share});
+        }
+    });
+
+    std::map<int, double> own_share;
+    for (std::size_t i = 0; i < position_points.size(); ++i) {
+        const auto& own = position_points[i].well_captured;
+        for (const Shown& one : shown[i]) {
+            if (std::find(own.begin(), own.end(), one.object_id) == own.end()) continue;
+            double& share = own_share[one.object_id];
+            share = std::max(share, one.box_share);
+        }
+    }
+    for (std::size_t i = 0; i < position_points.size(); ++i) {
+        PositionPoint& point = position_points[i];
+        std::set<int> well(point.well_captured.begin(), point.well_captured.end());
+        for (const Shown& one : shown[i]) {
+            if (one.box_share >= kRidesAlong * own_share[one.object_id]) well.insert(one.object_id);
+        }
+        std::set<int> captured(point.captured.begin(), point.captured.end());
+        captured.insert(well.begin(), well.end());
+        point.well_captured.assign(well.begin(), well.end());
+        point.captured.assign(captured.begin(), captured.end());
+    }
+}
+
+std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points) {
+    std::set<int> well_missing;
+    std::set<int> missing;
+    for (const PositionPoint& point : position_points) {
+        well_missing.insert(point.well_captured.begin(), point.well_captured.end());
+        missing.insert(point.captured.begin(), point.captured.end());
+    }
+    std::vector<int> chosen;
+    while (true) {
+        int best = -1;
+        long best_gain = 0;
+        for (std::size_t i = 0; i < position_points.size(); ++i) {
+            long gain = 0;
+            for (const int id : position_points[i].well_captured) {
+                if (well_missing.contains(id)) gain += 1000;
+            }
+            for (const int id : position_points[i].captured) {
+                if (missing.contains(id)) ++gain;
+            }
+            if (gain <= best_gain) continue;
+            best_gain = gain;
+            best = static_cast<int>(i);
+        }
+        if (best < 0) break;
+        chosen.push_back(best);
+        const PositionPoint& point = position_points[static_cast<std::size_t>(best)];
+        for (const int id : point.well_captured) well_missing.erase(id);
+        for (const int id : point.captured) missing.erase(id);
+    }
+    return chosen;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,181 @@
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/plan_params.h"
+#include "planning/targets/observation_points.h"
+#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_source.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kCoarseGrid = 8;
+constexpr int kFineGrid = 22;
+constexpr int kRefined = 5;  // candidates looked at again with the fine grid
+constexpr int kConeDirections = 20;
+constexpr int kAroundDirections = 64;
+constexpr int kRandomPlaces = 160;
+// The range of fill that the paper searches.
+constexpr double kLeastFill = 0.35;
+constexpr double kMostFill = 0.85;
+
+struct Found {
+    ViewpointSearch search;
+    std::optional<PositionPoint> best;
+    std::vector<int> not_well;  // members that the best view does not capture well
+};
+
+/// The search for one observation point.
+class Search {
+  public:
+    Search(const Surroundings& around, const ObservationPoint& point, const ViewpointParams& params,
+           Random random)
+        : around_(around),
+          point_(point),
+          params_(params),
+          judge_(around, point, params.fill),
+          random_(random) {}
+
+    Found run() {
+        const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
+        tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
+                      {1.0, 0.8, 1.25});
+        if (!refineBest()) {
+            tryDirections(directionsAllAround(point_.direction, kAroundDirections),
+                          {1.0, 0.75, 0.55});
+            if (!refineBest()) {
+                for (const Eigen::Vector3d& place :
+                     randomPlaces(around_.free_space, around_.views, judge_.subject(), 0.08, 1.3,
+                                  kRandomPlaces, random_)) {
+                    tryPlace(place);
+                }
+                refineBest();
+            }
+        }
+        return finish();
+    }
+
+  private:
+    void tryDirections(const std::vector<Eigen::Vector3d>& directions,
+                       const std::vector<double>& shares_of_wish) {
+        const double wish = judge_.wishedFill();
+        for (const Eigen::Vector3d& direction : directions) {
+            for (const double share : shares_of_wish) {
+                const double fill =
+                    std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
+                const double distance =
+                    distanceForFill(around_.views, judge_.subject(), direction, fill);
+                tryPlace(judge_.subject().center + direction * distance);
+            }
+        }
+    }
+
+    void tryPlace(const Eigen::Vector3d& place) {
+        Judged judged = judge_.judge(place, kCoarseGrid);
+        candidates_.push_back(judged.candidate);
+        if (judged.quality < 0.0) return;
+        pending_.push_back(std::move(judged));
+    }
+
+    /// Looks again, finer, at the best of what is new; true when the best found captures all well.
+    bool refineBest() {
+        const auto count = std::min<std::size_t>(kRefined, pending_.size());
+        std::partial_sort(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(count),
+                          pending_.end(),
+                          [](const Judged& a, const Judged& b) { return a.quality > b.quality; });
+        for (std::size_t i = 0; i < count; ++i) {
+            Judged fine = judge_.judge(pending_[i].candidate.position, kFineGrid);
+            if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);
+        }
+        pending_.clear();
+        return best_ && best_->all_well;
+    }
+
+    Found finish() {
+        Found found;
+        found.search.candidates = std::move(candidates_);
+        if (!best_) {
+            found.not_well = point_.objects;
+            return found;
+        }
+        PositionPoint p;
+        p.pose = lookAt(best_->candidate.position, judge_.subject().center);
+        p.component = around_.free_space.componentAt(p.pose.position);
+        p.fill = best_->candidate.fill;
+        for (const int id : point_.objects) {
+            const auto estimate = around_.views.estimate(p.pose, id, kFineGrid);
+            if (isSafelyWellCaptured(estimate)) {
+                p.well_captured.push_back(id);
+            } else {
+                found.not_well.push_back(id);
+            }
+            if (isSafelyCaptured(estimate)) p.captured.push_back(id);
+        }
+        if (!p.captured.empty()) found.best = std::move(p);
+        return found;
+    }
+
+    const Surroundings& around_;
+    const ObservationPoint& point_;
+    const ViewpointParams& params_;
+    CandidateJudge judge_;
+    Random random_;
+    std::vector<Candidate> candidates_;
+    std::vector<Judged> pending_;
+    std::optional<Judged> best_;
+};
+
+}  // namespace
+
+Result<Viewpoints> searchViewpoints(const Surroundings& around,
+                                    std::vector<ObservationPoint> observation_points,
+                                    const ViewpointParams& params, int seed,
+                                    const JobContext& job) {
+    Viewpoints result;
+    result.observation_points = std::move(observation_points);
+    std::size_t begin = 0;
+    // The second round searches for the members that the first split off their groups.
+    for (int round = 0; round < 2; ++round) {
+        const std::size_t end = result.observation_points.size();
+        std::vector<Found> found(end - begin);
+        std::atomic<bool> cancelled = false;
+        parallelFor(found.size(), [&](std::size_t i) {
+            if (cancelled || job.cancelled()) {
+                cancelled = true;
+                return;
+            }
+            const auto stream = static_cast<std::uint64_t>(begin + i);
+            found[i] = Search(around, result.observation_points[begin + i], params,
+                              Random(static_cast<std::uint64_t>(seed), stream))
+                           .run();
+        });
+        if (cancelled) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        job.report(round == 0 ? 0.7 : 1.0);
+
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const ObservationPoint point = result.observation_points[begin + i];
+            if (found[i].best) {
+                found[i].best->observation_point = static_cast<int>(begin + i);
+                found[i].search.position_point = static_cast<int>(result.position_points.size());
+                result.position_points.push_back(std::move(*found[i].best));
+            }
+            result.searches.push_back(std::move(found[i].search));
+            if (point.objects.size() < 2) continue;
+            for (const int id : found[i].not_well) {
+                result.observation_points.push_back(alone(around.views, point, id));
+            }
+        }
+        begin = end;
+    }
+    return result;
+}
+
+}  // namespace dollytrack::planning

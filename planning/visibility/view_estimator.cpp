@@ -1,0 +1,157 @@
+#include "planning/visibility/view_estimator.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dollytrack::planning {
+namespace {
+
+/// The 26 directions to the neighbours of a cube's cell.
+std::vector<Eigen::Vector3f> neighbourDirections() {
+    std::vector<Eigen::Vector3f> directions;
+    for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+            for (int z = -1; z <= 1; ++z) {
+                if (x != 0 || y != 0 || z != 0) directions.emplace_back(x, y, z);
+            }
+        }
+    }
+    return directions;
+}
+
+std::vector<Eigen::Vector3d> extremePoints(const Scene& scene, const Object& object) {
+    static const std::vector<Eigen::Vector3f> directions = neighbourDirections();
+    std::vector<float> furthest(directions.size(), -std::numeric_limits<float>::infinity());
+    std::vector<std::uint32_t> chosen(directions.size(), object.first_vertex);
+    for (std::uint32_t v = object.first_vertex; v < object.first_vertex + object.vertex_count;
+         ++v) {
+        for (std::size_t d = 0; d < directions.size(); ++d) {
+            const float reach = directions[d].dot(scene.positions[v]);
+            if (reach <= furthest[d]) continue;
+            furthest[d] = reach;
+            chosen[d] = v;
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::vector<Eigen::Vector3d> points;
+    for (const std::uint32_t v : chosen) points.emplace_back(scene.positions[v].cast<double>());
+    return points;
+}
+
+}  // namespace
+
+ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera)
+    : scene_(&scene),
+      rays_(&rays),
+      intrinsics_(makeIntrinsics(camera)),
+      near_m_(camera.near_m),
+      extremes_(scene.objects.size()) {
+    parallelFor(scene.objects.size(), [&](std::size_t i) {
+        if (scene.objects[i].role == Role::Target) {
+            extremes_[i] = extremePoints(scene, scene.objects[i]);
+        }
+    });
+}
+
+std::optional<Eigen::AlignedBox2d> ViewEstimator::extent(const Pose& pose, int object_id) const {
+    const Eigen::Matrix3d camera_from_world = pose.rotation.toRotationMatrix().transpose();
+    Eigen::AlignedBox2d inner;
+    for (const Eigen::Vector3d& point : extremes(object_id)) {
+        const Eigen::Vector3d p = camera_from_world * (point - pose.position);
+        if (p.z() < near_m_) return std::nullopt;
+        inner.extend(intrinsics_.project(p));
+    }
+    // 26 directions leave up to 4 % of a ball's radius uncovered on each side. Whole pixels, so
+    // that rays through the middles of cells of one pixel are the pixels' own.
+    const Eigen::Vector2d margin = 0.05 * inner.sizes() + Eigen::Vector2d::Constant(1.0);
+    return Eigen::AlignedBox2d((inner.min() - margin).array().floor().matrix(),
+                               (inner.max() + margin).array().ceil().matrix());
+}
+
+ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id, int grid) const {
+    Estimate result;
+    const auto area = extent(pose, object_id);
+    if (!area) return result;
+    const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(),
+                                    Eigen::Vector2d(intrinsics_.width, intrinsics_.height));
+    if (!image.intersects(*area)) {
+        result.cropped = true;
+        return result;
+    }
+
+    // Square cells, so that thin objects get as many rays along their length as their shape asks.
+    const double cell = std::max(1.0, std::sqrt(area->sizes().prod()) / static_cast<double>(grid));
+    const int columns = std::max(1, static_cast<int>(std::ceil(area->sizes().x() / cell)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(area->sizes().y() / cell)));
+    const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
+
+    int silhouette = 0;
+    int visible = 0;
+    Eigen::AlignedBox2d visible_box;
+    std::map<int, int> hidden_by;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const Eigen::Vector2d pixel =
+                area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5);
+            const Eigen::Vector3d direction =
+                world_from_camera * intrinsics_.unproject(pixel.x(), pixel.y());
+            const RayHit hit = rays_->cast(pose.position, direction,
+                                           std::numeric_limits<double>::infinity(), near_m_);
+            const bool inside = image.contains(pixel);
+            if (hit.object_id == object_id) {
+                ++silhouette;
+                if (inside) {
+                    ++visible;
+                    visible_box.extend(pixel);
+                } else {
+                    result.cropped = true;
+                }
+                continue;
+            }
+            if (hit.object_id == 0) continue;
+            if (rays_->castObject(object_id, pose.position, direction).object_id == 0) continue;
+            ++silhouette;
+            if (inside) {
+                ++hidden_by[hit.object_id];
+            } else {
+                result.cropped = true;
+            }
+        }
+    }
+    if (silhouette == 0) return result;
+
+    const double image_area = static_cast<double>(intrinsics_.width) * intrinsics_.height;
+    result.visible_fraction = static_cast<double>(visible) / silhouette;
+    result.mask_share = visible * cell * cell / image_area;
+    result.visible_px = result.mask_share * 640.0 * 480.0;
+    if (visible > 0) {
+        // Half a cell on each side: the outermost rays stand for their whole cells.
+        const Eigen::Vector2d size =
+            (visible_box.sizes().array() + cell)
+                .min(Eigen::Array2d(intrinsics_.width, intrinsics_.height));
+        result.box_share = size.prod() / image_area;
+    }
+    int most = 0;
+    for (const auto& [id, count] : hidden_by) {
+        if (count <= most) continue;
+        most = count;
+        result.occluder = id;
+    }
+    return result;
+}
+
+ObjectView makeView(const ViewEstimator::Estimate& estimate, int object_id, int frame) {
+    return {object_id,
+            frame,
+            estimate.visible_fraction,
+            estimate.visible_px,
+            estimate.box_share,
+            estimate.mask_share};
+}
+
+}  // namespace dollytrack::planning

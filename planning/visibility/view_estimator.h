@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/camera/intrinsics.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/math/pose.h"
+#include "engine/plan/capture.h"
+#include "engine/scene/scene.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// Answers "how does this object show from here?" by rays, without drawing anything.
+/// Keeps references: scene and rays must outlive it. Const, usable from many threads.
+class ViewEstimator {
+  public:
+    ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera);
+
+    struct Estimate {
+        double visible_fraction = 0.0;  // as ObjectView defines it
+        double visible_px = 0.0;        // as if the image were 640 x 480
+        double box_share = 0.0;
+        double mask_share = 0.0;
+        bool cropped = false;  // part of the silhouette lies outside the image
+        int occluder = 0;      // id of the object that hides most of it
+    };
+
+    /// Rays through the middles of an even grid of about `grid` x `grid` cells over the object's
+    /// extent in the image; never denser than the pixels.
+    [[nodiscard]] Estimate estimate(const Pose& pose, int object_id, int grid) const;
+
+    /// Extent of the object's silhouette on the unbounded image, px; nothing when part of it is
+    /// behind the near plane. At most a few per cent too large.
+    [[nodiscard]] std::optional<Eigen::AlignedBox2d> extent(const Pose& pose, int object_id) const;
+
+    /// Extreme points of the object, world: their convex hull is nearly the object's own.
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& extremes(int object_id) const {
+        return extremes_[static_cast<std::size_t>(object_id) - 1];
+    }
+
+    [[nodiscard]] const Intrinsics& intrinsics() const { return intrinsics_; }
+    [[nodiscard]] const RayCaster& rays() const { return *rays_; }
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] double nearDistance() const { return near_m_; }
+
+  private:
+    const Scene* scene_;
+    const RayCaster* rays_;
+    Intrinsics intrinsics_;
+    double near_m_;
+    std::vector<std::vector<Eigen::Vector3d>> extremes_;
+};
+
+/// How the object shows in a frame of a trajectory.
+ObjectView makeView(const ViewEstimator::Estimate& estimate, int object_id, int frame);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,200 @@
+#include "planning/pipeline.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "engine/plan/plan_json.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace dollytrack::planning {
+namespace {
+
+std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params = {}) {
+    Pipeline pipeline(std::make_shared<const Scene>(scene));
+    auto plan = pipeline.run(params, JobContext{});
+    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
+    return *plan;
+}
+
+/// Smallest distance from a densely sampled trajectory to any surface, without the planner.
+double smallestDistance(const Scene& scene, const Plan& plan) {
+    const RayCaster rays(scene);
+    double smallest = 1e9;
+    for (const SmoothPath& path : plan.smooth_paths) {
+        const int steps = static_cast<int>(path.length_m / 0.002) + 1;
+        for (int i = 0; i <= steps; ++i) {
+            smallest =
+                std::min(smallest, rays.closest(path.at(path.length_m * i / steps)).distance);
+        }
+    }
+    for (const TrajectoryFrame& frame : plan.trajectory.frames) {
+        smallest = std::min(smallest, rays.closest(frame.pose.position).distance);
+    }
+    return smallest;
+}
+
+}  // namespace
+
+TEST(Pipeline, CapturesEverythingInASimpleRoom) {
+    const Scene scene = test::furnishedRoom();
+    const auto plan = planOf(scene);
+    EXPECT_EQ(plan->capture_metrics.objects, 5);
+    EXPECT_EQ(plan->capture_metrics.captured, 5);
+    EXPECT_EQ(plan->capture_metrics.well_captured, 5);
+    EXPECT_TRUE(plan->uncaptured.empty());
+}
+
+TEST(Pipeline, NeverComesCloserThanTheCameraRadius) {
+    for (const double radius : {0.05, 0.1, 0.2}) {
+        PlanParams params;
+        params.camera.camera_radius_m = radius;
+        const Scene scene = test::twoRoomsWithDoor(0.7);
+        const auto plan = planOf(scene, params);
+        ASSERT_GT(plan->trajectory.frames.size(), 2U);
+        EXPECT_GE(smallestDistance(scene, *plan), radius - 1e-4) << radius;
+        EXPECT_EQ(plan->trajectory_metrics.corner_collision_rate, 0.0);
+        EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
+    }
+}
+
+TEST(Pipeline, GoesThroughAnOpenDoorAndPlansEachSideOfAClosedOne) {
+    const auto open = planOf(test::twoRoomsWithDoor(0.7));
+    EXPECT_EQ(open->smooth_paths.size(), 1U);
+    EXPECT_EQ(open->capture_metrics.captured, 2);
+
+    const auto closed = planOf(test::twoRoomsWithDoor(0.0));
+    EXPECT_EQ(closed->smooth_paths.size(), 2U);
+    EXPECT_EQ(closed->capture_metrics.captured, 2);
+    std::set<int> components;
+    for (const TrajectoryFrame& frame : closed->trajectory.frames) {
+        components.insert(frame.component);
+    }
+    EXPECT_EQ(components.size(), 2U);
+}
+
+TEST(Pipeline, KeepsTheLimitsOfSpeedAndTurning) {
+    PlanParams params;
+    params.timing.max_speed_mps = 0.4;
+    params.timing.max_turn_dps = 30.0;
+    const auto plan = planOf(test::furnishedRoom(), params);
+    const auto& frames = plan->trajectory.frames;
+    ASSERT_GT(frames.size(), 10U);
+    const double interval = plan->trajectory.frame_interval_s;
+    EXPECT_DOUBLE_EQ(interval, 0.1);
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        EXPECT_NEAR(frames[i].time_s - frames[i - 1].time_s, interval, 1e-9);
+        if (frames[i].path != frames[i - 1].path) continue;
+        const double step = (frames[i].pose.position - frames[i - 1].pose.position).norm();
+        EXPECT_LE(step, 0.4 * interval * 1.001);
+        const double turn = angleBetween(frames[i].pose.rotation, frames[i - 1].pose.rotation);
+        EXPECT_LE(turn, 30.0 * std::numbers::pi / 180.0 * interval * 1.02);
+        // Roll 0: the camera's x axis stays level.
+        EXPECT_NEAR((frames[i].pose.rotation * Eigen::Vector3d::UnitX()).z(), 0.0, 1e-6);
+    }
+}
+
+TEST(Pipeline, AFrameBudgetKeepsEveryKeyFrame) {
+    const Scene scene = test::furnishedRoom();
+    const auto free = planOf(scene);
+    PlanParams params;
+    params.timing.max_frames = 12;
+    const auto tight = planOf(scene, params);
+    EXPECT_LE(tight->trajectory.frames.size(), 12U);
+    EXPECT_LT(tight->trajectory.frames.size(), free->trajectory.frames.size());
+    EXPECT_EQ(tight->capture_metrics.well_captured, free->capture_metrics.well_captured);
+    std::set<int> keys;
+    for (const TrajectoryFrame& frame : tight->trajectory.frames) {
+        if (frame.position_point >= 0) keys.insert(frame.position_point);
+    }
+    EXPECT_EQ(keys.size(), tight->key_frames.size());
+
+    params.timing.max_frames = 2;
+    const auto two = planOf(scene, params);
+    EXPECT_LE(two->trajectory.frames.size(), 2U);
+    EXPECT_FALSE(two->uncaptured.empty());
+}
+
+TEST(Pipeline, SameSeedSamePlanWhateverTheThreads) {
+    const Scene scene = test::twoRoomsWithDoor(0.8);
+    const auto text = [&](int threads, int seed) {
+        setThreadCount(threads);
+        PlanParams params;
+        params.seed = seed;
+        const std::string dump = trajectoryJson(planOf(scene, params)->trajectory).dump();
+        setThreadCount(0);
+        return dump;
+    };
+    const std::string one = text(1, 3);
+    EXPECT_EQ(one, text(2, 3));
+    EXPECT_EQ(one, text(4, 3));
+}
+
+TEST(Pipeline, RepeatsOnlyWhatDependsOnAChange) {
+    Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
+    PlanParams params;
+    ASSERT_TRUE(pipeline.run(params, JobContext{}));
+    const auto rerun = [&] {
+        std::set<std::string> names;
+        const auto plan = pipeline.run(params, JobContext{});
+        for (const StageTime& stage : (*plan)->stages) {
+            if (!stage.reused) names.insert(stage.name);
+        }
+        return names;
+    };
+    EXPECT_TRUE(rerun().empty());
+    params.timing.max_speed_mps = 1.0;
+    EXPECT_EQ(rerun(), (std::set<std::string>{"timing", "metrics"}));
+    params.smoothing.corner_distance_m = 0.2;
+    EXPECT_EQ(rerun(), (std::set<std::string>{"smoothing", "timing", "metrics"}));
+    params.path.path_mode = PathMode::LongestBranch;
+    EXPECT_EQ(rerun(), (std::set<std::string>{"path", "smoothing", "timing", "metrics"}));
+    params.viewpoints.fill = 0.4;
+    EXPECT_FALSE(rerun().contains("free_space"));
+    params.free_space.octree_resolution_m = 0.1;
+    EXPECT_TRUE(rerun().contains("viewpoints"));
+    // And the result is what planning from scratch gives.
+    const auto reused = pipeline.run(params, JobContext{});
+    const auto fresh = planOf(test::furnishedRoom(), params);
+    EXPECT_EQ(trajectoryJson((*reused)->trajectory).dump(),
+              trajectoryJson(fresh->trajectory).dump());
+}
+
+TEST(Pipeline, CancelsAtOnceAndSaysSo) {
+    auto flag = std::make_shared<std::atomic<bool>>(true);
+    Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
+    const auto result = pipeline.run({}, JobContext(flag, {}));
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+    *flag = false;
+    EXPECT_TRUE(pipeline.run({}, JobContext(flag, {})).has_value());
+}
+
+TEST(Pipeline, SaysWhyAHiddenObjectIsNotCaptured) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    builder.object("crate").box({2, 1.5, 0.4}, {0.8, 0.8, 0.8});
+    builder.object("coin").box({2, 1.5, 0.4}, {0.1, 0.1, 0.1});  // inside the crate
+    const Scene scene = builder.build();
+    const auto plan = planOf(scene);
+    ASSERT_EQ(plan->uncaptured.size(), 1U);
+    EXPECT_EQ(scene.object(plan->uncaptured[0].object_id).name, "coin");
+    EXPECT_NE(plan->uncaptured[0].reason.find("crate"), std::string::npos)
+        << plan->uncaptured[0].reason;
+}
+
+TEST(Pipeline, ARoomWithoutTargetsGivesAnEmptyTrajectory) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    const auto plan = planOf(builder.build());
+    EXPECT_TRUE(plan->trajectory.frames.empty());
+    EXPECT_EQ(plan->capture_metrics.objects, 0);
+}
+
+}  // namespace dollytrack::planning
