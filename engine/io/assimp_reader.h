@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/raw_scene.h"
+#include "engine/jobs/job.h"
+
+#include <filesystem>
+
+namespace dollytrack {
+
+/// Reads OBJ, FBX, glTF/GLB, DAE, PLY or STL through assimp. The one place that calls it: a
+/// malformed file can bring assimp down, so this is what a sandbox will wrap.
+Result<RawScene> readWithAssimp(const std::filesystem::path& path, const JobContext& job);
+
+}  // namespace dollytrack

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/io/object_grouping.h"
+#include "engine/io/raw_scene.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+/// Metres per source unit and the source's upward axis, and how each was found.
+struct FrameChoice {
+    double unit_m = 1.0;
+    std::string unit_source;
+    char up_axis = 'y';
+    std::string up_source;
+    std::vector<std::string> warnings;
+
+    /// x, y, z of the source to right-handed, z up, metres.
+    [[nodiscard]] Eigen::Affine3d worldFromSource() const;
+};
+
+/// What was given counts; else what the file says, if the room then has a believable size; else
+/// what sizes of named things, the room's height and floor-like surfaces make likeliest.
+FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
+                        std::optional<double> given_unit_m, std::optional<char> given_up_axis);
+
+}  // namespace dollytrack

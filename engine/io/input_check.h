@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <filesystem>
+
+namespace dollytrack {
+
+/// Cheap tests before a model reader sees the file: it exists, is a file with something in it, has
+/// an extension we read and the first bytes that go with it, and is no Git-LFS pointer.
+Status checkSceneFile(const std::filesystem::path& path);
+
+}  // namespace dollytrack

@@ -1,0 +1,158 @@
+#include "engine/io/mesh_part_builder.h"
+
+#include "engine/geometry/mesh_normals.h"
+#include "engine/geometry/triangulate.h"
+#include "engine/geometry/vertex_join.h"
+
+#include <cmath>
+
+namespace dollytrack {
+namespace {
+
+constexpr float kAlongAxis = 0.99939F;  // cosine of 2 degrees
+
+/// The faces that can be kept, as triangles into the mesh's own vertices.
+std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
+                                       const std::vector<Eigen::Vector3f>& placed,
+                                       const std::vector<bool>& finite, RepairCounts& counts) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(mesh.face_indices.size() / 2);
+    std::vector<Eigen::Vector3f> corners;
+    std::vector<Triangle> cut;
+    std::size_t first = 0;
+    for (const std::uint32_t size : mesh.face_sizes) {
+        const auto face = mesh.face_indices.subspan(first, size);
+        first += size;
+        if (size < 3) {
+            ++counts.lines;
+            continue;
+        }
+        bool in_range = true;
+        bool is_finite = true;
+        for (const std::uint32_t v : face) {
+            in_range = in_range && v < placed.size();
+            is_finite = is_finite && in_range && finite[v];
+        }
+        if (!in_range || !is_finite) {
+            ++(in_range ? counts.bad_numbers : counts.bad_indices);
+            continue;
+        }
+        corners.clear();
+        for (const std::uint32_t v : face) corners.push_back(placed[v]);
+        cut.clear();
+        counts.polygons += size > 3;
+        switch (triangulatePolygon(corners, cut)) {
+            case PolygonOutcome::Exact:
+                break;
+            case PolygonOutcome::Approximate:
+                ++counts.approximate;
+                break;
+            case PolygonOutcome::Degenerate:
+                ++counts.no_area;
+                break;
+        }
+        for (const Triangle& t : cut) triangles.push_back({face[t[0]], face[t[1]], face[t[2]]});
+    }
+    return triangles;
+}
+
+void measure(MeshPart& part) {
+    for (const Eigen::Vector3f& p : part.positions) part.bounds.extend(p);
+    for (const Triangle& t : part.triangles) {
+        const Eigen::Vector3f& a = part.positions[t[0]];
+        const Eigen::Vector3f normal = (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
+        const float length = normal.norm();
+        part.area += 0.5 * static_cast<double>(length);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(normal[axis]) < kAlongAxis * length) continue;
+            part.facing_area[static_cast<std::size_t>(2 * axis + (normal[axis] > 0.0F))] +=
+                0.5 * static_cast<double>(length);
+        }
+    }
+}
+
+}  // namespace
+
+void RepairCounts::add(const RepairCounts& other) {
+    bad_numbers += other.bad_numbers;
+    bad_indices += other.bad_indices;
+    no_area += other.no_area;
+    approximate += other.approximate;
+    polygons += other.polygons;
+    lines += other.lines;
+    made_normals += other.made_normals;
+    mirrored += other.mirrored;
+}
+
+RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source_from_mesh,
+                           MeshPart& part) {
+    RepairCounts counts;
+    const Eigen::Matrix3d linear = source_from_mesh.linear();
+    const double determinant = linear.determinant();
+    const bool mirrors = determinant < 0.0;
+    counts.mirrored = mirrors;
+    const bool moves = !source_from_mesh.isApprox(Eigen::Affine3d::Identity(), 0.0);
+
+    std::vector<Eigen::Vector3f> placed(mesh.positions.begin(), mesh.positions.end());
+    std::vector<bool> finite(placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (moves) placed[i] = (source_from_mesh * placed[i].cast<double>()).cast<float>();
+        finite[i] = placed[i].allFinite();
+    }
+    std::vector<Triangle> triangles = collectTriangles(mesh, placed, finite, counts);
+    if (mirrors) {
+        for (Triangle& t : triangles) std::swap(t[1], t[2]);
+    }
+
+    const bool has_normals = mesh.normals.size() == placed.size() && !placed.empty();
+    std::vector<Eigen::Vector3f> made;
+    if (!has_normals && !triangles.empty()) {
+        ++counts.made_normals;
+        made = cornerNormals(placed, triangles);
+    }
+    // Adjugate transpose: right for any scale, and with the sign that keeps the outside outside.
+    Eigen::Matrix3d cofactors;
+    cofactors.col(0) = linear.col(1).cross(linear.col(2));
+    cofactors.col(1) = linear.col(2).cross(linear.col(0));
+    cofactors.col(2) = linear.col(0).cross(linear.col(1));
+    if (mirrors) cofactors = -cofactors;
+    const Eigen::Matrix3f turn = cofactors.cast<float>();
+    const bool has_uvs = mesh.uvs.size() == placed.size();
+
+    VertexJoin<8> join(std::min(placed.size(), 3 * triangles.size()));
+    part.triangles.reserve(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        Triangle joined;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t v = triangles[t][corner];
+            Eigen::Vector3f normal;
+            if (has_normals) {
+                normal = mesh.normals[v];
+                if (moves) normal = turn * normal;
+                const float length = normal.norm();
+                if (!(length > 1e-20F) || !std::isfinite(length)) {
+                    const Eigen::Vector3f& a = placed[triangles[t][0]];
+                    normal = (placed[triangles[t][1]] - a).cross(placed[triangles[t][2]] - a);
+                }
+                normal.normalize();
+            } else {
+                normal = made[3 * t + corner];
+            }
+            Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+            if (has_uvs && mesh.uvs[v].head<2>().allFinite()) uv = mesh.uvs[v].head<2>();
+            const Eigen::Vector3f& p = placed[v];
+            joined[corner] = join.insert(
+                {p.x(), p.y(), p.z(), normal.x(), normal.y(), normal.z(), uv.x(), uv.y()});
+            if (joined[corner] == part.positions.size()) {
+                part.positions.push_back(p);
+                part.normals.push_back(normal);
+                part.uvs.push_back(uv);
+            }
+        }
+        part.triangles.push_back(joined);
+    }
+    measure(part);
+    return counts;
+}
+
+}  // namespace dollytrack

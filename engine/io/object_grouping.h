@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/io/raw_scene.h"
+#include "engine/scene/label_table.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+/// What will become one object: its name, what the name says, and the parts it is made of.
+struct ObjectDraft {
+    std::string name;
+    Label label;
+    std::vector<std::size_t> parts;  // indices into RawScene::parts
+};
+
+/// One draft for each node that holds meshes, in the file's order. The pieces that one thing was
+/// cut into come together: nodes named after the node above them, and unnamed nodes under a node
+/// whose name is a thing to look at.
+std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels);
+
+}  // namespace dollytrack

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "engine/scene/material.h"
+#include "engine/scene/scene.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+/// One mesh under one node: one material, checked (every index valid, every number finite, no
+/// triangle without area) and placed, in the source's own axes and unit.
+struct MeshPart {
+    std::string name;  // the mesh's own name
+    int node = 0;      // index into RawScene::nodes
+    std::uint32_t material = 0;
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3f> normals;
+    std::vector<Eigen::Vector2f> uvs;
+    std::vector<Triangle> triangles;
+    Eigen::AlignedBox3f bounds;
+    /// Area of surfaces that face along each source axis within 2 degrees: -x +x -y +y -z +z.
+    std::array<double, 6> facing_area{};
+    double area = 0.0;
+};
+
+struct SourceNode {
+    std::string name;
+    int parent = -1;
+    int children = 0;
+};
+
+/// A picture a material asks for: a path as the file writes it, or bytes inside the file.
+struct TextureRequest {
+    std::string name;
+    std::vector<std::uint8_t> embedded;  // an encoded file, or width x height RGBA
+    int embedded_width = 0;              // of raw RGBA; 0: encoded, or not embedded
+    int embedded_height = 0;
+    bool opaque = true;  // no material uses its alpha
+};
+
+struct RepairCounts {
+    std::size_t bad_numbers = 0;   // triangles with NaN or infinity
+    std::size_t bad_indices = 0;   // triangles that name a vertex that is not there
+    std::size_t no_area = 0;       // triangles and polygons without area
+    std::size_t approximate = 0;   // polygons that cross themselves
+    std::size_t polygons = 0;      // faces of four corners or more
+    std::size_t lines = 0;         // points and lines, which cannot be seen
+    std::size_t made_normals = 0;  // meshes without normals
+    std::size_t mirrored = 0;      // parts under a mirroring transform
+
+    void add(const RepairCounts& other);
+};
+
+/// What a file holds, before anything is guessed about it.
+struct RawScene {
+    std::vector<SourceNode> nodes;  // parents before children
+    std::vector<MeshPart> parts;
+    std::vector<Material> materials;
+    std::vector<TextureRequest> textures;
+    RepairCounts repairs;
+    std::optional<double> file_unit_m;  // from metadata
+    char file_up_axis = 0;              // 'x', 'y', 'z'; 0: the format does not say
+    std::vector<std::string> notes;
+};
+
+}  // namespace dollytrack

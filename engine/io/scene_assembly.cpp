@@ -1,0 +1,103 @@
+#include "engine/io/scene_assembly.h"
+
+#include "engine/geometry/oriented_box.h"
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace dollytrack {
+namespace {
+
+void copyPart(const MeshPart& part, std::uint32_t vertex, std::uint32_t triangle, Scene& scene) {
+    std::copy(part.positions.begin(), part.positions.end(), scene.positions.begin() + vertex);
+    std::copy(part.normals.begin(), part.normals.end(), scene.normals.begin() + vertex);
+    std::copy(part.uvs.begin(), part.uvs.end(), scene.uvs.begin() + vertex);
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+        Triangle moved = part.triangles[i];
+        for (std::uint32_t& index : moved) index += vertex;
+        scene.triangles[triangle + i] = moved;
+        scene.triangle_material[triangle + i] = part.material;
+    }
+}
+
+void measureObject(const Scene& scene, Object& object) {
+    const std::span<const Eigen::Vector3f> points(scene.positions.data() + object.first_vertex,
+                                                  object.vertex_count);
+    object.box = fitUprightBox(points);
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+        const Triangle& t = scene.triangles[object.first_triangle + i];
+        const Eigen::Vector3d a = scene.positions[t[0]].cast<double>();
+        const Eigen::Vector3d b = scene.positions[t[1]].cast<double>();
+        const Eigen::Vector3d c = scene.positions[t[2]].cast<double>();
+        const double weight = (b - a).cross(c - a).norm();
+        moment += weight * (a + b + c) / 3.0;
+        area += weight;
+    }
+    object.centroid = area > 0.0 ? Eigen::Vector3d(moment / area) : object.box.center;
+}
+
+}  // namespace
+
+void moveToWorld(std::vector<MeshPart>& parts, const Eigen::Affine3d& world_from_source) {
+    if (world_from_source.isApprox(Eigen::Affine3d::Identity(), 0.0)) return;
+    const Eigen::Matrix3f turn = world_from_source.linear().cast<float>();
+    const double unit = std::cbrt(world_from_source.linear().determinant());
+    const Eigen::Matrix3f normal_turn = (world_from_source.linear() / unit).cast<float>();
+    parallelFor(parts.size(), [&](std::size_t i) {
+        MeshPart& part = parts[i];
+        part.bounds.setEmpty();
+        for (Eigen::Vector3f& p : part.positions) {
+            p = turn * p;
+            part.bounds.extend(p);
+        }
+        for (Eigen::Vector3f& n : part.normals) n = normal_turn * n;
+        part.area *= unit * unit;
+    });
+}
+
+void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft>& drafts,
+                     Scene& scene) {
+    struct Place {
+        std::size_t part;
+        std::uint32_t vertex;
+        std::uint32_t triangle;
+    };
+    std::vector<Place> places;
+    std::uint32_t vertex = 0;
+    std::uint32_t triangle = 0;
+    for (const ObjectDraft& draft : drafts) {
+        Object object;
+        object.id = static_cast<int>(scene.objects.size()) + 1;
+        object.name = draft.name;
+        object.nyu40 = draft.label.nyu40;
+        if (draft.label.kind == LabelKind::Structure) object.role = Role::Structure;
+        object.first_vertex = vertex;
+        object.first_triangle = triangle;
+        for (const std::size_t index : draft.parts) {
+            places.push_back({index, vertex, triangle});
+            vertex += static_cast<std::uint32_t>(parts[index].positions.size());
+            triangle += static_cast<std::uint32_t>(parts[index].triangles.size());
+        }
+        object.vertex_count = vertex - object.first_vertex;
+        object.triangle_count = triangle - object.first_triangle;
+        scene.objects.push_back(std::move(object));
+    }
+    scene.positions.resize(vertex);
+    scene.normals.resize(vertex);
+    scene.uvs.resize(vertex);
+    scene.triangles.resize(triangle);
+    scene.triangle_material.resize(triangle);
+    parallelFor(places.size(), [&](std::size_t i) {
+        MeshPart& part = parts[places[i].part];
+        copyPart(part, places[i].vertex, places[i].triangle, scene);
+        part = MeshPart{};
+    });
+    parallelFor(scene.objects.size(),
+                [&](std::size_t i) { measureObject(scene, scene.objects[i]); });
+}
+
+}  // namespace dollytrack

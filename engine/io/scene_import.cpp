@@ -1,0 +1,157 @@
+#include "engine/io/scene_import.h"
+
+#include "engine/io/sha256.h"
+#include "engine/io/assimp_reader.h"
+#include "engine/io/frame_guess.h"
+#include "engine/io/input_check.h"
+#include "engine/io/object_grouping.h"
+#include "engine/io/scene_assembly.h"
+#include "engine/io/texture_loader.h"
+#include "engine/scene/facing.h"
+#include "engine/scene/label_table.h"
+#include "engine/scene/object_size.h"
+#include "engine/scene/room_bounds.h"
+#include "engine/scene/structure.h"
+
+#include <future>
+
+namespace dollytrack {
+namespace {
+
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what;
+}
+
+void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
+    if (repairs.bad_numbers > 0) {
+        report.warnings.push_back(counted(repairs.bad_numbers,
+                                          "faces with a corner that is no "
+                                          "finite number were dropped"));
+    }
+    if (repairs.bad_indices > 0) {
+        report.warnings.push_back(
+            counted(repairs.bad_indices, "faces that name a missing vertex were dropped"));
+    }
+    if (repairs.no_area > 0) {
+        report.notes.push_back(counted(repairs.no_area, "faces without area were dropped"));
+    }
+    if (repairs.approximate > 0) {
+        report.warnings.push_back(
+            counted(repairs.approximate, "polygons cross themselves and were filled as fans"));
+    }
+    if (repairs.lines > 0) {
+        report.notes.push_back(counted(repairs.lines, "points and lines were left out"));
+    }
+    if (repairs.polygons > 0) {
+        report.notes.push_back(counted(repairs.polygons, "polygons were cut into triangles"));
+    }
+    if (repairs.made_normals > 0) {
+        report.notes.push_back(counted(repairs.made_normals,
+                                       "meshes had no normals; they were "
+                                       "made, smooth below 45 degrees"));
+    }
+    if (repairs.mirrored > 0) {
+        report.notes.push_back(
+            counted(repairs.mirrored, "meshes are mirrored; their faces were turned back"));
+    }
+}
+
+Result<LabelTable> labelTable(const ImportOptions& options) {
+    LabelTable table = LabelTable::builtIn();
+    if (options.labels) {
+        if (Status added = table.addFile(*options.labels); !added) {
+            return tl::unexpected(added.error());
+        }
+    }
+    return table;
+}
+
+Status checkOptions(const ImportOptions& options) {
+    if (options.unit_m && !(*options.unit_m > 0.0 && *options.unit_m < 1e6)) {
+        return fail(ErrorCode::Usage, "metres per unit must be above 0 and below 1e6", "unit_m");
+    }
+    if (options.up_axis && *options.up_axis != 'x' && *options.up_axis != 'y' &&
+        *options.up_axis != 'z') {
+        return fail(ErrorCode::Usage, "the upward axis is x, y or z", "up_axis");
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options,
+                          const JobContext& job) {
+    if (Status ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
+    if (Status ok = checkSceneFile(path); !ok) return tl::unexpected(ok.error());
+    const Result<LabelTable> labels = labelTable(options);
+    if (!labels) return tl::unexpected(labels.error());
+
+    // assimp works on one core; the other can hash meanwhile.
+    std::future<Result<std::string>> hash =
+        std::async(std::launch::async, [path] { return io::sha256OfFile(path); });
+    job.report(0.0);
+    Result<RawScene> read = readWithAssimp(path, job);
+    if (!read) return tl::unexpected(read.error());
+    RawScene& raw = *read;
+
+    Scene scene;
+    scene.name = path.stem().string();
+    scene.source = path;
+    noteRepairs(raw.repairs, scene.report);
+    std::vector<ObjectDraft> drafts = groupByNodes(raw, *labels);
+    if (drafts.empty()) {
+        return fail(ErrorCode::BadInput,
+                    "the file holds no triangle that can be drawn; export its meshes too",
+                    path.string());
+    }
+    job.report(0.6);
+
+    const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    scene.report.unit_m = frame.unit_m;
+    scene.report.unit_source = frame.unit_source;
+    scene.report.up_axis = std::string(1, frame.up_axis);
+    scene.report.up_source = frame.up_source;
+    scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
+                                 frame.warnings.end());
+    const Eigen::Affine3d world_from_source = frame.worldFromSource();
+    scene.source_from_world = world_from_source.inverse();
+    moveToWorld(raw.parts, world_from_source);
+    job.report(0.7);
+
+    TextureSet textures = loadTextures(path, raw.textures, job);
+    scene.textures = std::move(textures.textures);
+    scene.report.textures_found = textures.found;
+    scene.report.textures_missing = textures.missing;
+    for (const std::string& name : textures.broken) {
+        scene.report.warnings.push_back("the texture " + name + " cannot be decoded");
+    }
+    job.report(0.9);
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
+
+    scene.materials = std::move(raw.materials);
+    assembleObjects(raw.parts, drafts, scene);
+    std::vector<bool> undecided;
+    for (const ObjectDraft& draft : drafts) {
+        undecided.push_back(draft.label.kind == LabelKind::None ||
+                            draft.label.kind == LabelKind::Part ||
+                            draft.label.kind == LabelKind::Weak);
+    }
+    recogniseStructure(scene, undecided);
+    std::vector<std::string> left_out;
+    scene.room_bounds = findRoomBounds(scene.objects, &left_out);
+    for (const std::string& name : left_out) {
+        scene.report.notes.push_back("\"" + name +
+                                     "\" lies outside or around the building and "
+                                     "does not count for its size");
+    }
+    findFronts(scene);
+    sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
+
+    Result<std::string> digest = hash.get();
+    if (!digest) return tl::unexpected(digest.error());
+    scene.source_sha256 = std::move(*digest);
+    job.report(1.0);
+    return scene;
+}
+
+}  // namespace dollytrack

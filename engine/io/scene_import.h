@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace dollytrack {
+
+/// What a user can say about a scene file that the file does not say itself.
+struct ImportOptions {
+    std::optional<double> unit_m;                 // metres per source unit; else found out
+    std::optional<char> up_axis;                  // 'x', 'y' or 'z'; else found out
+    std::optional<std::filesystem::path> labels;  // a label table added to the built-in one
+    double small_volume_m3 = 0.1;                 // smaller objects are small
+    double size_ratio = 5.0;  // also small: this many times smaller than what carries it
+};
+
+/// Reads an OBJ, FBX, glTF/GLB, DAE, PLY or STL file into a scene: objects, classes, boxes,
+/// fronts, unit and up axis found, everything repaired or doubtful said in Scene::report.
+/// The only door to third-party model readers.
+Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options = {},
+                          const JobContext& job = {});
+
+}  // namespace dollytrack

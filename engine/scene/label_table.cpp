@@ -1,0 +1,216 @@
+#include "engine/scene/label_table.h"
+
+#include "engine/scene/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace dollytrack {
+
+/// assets/labels/nyu40.csv, made a string at build time.
+extern const char* const kBuiltInLabels;
+
+namespace {
+
+bool isUpper(char c) {
+    return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+bool isLower(char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+/// Letters of other alphabets (UTF-8 bytes) count as letters.
+bool isLetter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
+           (static_cast<unsigned char>(c) & 0x80U);
+}
+
+/// "shelves" and "shelf", "boxes" and "box" are one word.
+std::string singular(std::string word) {
+    const auto endsWith = [&](std::string_view end) {
+        return word.size() > end.size() + 1 && word.ends_with(end);
+    };
+    if (word == "glasses" || word == "clothes" || word == "sunglasses") return word;
+    if (endsWith("shelves")) return word.substr(0, word.size() - 3) + "f";
+    if (endsWith("knives")) return "knife";
+    if (endsWith("leaves")) return "leaf";
+    if (endsWith("ies")) return word.substr(0, word.size() - 3) + "y";
+    if (endsWith("ches") || endsWith("shes") || endsWith("xes") || endsWith("sses")) {
+        return word.substr(0, word.size() - 2);
+    }
+    if (endsWith("s") && !endsWith("ss") && !endsWith("us") && !endsWith("is")) word.pop_back();
+    return word;
+}
+
+std::string trim(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
+}
+
+std::string join(const std::vector<std::string>& words, std::size_t first, std::size_t count) {
+    std::string text = words[first];
+    for (std::size_t i = 1; i < count; ++i) text += ' ' + words[first + i];
+    return text;
+}
+
+bool isStructureClass(int nyu40) {
+    return nyu40 == kNyuWall || nyu40 == kNyuFloor || nyu40 == kNyuCeiling || nyu40 == kNyuDoor ||
+           nyu40 == kNyuWindow || nyu40 == kNyuOtherStructure;
+}
+
+bool isPreposition(const std::string& word) {
+    static constexpr std::array<std::string_view, 6> kWords = {"with", "of", "for",
+                                                               "in",   "on", "without"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+}  // namespace
+
+std::vector<std::string> splitWords(std::string_view name) {
+    std::vector<std::string> words;
+    std::string word;
+    const auto finish = [&] {
+        if (!word.empty()) words.push_back(std::move(word));
+        word.clear();
+    };
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        if (!isLetter(c)) {
+            finish();
+            continue;
+        }
+        // "SofaC" and "TVCabinet" hold two words each, "TVs" one.
+        if (isUpper(c) && i > 0 && isLower(name[i - 1])) finish();
+        if (isUpper(c) && i > 0 && isUpper(name[i - 1]) && i + 2 < name.size() &&
+            isLower(name[i + 1]) && isLower(name[i + 2])) {
+            finish();
+        }
+        word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    finish();
+    return words;
+}
+
+std::string withoutNumber(std::string_view name) {
+    std::size_t end = name.size();
+    while (end > 0) {
+        std::size_t at = end;
+        while (at > 0 && std::isdigit(static_cast<unsigned char>(name[at - 1]))) --at;
+        if (at == end) break;
+        while (at > 0 && (name[at - 1] == '_' || name[at - 1] == '.' || name[at - 1] == ' ' ||
+                          name[at - 1] == '-' || name[at - 1] == '#')) {
+            --at;
+        }
+        if (at == 0) break;
+        end = at;
+    }
+    return std::string(name.substr(0, end));
+}
+
+const LabelTable& LabelTable::builtIn() {
+    static const LabelTable table = [] {
+        LabelTable made;
+        // A test reads every line of it, so it cannot fail here.
+        static_cast<void>(made.add(kBuiltInLabels, "nyu40.csv"));
+        return made;
+    }();
+    return table;
+}
+
+Status LabelTable::add(std::string_view csv, const std::string& where) {
+    std::istringstream lines{std::string(csv)};
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        line = trim(line.substr(0, line.find('#')));
+        if (line.empty()) continue;
+        std::vector<std::string> columns;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) columns.push_back(trim(cell));
+        const std::string place = where + ":" + std::to_string(number);
+        if (columns.size() < 2 || columns.size() > 3) {
+            return fail(ErrorCode::BadInput,
+                        "a label line is \"pattern,class[,structure|target|part|weak]\"", place);
+        }
+        std::vector<std::string> words = splitWords(columns[0]);
+        if (words.empty()) return fail(ErrorCode::BadInput, "the pattern has no letters", place);
+        for (std::string& word : words) word = singular(std::move(word));
+
+        Entry entry;
+        const std::string kind = columns.size() == 3 ? columns[2] : "";
+        entry.nyu40 = nyu40FromName(columns[1]);
+        if (entry.nyu40 == 0 && !(kind == "part" && columns[1].empty())) {
+            return fail(ErrorCode::BadInput,
+                        "\"" + columns[1] + "\" is not one of the 40 NYU classes", place);
+        }
+        if (kind.empty()) {
+            entry.kind = isStructureClass(entry.nyu40) ? LabelKind::Structure : LabelKind::Target;
+        } else if (kind == "structure") {
+            entry.kind = LabelKind::Structure;
+        } else if (kind == "target") {
+            entry.kind = LabelKind::Target;
+        } else if (kind == "part") {
+            entry.kind = LabelKind::Part;
+        } else if (kind == "weak") {
+            entry.kind = LabelKind::Weak;
+        } else {
+            return fail(ErrorCode::BadInput,
+                        "\"" + kind + "\" is not structure, target, part or weak", place);
+        }
+        longest_ = std::max(longest_, words.size());
+        entries_[join(words, 0, words.size())] = entry;
+    }
+    return {};
+}
+
+Status LabelTable::addFile(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        return fail(ErrorCode::BadInput, "the label table cannot be read; check its path",
+                    path.string());
+    }
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return add(text, path.filename().string());
+}
+
+Label LabelTable::find(std::string_view name) const {
+    std::vector<std::string> words = splitWords(name);
+    for (std::string& word : words) word = singular(std::move(word));
+
+    Label best;
+    Label weak;
+    Label part;
+    std::size_t best_end = 0;
+    bool described = false;   // past a preposition that no pattern spans
+    std::size_t spanned = 0;  // words before this index belong to a pattern found
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i >= spanned && i > 0 && isPreposition(words[i])) described = true;
+        if (described && best.kind != LabelKind::None) break;
+        for (std::size_t n = std::min(longest_, words.size() - i); n > 0; --n) {
+            const std::string text = join(words, i, n);
+            const auto found = entries_.find(text);
+            if (found == entries_.end()) continue;
+            const Label label{found->second.kind, found->second.nyu40, text};
+            spanned = std::max(spanned, i + n);
+            if (label.kind == LabelKind::Weak) {
+                weak = label;
+            } else if (label.kind == LabelKind::Part) {
+                part = label;
+            } else if (i + n > best_end) {
+                best = label;
+                best_end = i + n;
+            }
+            break;  // the longest from here on
+        }
+    }
+    if (part.kind != LabelKind::None) {  // "sofa legs": a part, of a known class
+        part.nyu40 = best.nyu40 != 0 ? best.nyu40 : part.nyu40;
+        return part;
+    }
+    return best.kind != LabelKind::None ? best : weak;
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack {
+
+/// What a word in an object's name says about it.
+enum class LabelKind {
+    None,       // no known word
+    Target,     // a thing to look at
+    Structure,  // wall, floor, ceiling, door, window and the like
+    Part,       // a piece of something: leg, handle, leaves
+    Weak,       // a material or a vague word, used when nothing better is there
+};
+
+struct Label {
+    LabelKind kind = LabelKind::None;
+    int nyu40 = 0;        // 0 for None and for parts without a class
+    std::string pattern;  // the words that decided, "coffee table"
+};
+
+/// Finds the NYU40 class of a name. Names are split into words at capitals, digits and signs
+/// ("SofaC_01" gives sofa, c); of the patterns found in it the one that ends last counts, and of
+/// those the longest ("coffee_table_book" is a book, "coffee_table_01" a coffee table). Words
+/// after "with", "of", "for", "in", "on" describe and do not count.
+class LabelTable {
+  public:
+    /// The table that comes with the program.
+    static const LabelTable& builtIn();
+
+    /// Reads lines "pattern,class[,structure|target|part|weak]"; '#' starts a comment. The class is
+    /// an NYU40 name, or empty for a part. Later lines replace earlier ones of the same pattern.
+    Status add(std::string_view csv, const std::string& where);
+    Status addFile(const std::filesystem::path& path);
+
+    [[nodiscard]] Label find(std::string_view name) const;
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  private:
+    struct Entry {
+        LabelKind kind = LabelKind::Target;
+        int nyu40 = 0;
+    };
+    std::map<std::string, Entry, std::less<>> entries_;  // words in singular, joined by a space
+    std::size_t longest_ = 1;                            // words in the longest pattern
+};
+
+/// "SofaC_01.002" gives {"sofa", "c"}: lower case, no digits.
+std::vector<std::string> splitWords(std::string_view name);
+
+/// The name without the number a program appended: "Sofa.001", "chair_2", "Lamp 03" give "Sofa",
+/// "chair", "Lamp". Never empty unless the name is.
+std::string withoutNumber(std::string_view name);
+
+}  // namespace dollytrack

@@ -1,0 +1,101 @@
+#include "engine/scene/room_bounds.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kNearby = 1.5;       // m: parts of one building are no further apart
+constexpr double kTooWide = 2.0;      // times the rest: no building, but a ground or a sky
+constexpr double kTooWideFlat = 1.6;  // the same for a flat thing: a ground plane
+
+struct Item {
+    std::size_t object;
+    Eigen::AlignedBox3d box;
+};
+
+/// The box around the group with most objects, groups being chains of nearby boxes.
+Eigen::AlignedBox3d largestGroup(const std::vector<Item>& items, std::size_t first,
+                                 std::vector<bool>* in_group = nullptr) {
+    std::vector<std::size_t> root(items.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](std::size_t i) {
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    for (std::size_t i = first; i < items.size(); ++i) {
+        for (std::size_t j = i + 1; j < items.size(); ++j) {
+            if (items[i].box.exteriorDistance(items[j].box) > kNearby) continue;
+            root[find(i)] = find(j);
+        }
+    }
+    std::vector<Eigen::AlignedBox3d> boxes(items.size());
+    std::vector<std::size_t> sizes(items.size(), 0);
+    for (std::size_t i = first; i < items.size(); ++i) {
+        boxes[find(i)].extend(items[i].box);
+        ++sizes[find(i)];
+    }
+    std::size_t best = first;
+    for (std::size_t i = first; i < items.size(); ++i) {
+        const auto rank = [&](std::size_t k) {
+            return std::pair(sizes[k], sizes[k] ? boxes[k].diagonal().norm() : 0.0);
+        };
+        if (rank(i) > rank(best)) best = i;
+    }
+    if (in_group) {
+        in_group->assign(items.size(), false);
+        for (std::size_t i = first; i < items.size(); ++i) (*in_group)[i] = find(i) == best;
+    }
+    return boxes[best];
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& corner : box.corners()) bounds.extend(corner);
+    return bounds;
+}
+
+Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
+                                   std::vector<std::string>* left_out) {
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        items.push_back({i, worldBounds(objects[i].box)});
+    }
+    if (items.empty()) return {};
+    const auto planSize = [](const Item& item) {
+        return std::max(item.box.sizes().x(), item.box.sizes().y());
+    };
+    std::stable_sort(items.begin(), items.end(),
+                     [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
+    // From the widest down: what is far wider than all that remains is around the building, not
+    // of it.
+    std::size_t first = 0;
+    for (; first + 1 < items.size(); ++first) {
+        const Eigen::AlignedBox3d rest = largestGroup(items, first + 1);
+        const Eigen::Vector3d size = items[first].box.sizes();
+        const double wide = std::max(rest.sizes().x(), rest.sizes().y());
+        const bool flat = size.z() < 0.05 * planSize(items[first]);
+        const bool inside = rest.contains(items[first].box);
+        if (inside || wide <= 0.0) break;
+        // Few things on a large floor are a sparse room, not a house on a plain.
+        const bool many = items.size() - first - 1 >= 3;
+        const double limit = flat ? kTooWideFlat : kTooWide;
+        const bool huge = planSize(items[first]) > 60.0 && planSize(items[first]) > 3.0 * wide;
+        const bool surrounds = many && wide > 4.0 && planSize(items[first]) > limit * wide;
+        if (!huge && !surrounds) break;
+    }
+    std::vector<bool> in_group;
+    const Eigen::AlignedBox3d bounds = largestGroup(items, first, &in_group);
+    if (left_out) {
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (i >= first && in_group[i]) continue;
+            left_out->push_back(objects[items[i].object].name);
+        }
+    }
+    return bounds;
+}
+
+}  // namespace dollytrack
