@@ -1,0 +1,86 @@
+#version 450 core
+// Lights the surface buffer. Light comes from the baked volume: the light of the lamps, with its
+// direction and soft shadows, and the light that the room's surfaces throw back.
+
+layout(location = 0) uniform mat3 world_from_camera;
+layout(location = 1) uniform vec4 unproject;
+layout(location = 2) uniform vec3 camera_position;
+layout(location = 3) uniform vec3 volume_low;
+layout(location = 4) uniform vec3 volume_scale;  // volume texture coordinates per metre
+layout(location = 5) uniform float lift_m;       // off the surface, out of the cell behind it
+layout(location = 6) uniform float exposure;
+layout(location = 7) uniform vec3 lamp_color;
+layout(location = 8) uniform vec4 backdrop;      // rgb where nothing is hit; a > 0: a plain colour
+
+layout(binding = 0) uniform sampler2D colors;
+layout(binding = 1) uniform sampler2D normals;
+layout(binding = 2) uniform sampler2D surface;
+layout(binding = 3) uniform sampler2D occlusion;
+layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
+layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps
+
+layout(location = 0) out vec4 out_rgb;
+
+// Leaves dark and middle tones alone and rolls off towards white, so that lamps do not clip.
+vec3 toneCurve(vec3 c) {
+    vec3 high = max(c - 0.55, 0.0);
+    return min(c, 0.55) + 0.45 * high / (high + 0.45);
+}
+
+vec3 encode(vec3 linear) {
+    return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0031308), vec3(1.0 / 2.4)) - 0.055,
+               step(0.0031308, linear));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float z = texelFetch(surface, pixel, 0).r;
+    vec3 ray = world_from_camera * vec3(gl_FragCoord.xy * unproject.xy + unproject.zw, 1.0);
+    if (z <= 0.0) {
+        vec3 sky = mix(vec3(0.93, 0.95, 0.97), vec3(0.66, 0.80, 0.96),
+                       clamp(normalize(ray).z * 1.5 + 0.1, 0.0, 1.0));
+        out_rgb = vec4(backdrop.a > 0.0 ? backdrop.rgb : sky, 1.0);
+        return;
+    }
+    vec4 color = texelFetch(colors, pixel, 0);
+    vec4 facing = texelFetch(normals, pixel, 0);
+    vec3 n = normalize(facing.xyz);
+    float roughness = facing.w;
+    vec3 albedo = color.rgb * color.rgb;
+    float metallic = color.a < 0.5 ? color.a * 2.0 : 0.0;
+    float emission = color.a > 0.5 ? (color.a - 0.5) * 16.0 : 0.0;
+
+    vec3 p = camera_position + ray * z;
+    vec3 at = (p + n * lift_m - volume_low) * volume_scale;
+    vec3 ambient = texture(ambient_volume, at).rgb;
+    vec3 lamp = texture(lamp_volume, at).xyz;
+
+    float lamp_strength = length(lamp);
+    vec3 to_lamp = lamp_strength > 0.0 ? lamp / lamp_strength : n;
+    // Lamps are large: light wraps a little beyond the terminator.
+    float facing_lamp = max(0.0, (dot(n, to_lamp) + 0.15) / 1.15);
+
+    // The occlusion of a quarter of the pixels, brought up without crossing depth edges.
+    vec2 size = vec2(textureSize(surface, 0));
+    float open = texture(occlusion, gl_FragCoord.xy / size).r;
+    // Light thrown around in a corner of a bright colour darkens less.
+    vec3 open_color = mix(vec3(open), vec3(1.0), 0.35 * albedo * (1.0 - open));
+
+    vec3 irradiance = ambient * open_color + lamp_color * (lamp_strength * facing_lamp * mix(1.0, open, 0.5));
+    vec3 lit = albedo * (1.0 - metallic) * irradiance;
+
+    // Highlights of the lamps and a blurred reflection of the room.
+    vec3 view = -normalize(ray);
+    vec3 mirror = reflect(-view, n);
+    vec3 f0 = mix(vec3(0.04), albedo, metallic);
+    float grazing = 1.0 - max(dot(n, view), 0.0);
+    float grazing2 = grazing * grazing;
+    vec3 fresnel = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing2 * grazing2 * grazing;
+    float r2 = max(roughness * roughness, 0.02);
+    float power = 2.0 / (r2 * r2);
+    float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
+    vec3 shiny = fresnel * (ambient * open + lamp_color * (lamp_strength * shine *
+                                                           min(power * 0.06, 2.5)));
+
+    out_rgb = vec4(encode(toneCurve(exposure * (lit + shiny) + albedo * emission)), 1.0);
+}

@@ -1,0 +1,48 @@
+#version 450 core
+// How much of the near surroundings stands in front of a surface point: darkens corners and the
+// contact of things with what they stand on, at a scale the light volume is too coarse for. Half
+// resolution. Each sample contributes by how far it rises above the tangent plane.
+
+layout(location = 0) uniform mat3 camera_from_world;
+layout(location = 1) uniform vec4 unproject;  // x scale, y scale, x offset, y offset, full pixels
+layout(location = 2) uniform float pixels_per_radian;
+
+layout(binding = 1) uniform sampler2D normals;
+layout(binding = 2) uniform sampler2D surface;
+
+layout(location = 0) out float out_light;
+
+const float kRadius = 0.30;  // m
+const int kSamples = 8;
+
+vec3 pointAt(ivec2 pixel) {
+    float z = texelFetch(surface, pixel, 0).r;
+    return vec3((vec2(pixel) + 0.5) * unproject.xy + unproject.zw, 1.0) * z;
+}
+
+void main() {
+    ivec2 size = textureSize(surface, 0);
+    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
+    vec3 p = pointAt(pixel);
+    if (p.z <= 0.0) {
+        out_light = 1.0;
+        return;
+    }
+    vec3 n = camera_from_world * texelFetch(normals, pixel, 0).xyz;
+    float reach = clamp(kRadius * pixels_per_radian / p.z, 4.0, 160.0);
+    // The pattern turns from pixel to pixel in a 4 x 4 tile, which the blur that follows averages.
+    ivec2 tile = ivec2(gl_FragCoord.xy) & 3;
+    float turn = float((tile.x * 4 + ((tile.y * 7) & 15)) & 15) * (6.2831853 / 16.0);
+    float hidden = 0.0;
+    for (int i = 0; i < kSamples; ++i) {
+        float share = (float(i) + 0.5) / float(kSamples);
+        float angle = turn + float(i) * 2.39996323;
+        ivec2 at = pixel + ivec2(round(vec2(cos(angle), sin(angle)) * (share * reach)));
+        if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
+        vec3 v = pointAt(at) - p;
+        float squared = dot(v, v);
+        float fade = max(0.0, 1.0 - squared / (kRadius * kRadius));
+        hidden += fade * max(0.0, dot(v, n) - 0.004 * p.z) / (sqrt(squared) + 0.02);
+    }
+    out_light = clamp(1.0 - 1.7 * hidden / float(kSamples), 0.0, 1.0);
+}

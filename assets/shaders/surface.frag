@@ -1,0 +1,46 @@
+#version 450 core
+// Fills the surface buffer: everything later passes need to know of the point a pixel's centre
+// sees. Lighting comes after, once a pixel.
+
+in vec3 offset_in_world;
+in vec3 normal_in_world;
+in vec2 texture_uv;
+flat in vec4 surface_color;
+flat in vec4 surface_traits;
+flat in uint surface_id;
+
+layout(location = 4) uniform int textured;
+layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: none
+layout(location = 6) uniform vec4 cut_plane;   // structure where dot(p, xyz) > w is left away
+layout(location = 7) uniform vec3 eye;
+
+layout(binding = 0) uniform sampler2D base_texture;
+
+layout(location = 0) out vec4 out_color;     // square root of linear; a: metallic or emission
+layout(location = 1) out vec4 out_normal;    // towards the camera's side; w: roughness
+layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
+layout(location = 3) out float out_depth;    // planar depth of the label, m
+layout(location = 4) out uint out_id;
+
+void main() {
+    if (surface_traits.w > 0.5 && dot(offset_in_world + eye, cut_plane.xyz) > cut_plane.w) discard;
+    vec4 color = surface_color;
+    if (textured != 0) {
+        vec4 texel = texture(base_texture, texture_uv);
+        if (texel.a < alpha_cut) discard;
+        // Texels are sRGB, close enough to a square; the vertex colour is a square root already.
+        color.rgb *= texel.rgb;
+        color.a *= texel.a;
+    }
+    vec3 n = normalize(normal_in_world);
+    // Walls are often one-sided, and many files wind their faces the wrong way.
+    if (dot(n, offset_in_world) > 0.0) n = -n;
+    float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * surface_traits.z
+                                           : 0.49 * surface_traits.y;
+    out_color = vec4(color.rgb, special);
+    out_normal = vec4(n, surface_traits.x);
+    float z = 1.0 / gl_FragCoord.w;
+    out_surface = z;
+    out_depth = z;
+    out_id = surface_id;
+}

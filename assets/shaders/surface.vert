@@ -1,0 +1,34 @@
+#version 450 core
+// One vertex of the scene. Clip space comes straight from the pinhole camera (x right, y down,
+// z forward), so row 0 of the picture is its top; depth is near / z, which loses no precision far
+// away and needs no far plane.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 base_color;  // square root of linear
+layout(location = 4) in vec4 traits;      // roughness, metallic, emission (1 = 8), structure
+layout(location = 5) in uint object_id;
+
+layout(location = 0) uniform mat3 camera_from_world;
+layout(location = 1) uniform vec3 camera_position;
+layout(location = 2) uniform vec4 lens;  // 2 fx / w, 2 fy / h, 2 cx / w - 1, 2 cy / h - 1
+layout(location = 3) uniform float near_m;
+
+out vec3 offset_in_world;
+out vec3 normal_in_world;
+out vec2 texture_uv;
+flat out vec4 surface_color;
+flat out vec4 surface_traits;
+flat out uint surface_id;
+
+void main() {
+    offset_in_world = position - camera_position;
+    vec3 p = camera_from_world * offset_in_world;
+    gl_Position = vec4(lens.xy * p.xy + lens.zw * p.z, near_m, p.z);
+    normal_in_world = normal;
+    texture_uv = vec2(uv.x, 1.0 - uv.y);
+    surface_color = base_color;
+    surface_traits = traits;
+    surface_id = object_id;
+}

@@ -1,0 +1,23 @@
+#include "render/frame_record.h"
+
+namespace dollytrack::render {
+
+void FrameRecord::labelClasses(const Scene& scene) {
+    std::vector<std::uint8_t> classes(65536, 0);
+    for (const Object& object : scene.objects) {
+        classes[static_cast<std::uint16_t>(object.id)] = static_cast<std::uint8_t>(object.nyu40);
+    }
+    semantic.resize(instance.size());
+    for (std::size_t i = 0; i < instance.size(); ++i) semantic[i] = classes[instance[i]];
+}
+
+std::vector<std::uint16_t> depthInMillimetres(const std::vector<float>& depth_m) {
+    std::vector<std::uint16_t> result(depth_m.size());
+    for (std::size_t i = 0; i < depth_m.size(); ++i) {
+        const float value = depth_m[i] * 1000.0F + 0.5F;
+        result[i] = value < 65536.0F ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
+    }
+    return result;
+}
+
+}  // namespace dollytrack::render

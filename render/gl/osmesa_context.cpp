@@ -1,0 +1,73 @@
+#include "render/gl/osmesa_context.h"
+
+#include <GL/glew.h>
+
+// GLEW has undefined what Mesa's header expects from GL/gl.h.
+#define GLAPI extern "C"
+#ifndef GLAPIENTRY
+#define GLAPIENTRY
+#endif
+#include <GL/osmesa.h>
+
+#include <array>
+
+// Debian's GLEW asks this function for every entry point. The program's own definition wins over
+// libGL's, which would hand out functions that need an X server.
+extern "C" void (*glXGetProcAddressARB(const GLubyte* name))(void);
+extern "C" void (*glXGetProcAddressARB(const GLubyte* name))(void) {
+    return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));
+}
+
+namespace dollytrack::gl {
+namespace {
+
+class OsMesaContext final : public Context {
+  public:
+    explicit OsMesaContext(OSMesaContext context) : context_(context) {}
+    ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+    OsMesaContext(const OsMesaContext&) = delete;
+    OsMesaContext& operator=(const OsMesaContext&) = delete;
+
+    Status makeCurrent() override {
+        // The default framebuffer is never drawn to; its size does not matter.
+        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, 4, 4) == GL_FALSE) {
+            return fail(ErrorCode::NoOpenGl,
+                        "the windowless OpenGL context (OSMesa) cannot be made current");
+        }
+        return {};
+    }
+
+  private:
+    OSMesaContext context_;
+    std::array<unsigned char, 64> pixels_{};
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> createOsMesaContext() {
+    const std::array<int, 13> attributes = {OSMESA_FORMAT,
+                                            OSMESA_RGBA,
+                                            OSMESA_DEPTH_BITS,
+                                            0,
+                                            OSMESA_PROFILE,
+                                            OSMESA_CORE_PROFILE,
+                                            OSMESA_CONTEXT_MAJOR_VERSION,
+                                            4,
+                                            OSMESA_CONTEXT_MINOR_VERSION,
+                                            5,
+                                            0,
+                                            0,
+                                            0};
+    OSMesaContext raw = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    if (raw == nullptr) {
+        return fail(ErrorCode::NoOpenGl,
+                    "no OpenGL 4.5 without a display; install Mesa's libosmesa6 or unset "
+                    "GALLIUM_DRIVER and LIBGL variables that restrict it");
+    }
+    auto context = std::make_unique<OsMesaContext>(raw);
+    if (Status status = context->makeCurrent(); !status) return tl::unexpected(status.error());
+    if (Status status = loadFunctions(); !status) return tl::unexpected(status.error());
+    return context;
+}
+
+}  // namespace dollytrack::gl

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/scene.h"
+#include "render/gl/handle.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// How a material is drawn.
+enum class Surface {
+    Opaque,
+    CutOut,  // the texture has holes: leaves, lace
+    Glass,   // seen through in the picture, opaque in the labels
+};
+
+/// Triangles of one object that share one texture.
+struct Piece {
+    int object_id = 0;
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+};
+
+/// Pieces that are drawn with the same state.
+struct Batch {
+    Surface surface = Surface::Opaque;
+    unsigned texture = 0;  // OpenGL name, 0: none
+    std::vector<Piece> pieces;
+};
+
+/// A scene's triangles and textures in graphics memory, in one vertex and one index buffer.
+/// Untextured materials travel in the vertices, so that all of them are one batch.
+struct GpuScene {
+    gl::Buffer vertices;
+    gl::Buffer indices;
+    gl::VertexArray layout;            // all attributes
+    gl::VertexArray positions_layout;  // attribute 0 alone
+    std::vector<gl::Texture> textures;
+    std::vector<Batch> batches;               // in drawing order
+    std::vector<Piece> whole_objects;         // by id - 1: every triangle of the object
+    std::vector<Eigen::AlignedBox3f> bounds;  // by id - 1, of the triangles themselves
+};
+
+/// Uploads the scene. BadInput for more than 65535 objects, which 16-bit labels cannot tell apart.
+[[nodiscard]] Result<GpuScene> uploadScene(const Scene& scene);
+
+}  // namespace dollytrack::render

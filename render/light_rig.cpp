@@ -1,0 +1,48 @@
+#include "render/light_rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's height around itself
+constexpr double kBelowCeiling = 0.25;
+
+/// Under the ceiling that is really there: boxes of rooms include beams and the roof.
+double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double x, double y) {
+    const double start = room.min().z() + std::min(1.6, 0.6 * room.sizes().z());
+    const RayHit up = rays.cast({x, y, start}, Eigen::Vector3d::UnitZ(), 12.0);
+    const double ceiling =
+        up.object_id != 0 ? start + up.distance : std::min(room.max().z(), room.min().z() + 3.0);
+    return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
+}
+
+}  // namespace
+
+LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
+                      std::span<const Eigen::AlignedBox3d> rooms) {
+    std::vector<Eigen::AlignedBox3d> boxes(rooms.begin(), rooms.end());
+    if (boxes.empty()) boxes.push_back(scene.room_bounds);
+    LightRig rig;
+    for (const Eigen::AlignedBox3d& room : boxes) {
+        if (room.isEmpty()) continue;
+        const Eigen::Vector3d size = room.sizes();
+        // Grounds and streets can make a "room" of a hundred metres; it gets a bounded number.
+        const int across = std::clamp(static_cast<int>(std::lround(size.x() / kLampSpacing)), 1, 6);
+        const int along = std::clamp(static_cast<int>(std::lround(size.y() / kLampSpacing)), 1, 6);
+        for (int i = 0; i < across; ++i) {
+            for (int j = 0; j < along; ++j) {
+                Lamp lamp;
+                const double x = room.min().x() + (i + 0.5) / across * size.x();
+                const double y = room.min().y() + (j + 0.5) / along * size.y();
+                lamp.position = {x, y, lampHeight(rays, room, x, y)};
+                lamp.radius_m = std::clamp(0.12 * std::min(size.x(), size.y()), 0.15, 0.6);
+                rig.lamps.push_back(lamp);
+            }
+        }
+    }
+    return rig;
+}
+
+}  // namespace dollytrack::render

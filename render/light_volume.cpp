@@ -1,0 +1,235 @@
+#include "render/light_volume.h"
+
+#include "engine/core/random.h"
+#include "engine/jobs/parallel.h"
+#include "engine/scene/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr double kReach = 9.0;        // m; farther lamps add too little to be worth a ray
+constexpr double kLampShade = 0.4;    // m around a lamp in which nothing casts a shadow
+constexpr int kShadowRays = 4;        // per lamp and cell
+constexpr int kNearestLamps = 4;      // considered per cell
+constexpr float kWhiteLevel = 0.62F;  // linear value of a white surface in average light
+
+/// Where a ray from a cell ended.
+struct Bounce {
+    Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
+    Eigen::Vector3f sent = Eigen::Vector3f::Zero();  // by itself: emission or sky
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    std::size_t cell = 0;  // whose light falls on it
+};
+
+Eigen::Vector3f meanTexel(const Texture& texture) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const std::size_t count = texture.rgba.size() / 4;
+    const std::size_t step = std::max<std::size_t>(count / 4096, 1);
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < count; i += step, ++taken) {
+        for (int c = 0; c < 3; ++c) {
+            const double value = texture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0;
+            sum[c] += value * value;
+        }
+    }
+    return taken == 0 ? Eigen::Vector3f::Ones()
+                      : Eigen::Vector3f((sum / static_cast<double>(taken)).cast<float>());
+}
+
+class Baker {
+  public:
+    Baker(const Scene& scene, const RayCaster& rays, const LightRig& rig,
+          const LightVolumeParams& params)
+        : scene_(scene), rays_(rays), rig_(rig), params_(params) {
+        placeGrid();
+        const std::size_t count = cellCount();
+        volume_.ambient.assign(count, Eigen::Vector3f::Zero());
+        volume_.lamps.assign(count, Eigen::Vector3f::Zero());
+        volume_.lamp_color = rig.lamp_color;
+        bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
+        for (const Material& material : scene.materials) {
+            Eigen::Vector3f albedo = material.base_color;
+            const bool textured =
+                material.texture >= 0 && scene.textures[material.texture].width > 0;
+            if (textured) {
+                albedo = albedo.cwiseProduct(meanTexel(scene.textures[material.texture]));
+            }
+            albedo_.emplace_back(albedo.cwiseMin(0.85F));
+        }
+    }
+
+    LightVolume bake(const JobContext& job) {
+        parallelRanges(cellCount(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
+        });
+        if (job.cancelled()) return {};
+        for (int i = 0; i < params_.bounces; ++i) bounce();
+        expose();
+        return std::move(volume_);
+    }
+
+  private:
+    [[nodiscard]] std::size_t cellCount() const {
+        return static_cast<std::size_t>(volume_.cells[0]) * volume_.cells[1] * volume_.cells[2];
+    }
+
+    void placeGrid() {
+        Eigen::AlignedBox3d box = scene_.room_bounds;
+        if (box.isEmpty()) box.extend(Eigen::Vector3d::Zero());
+        const Eigen::Vector3d size = box.sizes().cwiseMax(0.1).cwiseMin(200.0);
+        volume_.cell_m = std::max(params_.cell_m, std::cbrt(size.prod() / params_.max_cells));
+        for (int axis = 0; axis < 3; ++axis) {
+            volume_.cells[axis] = static_cast<int>(std::ceil(size[axis] / volume_.cell_m)) + 1;
+            volume_.low[axis] = box.center()[axis] - 0.5 * volume_.cells[axis] * volume_.cell_m;
+        }
+    }
+
+    [[nodiscard]] Eigen::Vector3d center(std::size_t i) const {
+        const auto width = static_cast<std::size_t>(volume_.cells[0]);
+        const auto height = static_cast<std::size_t>(volume_.cells[1]);
+        const Eigen::Vector3d at(static_cast<double>(i % width),
+                                 static_cast<double>(i / width % height),
+                                 static_cast<double>(i / (width * height)));
+        return volume_.low + (at.array() + 0.5).matrix() * volume_.cell_m;
+    }
+
+    [[nodiscard]] std::size_t cellAt(const Eigen::Vector3d& point) const {
+        std::array<int, 3> at{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double place = (point[axis] - volume_.low[axis]) / volume_.cell_m;
+            at[axis] = std::clamp(static_cast<int>(std::floor(place)), 0, volume_.cells[axis] - 1);
+        }
+        return volume_.index(at[0], at[1], at[2]);
+    }
+
+    void gather(std::size_t i) {
+        Random random(17, i);
+        const Eigen::Vector3d from = center(i);
+        volume_.lamps[i] = lampsAt(from, random);
+        const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const int count = params_.rays_per_cell;
+        for (int k = 0; k < count; ++k) {
+            // A spiral over the sphere, turned by chance from cell to cell.
+            const double z = 1.0 - 2.0 * (k + 0.5) / count;
+            const double ring = std::sqrt(1.0 - z * z);
+            const double angle = turn + k * 2.399963229728653;
+            const Eigen::Vector3d way(ring * std::cos(angle), ring * std::sin(angle), z);
+            bounces_[i * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)] =
+                follow(from, way);
+        }
+    }
+
+    [[nodiscard]] Eigen::Vector3f lampsAt(const Eigen::Vector3d& from, Random& random) const {
+        std::vector<std::pair<double, const Lamp*>> near;
+        for (const Lamp& lamp : rig_.lamps) {
+            const double distance = (lamp.position - from).norm();
+            if (distance < kReach) near.emplace_back(distance, &lamp);
+        }
+        std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
+            return a.first != b.first ? a.first < b.first : a.second < b.second;
+        });
+        if (near.size() > kNearestLamps) near.resize(kNearestLamps);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const auto& [distance, lamp] : near) {
+            const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+            for (int k = 0; k < kShadowRays; ++k) {
+                const double angle = turn + k * 2.0 * std::numbers::pi / kShadowRays;
+                const double r = lamp->radius_m * std::sqrt((k + random.uniform()) / kShadowRays);
+                const Eigen::Vector3d at =
+                    lamp->position + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0);
+                const Eigen::Vector3d way = at - from;
+                const double squared = way.squaredNorm();
+                const double down = way.z() / std::sqrt(squared);
+                // The shade of a real lamp hanging where ours is must not darken the room.
+                const double free = std::max(0.0, 1.0 - kLampShade / std::sqrt(squared));
+                if (down <= 0.0 || !rays_.sees(from, from + free * way)) continue;
+                const double area = lamp->radius_m * lamp->radius_m;
+                // A little light leaves sideways, as from a shade.
+                const double strength = lamp->intensity * (0.25 + 0.75 * down) / (squared + area);
+                sum += way * (strength / std::sqrt(squared) / kShadowRays);
+            }
+        }
+        return sum.cast<float>();
+    }
+
+    [[nodiscard]] Bounce follow(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
+        Bounce result;
+        const RayHit hit = rays_.cast(from, way);
+        if (hit.object_id == 0 || scene_.object(hit.object_id).nyu40 == kNyuWindow) {
+            const auto strength = static_cast<float>(rig_.sky_strength);
+            // From below the horizon comes what the ground throws back.
+            result.sent = rig_.sky_color * (way.z() > -0.05 ? strength : 0.3F * strength);
+            return result;
+        }
+        const Triangle& triangle = scene_.triangles[hit.triangle];
+        const Material& material = scene_.materials[scene_.triangle_material[hit.triangle]];
+        const Eigen::Vector3f a = scene_.positions[triangle[0]];
+        Eigen::Vector3f normal = (scene_.positions[triangle[1]] - a)
+                                     .cross(scene_.positions[triangle[2]] - a)
+                                     .normalized();
+        if (normal.dot(way.cast<float>()) > 0.0F) normal = -normal;
+        result.normal = normal;
+        result.albedo = albedo_[scene_.triangle_material[hit.triangle]];
+        result.sent = material.emission.cwiseMin(8.0F);
+        const Eigen::Vector3d at = from + way * hit.distance;
+        result.cell = cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
+        return result;
+    }
+
+    void bounce() {
+        std::vector<Eigen::Vector3f> next(cellCount());
+        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                for (std::size_t k = 0; k < count; ++k) {
+                    const Bounce& ray = bounces_[i * count + k];
+                    const float lamp = std::max(0.0F, ray.normal.dot(volume_.lamps[ray.cell]));
+                    const Eigen::Vector3f falls =
+                        volume_.ambient[ray.cell] + rig_.lamp_color * lamp;
+                    sum += ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
+                }
+                next[i] = sum * (kPi / static_cast<float>(count));
+            }
+        });
+        volume_.ambient = std::move(next);
+    }
+
+    /// From what the lit cells receive: dark solids and the outside must not decide.
+    void expose() {
+        std::vector<float> levels;
+        for (std::size_t i = 0; i < cellCount(); ++i) {
+            const float lamp = volume_.lamps[i].norm();
+            if (lamp > 0.0F) levels.push_back(volume_.ambient[i].mean() + 0.6F * lamp);
+        }
+        if (levels.empty()) {
+            for (const Eigen::Vector3f& ambient : volume_.ambient) levels.push_back(ambient.mean());
+        }
+        if (levels.empty()) return;
+        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+        std::nth_element(levels.begin(), middle, levels.end());
+        if (*middle > 0.0F) volume_.exposure = kWhiteLevel / *middle;
+    }
+
+    const Scene& scene_;
+    const RayCaster& rays_;
+    const LightRig& rig_;
+    const LightVolumeParams& params_;
+    LightVolume volume_;
+    std::vector<Bounce> bounces_;
+    std::vector<Eigen::Vector3f> albedo_;
+};
+
+}  // namespace
+
+LightVolume bakeLightVolume(const Scene& scene, const RayCaster& rays, const LightRig& rig,
+                            const LightVolumeParams& params, const JobContext& job) {
+    return Baker(scene, rays, rig, params).bake(job);
+}
+
+}  // namespace dollytrack::render

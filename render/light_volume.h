@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/job.h"
+#include "engine/scene/scene.h"
+#include "render/light_rig.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// How finely the light is computed. Plain data.
+struct LightVolumeParams {
+    double cell_m = 0.12;    // wanted; grows where the scene would need more than max_cells
+    int max_cells = 60'000;  // bounds time and memory
+    int rays_per_cell = 32;
+    int bounces = 3;
+};
+
+/// Light in the air of a scene on a regular grid, x fastest: what the lamps send, with soft
+/// shadows, and what surfaces, windows and emitting things send from all around.
+struct LightVolume {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();  // corner of the grid; cell centres are inside
+    double cell_m = 0.12;
+    std::array<int, 3> cells = {0, 0, 0};
+    std::vector<Eigen::Vector3f> ambient;  // irradiance from all around, linear RGB
+    std::vector<Eigen::Vector3f> lamps;    // irradiance vector: sum of strength * direction to it
+    Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
+    float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey
+
+    [[nodiscard]] std::size_t index(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * cells[1] + y) * cells[0] + x;
+    }
+};
+
+/// Computed by ray casting on all threads; the result does not depend on their number. Empty when
+/// cancelled.
+[[nodiscard]] LightVolume bakeLightVolume(const Scene& scene, const RayCaster& rays,
+                                          const LightRig& rig, const LightVolumeParams& params = {},
+                                          const JobContext& job = {});
+
+}  // namespace dollytrack::render

@@ -1,0 +1,113 @@
+#include "render/render_target.h"
+
+#include "render/gl/context.h"
+
+#include <GL/glew.h>
+
+#include <array>
+#include <string>
+
+namespace dollytrack::render {
+namespace {
+
+gl::Texture makeImage(unsigned format, int width, int height, unsigned filter = GL_NEAREST) {
+    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(texture.get(), 1, format, width, height);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
+    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+gl::Framebuffer frameOver(const gl::Texture& texture) {
+    gl::Framebuffer frame = gl::createFramebuffer();
+    glNamedFramebufferTexture(frame.get(), GL_COLOR_ATTACHMENT0, texture.get(), 0);
+    return frame;
+}
+
+}  // namespace
+
+Result<RenderTarget> RenderTarget::create(int width, int height) {
+    int largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width < 1 || height < 1 || width > largest || height > largest) {
+        return fail(ErrorCode::Usage, "a picture of " + std::to_string(width) + " x " +
+                                          std::to_string(height) +
+                                          " px cannot be drawn; this driver's limit is " +
+                                          std::to_string(largest) + " px");
+    }
+    RenderTarget target;
+    target.width_ = width;
+    target.height_ = height;
+    const int half_width = (width + 1) / 2;
+    const int half_height = (height + 1) / 2;
+    target.color_ = makeImage(GL_RGBA8, width, height);
+    target.normal_ = makeImage(GL_RGBA16_SNORM, width, height);
+    target.surface_ = makeImage(GL_R32F, width, height);
+    target.depth_ = makeImage(GL_R32F, width, height);
+    target.ids_ = makeImage(GL_R16UI, width, height);
+    target.z_buffer_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
+    target.occlusion_ = makeImage(GL_R8, half_width, half_height);
+    target.soft_occlusion_ = makeImage(GL_R8, half_width, half_height, GL_LINEAR);
+    target.lit_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
+    target.picture_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
+
+    target.surfaces_frame_ = gl::createFramebuffer();
+    const unsigned frame = target.surfaces_frame_.get();
+    const std::array<unsigned, 5> images = {target.color_.get(), target.normal_.get(),
+                                            target.surface_.get(), target.depth_.get(),
+                                            target.ids_.get()};
+    std::array<GLenum, 5> outputs{};
+    for (unsigned i = 0; i < images.size(); ++i) {
+        outputs[i] = GL_COLOR_ATTACHMENT0 + i;
+        glNamedFramebufferTexture(frame, outputs[i], images[i], 0);
+    }
+    glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
+    glNamedFramebufferDrawBuffers(frame, outputs.size(), outputs.data());
+    target.occlusion_frame_ = frameOver(target.occlusion_);
+    target.soft_frame_ = frameOver(target.soft_occlusion_);
+    target.lit_frame_ = frameOver(target.lit_);
+    target.picture_frame_ = frameOver(target.picture_);
+    if (Status status = gl::checkErrors("creating the images"); !status) {
+        return tl::unexpected(status.error());
+    }
+    if (glCheckNamedFramebufferStatus(frame, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        return fail(ErrorCode::NoOpenGl,
+                    "this OpenGL driver cannot draw colour, depth and labels in one pass; use "
+                    "Mesa's software driver");
+    }
+    return target;
+}
+
+void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    // Drivers copy whole words fast and three bytes a pixel slowly.
+    thread_local std::vector<std::uint8_t> rgba;
+    rgba.resize(4 * pixels);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture_.get(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(rgba.size()), rgba.data());
+    rgb.resize(3 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        rgb[3 * i] = rgba[4 * i];
+        rgb[3 * i + 1] = rgba[4 * i + 1];
+        rgb[3 * i + 2] = rgba[4 * i + 2];
+    }
+}
+
+void RenderTarget::readDepth(std::vector<float>& depth) const {
+    depth.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(depth_.get(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+}
+
+void RenderTarget::readIds(std::vector<std::uint16_t>& ids) const {
+    ids.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(ids_.get(), 0, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
+                      static_cast<GLsizei>(ids.size() * sizeof(std::uint16_t)), ids.data());
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/gl/handle.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// The images one view is drawn into. Row 0 is the top of the picture.
+class RenderTarget {
+  public:
+    [[nodiscard]] static Result<RenderTarget> create(int width, int height);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+    /// Waits for the drawing and copies the finished picture, 3 bytes a pixel, sRGB.
+    void readRgb(std::vector<std::uint8_t>& rgb) const;
+    /// Planar depth in metres, 0 where nothing was hit.
+    void readDepth(std::vector<float>& depth) const;
+    /// Object ids, 0 where nothing was hit.
+    void readIds(std::vector<std::uint16_t>& ids) const;
+
+    /// The finished picture as an OpenGL texture, to be shown in a window.
+    [[nodiscard]] unsigned picture() const { return picture_.get(); }
+
+  private:
+    friend class SceneRenderer;
+
+    int width_ = 0;
+    int height_ = 0;
+    gl::Texture color_;    // square root of albedo; metallic or emission
+    gl::Texture normal_;   // world; roughness
+    gl::Texture surface_;  // planar depth of what is lit
+    gl::Texture depth_;    // planar depth of the label
+    gl::Texture ids_;
+    gl::Texture z_buffer_;
+    gl::Texture occlusion_;
+    gl::Texture soft_occlusion_;
+    gl::Texture lit_;
+    gl::Texture picture_;
+    gl::Framebuffer surfaces_frame_;
+    gl::Framebuffer occlusion_frame_;
+    gl::Framebuffer soft_frame_;
+    gl::Framebuffer lit_frame_;
+    gl::Framebuffer picture_frame_;
+};
+
+}  // namespace dollytrack::render

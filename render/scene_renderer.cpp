@@ -1,0 +1,220 @@
+#include "render/scene_renderer.h"
+
+#include "render/gl/context.h"
+#include "render/gl/shader.h"
+#include "render/gpu_scene.h"
+#include "render/silhouette_counter.h"
+#include "render/view_uniforms.h"
+
+#include <GL/glew.h>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values) {
+    gl::Texture texture = gl::createTexture(GL_TEXTURE_3D);
+    const auto [x, y, z] = light.cells;
+    glTextureStorage3D(texture.get(), 1, GL_RGBA16F, x, y, z);
+    std::vector<Eigen::Vector4f> padded;
+    padded.reserve(values.size());
+    for (const Eigen::Vector3f& value : values)
+        padded.emplace_back(value[0], value[1], value[2], 1);
+    glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
+    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    for (const unsigned axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTextureParameteri(texture.get(), axis, GL_CLAMP_TO_EDGE);
+    }
+    return texture;
+}
+
+void drawPicture(const gl::Framebuffer& frame, int width, int height, const gl::Program& program) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
+    glViewport(0, 0, width, height);
+    glUseProgram(program.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+    GpuScene scene;
+    LightVolume light;  // without its cells
+    gl::Texture ambient;
+    gl::Texture lamps;
+    gl::VertexArray no_vertices;
+    gl::Program surface;
+    gl::Program glass;
+    gl::Program occlusion;
+    gl::Program soften;
+    gl::Program lighting;
+    gl::Program edges;
+    SilhouetteCounter silhouettes;
+
+    std::vector<GLsizei> counts;  // kept between frames
+    std::vector<const void*> offsets;
+
+    void drawSurfaces(const View& view, RenderTarget& target) {
+        glBindFramebuffer(GL_FRAMEBUFFER, target.surfaces_frame_.get());
+        glViewport(0, 0, target.width(), target.height());
+        const std::array<float, 4> zero{};
+        const std::array<unsigned, 4> zero_id{};
+        for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero.data());
+        glClearBufferuiv(GL_COLOR, 4, zero_id.data());
+        glClearBufferfv(GL_DEPTH, 0, zero.data());
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GEQUAL);
+        glBindVertexArray(scene.layout.get());
+        const std::vector<bool> visible = objectsInView(scene, view);
+        for (const Batch& batch : scene.batches) {
+            if (batch.surface == Surface::Glass) continue;
+            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
+        }
+        // Only colour (blended), label depth and label of glass and of holes.
+        glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glColorMaski(2, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+        glEnablei(GL_BLEND, 0);
+        glBlendFunci(0, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        for (const Batch& batch : scene.batches) {
+            if (batch.surface == Surface::Opaque) continue;
+            drawBatch(batch, view, visible, glass, batch.surface == Surface::Glass ? 1.0F : 0);
+        }
+        glDisablei(GL_BLEND, 0);
+        for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDisable(GL_DEPTH_TEST);
+    }
+
+    void drawBatch(const Batch& batch, const View& view, const std::vector<bool>& visible,
+                   const gl::Program& program, float alpha) {
+        counts.clear();
+        offsets.clear();
+        for (const Piece& piece : batch.pieces) {
+            if (!visible[static_cast<std::size_t>(piece.object_id) - 1]) continue;
+            counts.push_back(static_cast<GLsizei>(piece.index_count));
+            offsets.push_back(reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
+                static_cast<std::uintptr_t>(piece.first_index) * sizeof(std::uint32_t)));
+        }
+        if (counts.empty()) return;
+        glUseProgram(program.get());
+        setCamera(program.get(), view);
+        glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
+        glProgramUniform1f(program.get(), 5, alpha);
+        const Eigen::Vector4f cut =
+            view.structure_cut.value_or(Eigen::Vector4d(0, 0, 0, 1)).cast<float>();
+        glProgramUniform4fv(program.get(), 6, 1, cut.data());
+        const Eigen::Vector3f eye = view.pose.position.cast<float>();
+        glProgramUniform3fv(program.get(), 7, 1, eye.data());
+        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
+        glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                            static_cast<GLsizei>(counts.size()));
+    }
+
+    void drawOcclusion(const View& view, RenderTarget& target) {
+        const int width = (target.width() + 1) / 2;
+        const int height = (target.height() + 1) / 2;
+        glBindTextureUnit(1, target.normal_.get());
+        glBindTextureUnit(2, target.surface_.get());
+        setRotation(occlusion.get(), 0, cameraFromWorld(view));
+        setUnproject(occlusion.get(), 1, view);
+        glProgramUniform1f(occlusion.get(), 2, static_cast<float>(view.intrinsics.fx));
+        drawPicture(target.occlusion_frame_, width, height, occlusion);
+        glBindTextureUnit(3, target.occlusion_.get());
+        drawPicture(target.soft_frame_, width, height, soften);
+        glBindTextureUnit(3, target.soft_occlusion_.get());
+    }
+
+    void drawLight(const View& view, RenderTarget& target) {
+        const unsigned name = lighting.get();
+        const Eigen::Vector3f position = view.pose.position.cast<float>();
+        const Eigen::Vector3f low = light.low.cast<float>();
+        Eigen::Vector3f scale;
+        for (int axis = 0; axis < 3; ++axis) {
+            scale[axis] = static_cast<float>(1.0 / (light.cell_m * light.cells[axis]));
+        }
+        setRotation(name, 0, cameraFromWorld(view).transpose());
+        setUnproject(name, 1, view);
+        glProgramUniform3fv(name, 2, 1, position.data());
+        glProgramUniform3fv(name, 3, 1, low.data());
+        glProgramUniform3fv(name, 4, 1, scale.data());
+        glProgramUniform1f(name, 5, static_cast<float>(light.cell_m));
+        glProgramUniform1f(name, 6, light.exposure);
+        glProgramUniform3fv(name, 7, 1, light.lamp_color.data());
+        Eigen::Vector4f backdrop = Eigen::Vector4f::Zero();
+        if (view.backdrop) backdrop << *view.backdrop, 1.0F;
+        glProgramUniform4fv(name, 8, 1, backdrop.data());
+        glBindTextureUnit(0, target.color_.get());
+        glBindTextureUnit(4, ambient.get());
+        glBindTextureUnit(5, lamps.get());
+        drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
+        glBindTextureUnit(0, target.lit_.get());
+        drawPicture(target.picture_frame_, target.width(), target.height(), edges);
+    }
+};
+
+SceneRenderer::SceneRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneRenderer::~SceneRenderer() = default;
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+
+Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolume& light) {
+    auto impl = std::make_unique<Impl>();
+    Result<GpuScene> uploaded = uploadScene(scene);
+    if (!uploaded) return tl::unexpected(uploaded.error());
+    impl->scene = std::move(*uploaded);
+    impl->ambient = uploadVolume(light, light.ambient);
+    impl->lamps = uploadVolume(light, light.lamps);
+    impl->light = light;
+    impl->light.ambient.clear();
+    impl->light.lamps.clear();
+    impl->no_vertices = gl::createVertexArray();
+
+    const std::array<std::tuple<gl::Program*, const char*, const char*>, 6> programs = {{
+        {&impl->surface, "surface.vert", "surface.frag"},
+        {&impl->glass, "surface.vert", "glass.frag"},
+        {&impl->occlusion, "picture.vert", "occlusion.frag"},
+        {&impl->soften, "picture.vert", "soften.frag"},
+        {&impl->lighting, "picture.vert", "light.frag"},
+        {&impl->edges, "picture.vert", "smooth_edges.frag"},
+    }};
+    for (const auto& [program, vertex, fragment] : programs) {
+        Result<gl::Program> linked = gl::linkProgram(vertex, fragment);
+        if (!linked) return tl::unexpected(linked.error());
+        *program = std::move(*linked);
+    }
+    Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
+    if (!silhouettes) return tl::unexpected(silhouettes.error());
+    impl->silhouettes = std::move(*silhouettes);
+    // Depth runs from 1 at the near plane to 0 at infinity.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    if (Status status = gl::checkErrors("preparing to draw"); !status) {
+        return tl::unexpected(status.error());
+    }
+    return SceneRenderer(std::move(impl));
+}
+
+Status SceneRenderer::draw(const View& view, RenderTarget& target) {
+    glDisable(GL_CULL_FACE);
+    impl_->drawSurfaces(view, target);
+    glBindVertexArray(impl_->no_vertices.get());
+    impl_->drawOcclusion(view, target);
+    impl_->drawLight(view, target);
+    return gl::checkErrors("drawing");
+}
+
+std::vector<bool> SceneRenderer::inView(const View& view) const {
+    return objectsInView(impl_->scene, view);
+}
+
+Status SceneRenderer::startSilhouettes(const View& view, std::span<const int> object_ids,
+                                       int beyond) {
+    return impl_->silhouettes.start(impl_->scene, view, object_ids, beyond);
+}
+
+std::vector<std::uint64_t> SceneRenderer::finishSilhouettes() {
+    return impl_->silhouettes.finish();
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/scene.h"
+#include "render/light_volume.h"
+#include "render/render_target.h"
+#include "render/view.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// Draws one scene. Needs the OpenGL context current that it was created in; keeps no reference to
+/// the scene.
+class SceneRenderer {
+  public:
+    [[nodiscard]] static Result<SceneRenderer> create(const Scene& scene, const LightVolume& light);
+    ~SceneRenderer();
+    SceneRenderer(SceneRenderer&&) noexcept;
+    SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+    /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
+    /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
+    /// of each triangle are drawn, and each pixel shows what its centre sees.
+    [[nodiscard]] Status draw(const View& view, RenderTarget& target);
+
+    /// Which objects' boxes reach into the image, by id - 1.
+    [[nodiscard]] std::vector<bool> inView(const View& view) const;
+
+    /// Starts counting the pixels of each object drawn alone, with nothing before it, on an image
+    /// that reaches `beyond` image widths and heights past every border (parts behind the near
+    /// plane are cut). Pixels are those of draw(). One batch at a time.
+    [[nodiscard]] Status startSilhouettes(const View& view, std::span<const int> object_ids,
+                                          int beyond = 3);
+    /// The counts, in the order of the ids; waits for them.
+    [[nodiscard]] std::vector<std::uint64_t> finishSilhouettes();
+
+  private:
+    struct Impl;
+    explicit SceneRenderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack::render

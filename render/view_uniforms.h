@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/gpu_scene.h"
+#include "render/view.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dollytrack::render {
+
+[[nodiscard]] Eigen::Matrix3f cameraFromWorld(const View& view);
+
+/// Sets uniforms 0..3 of surface.vert and silhouette.vert.
+void setCamera(unsigned program, const View& view);
+void setRotation(unsigned program, int location, const Eigen::Matrix3f& rotation);
+/// Pixel position to a ray with z = 1: scale and offset of x and y.
+void setUnproject(unsigned program, int location, const View& view);
+
+/// By id - 1: not hidden, and the box reaches into the view's pyramid.
+[[nodiscard]] std::vector<bool> objectsInView(const GpuScene& scene, const View& view);
+
+}  // namespace dollytrack::render

@@ -1,0 +1,201 @@
+#include "render/scene_renderer.h"
+
+#include "tests/render/gl_fixture.h"
+#include "tests/support/scene_builder.h"
+
+namespace dollytrack::render {
+namespace {
+
+using dollytrack::test::furnishedRoom;
+using dollytrack::test::SceneBuilder;
+
+class SceneRendererGl : public test::GlTest {};
+
+CameraParams smallCamera() {
+    CameraParams camera;
+    camera.width_px = 160;
+    camera.height_px = 120;
+    return camera;
+}
+
+TEST_F(SceneRendererGl, AWallAtFourMetresReadsFourMetresForEveryNearPlane) {
+    SceneBuilder builder;
+    builder.object("wall").quad({4, -20, -20}, {0, 40, 0}, {0, 0, 40});
+    const Scene scene = builder.build();
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    for (const double near_m : {0.001, 0.01, 0.05, 0.5, 3.9}) {
+        View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+        view.near_m = near_m;
+        const auto frame = renderer->render(view);
+        ASSERT_TRUE(frame) << describe(frame.error());
+        for (const float depth : frame->depth_m) ASSERT_NEAR(depth, 4.0F, 2e-5F) << near_m;
+        for (const std::uint16_t id : frame->instance) ASSERT_EQ(id, 1);
+    }
+}
+
+TEST_F(SceneRendererGl, TheNearPlaneCutsWhatIsCloser) {
+    SceneBuilder builder;
+    builder.object("wall").quad({4, -20, -20}, {0, 40, 0}, {0, 0, 40});
+    const Scene scene = builder.build();
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+    view.near_m = 4.1;
+    const auto frame = renderer->render(view);
+    ASSERT_TRUE(frame);
+    for (const float depth : frame->depth_m) ASSERT_EQ(depth, 0.0F);
+    for (const std::uint16_t id : frame->instance) ASSERT_EQ(id, 0);
+}
+
+/// Of the pixels whose neighbourhood is one object by rays, how many disagree.
+struct Agreement {
+    int compared = 0;
+    int wrong_id = 0;
+    double worst_depth_m = 0.0;
+};
+
+Agreement compareWithRays(const RayCaster& rays, const View& view, const FrameRecord& frame) {
+    const int width = frame.width;
+    std::vector<RayHit> hits(frame.instance.size());
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const Eigen::Vector3d way =
+                view.pose.rotation * view.intrinsics.unproject(x + 0.5, y + 0.5);
+            hits[static_cast<std::size_t>(y) * width + x] = rays.cast(view.pose.position, way);
+        }
+    }
+    Agreement result;
+    for (int y = 1; y + 1 < frame.height; ++y) {
+        for (int x = 1; x + 1 < width; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * width + x;
+            bool edge = false;
+            for (int k = 0; k < 9; ++k) {
+                const RayHit& other = hits[i + (k / 3 - 1) * width + (k % 3 - 1)];
+                edge = edge || other.object_id != hits[i].object_id;
+            }
+            if (edge) continue;
+            ++result.compared;
+            if (hits[i].object_id != frame.instance[i]) ++result.wrong_id;
+            result.worst_depth_m =
+                std::max(result.worst_depth_m, std::abs(hits[i].distance - frame.depth_m[i]));
+        }
+    }
+    return result;
+}
+
+TEST_F(SceneRendererGl, IdsAndDepthAgreeWithRaysThroughPixelCentres) {
+    const Scene scene = furnishedRoom();
+    const RayCaster rays(scene);
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    for (const Eigen::Vector3d& target :
+         {Eigen::Vector3d(3.3, 1.5, 0.7), {0.5, 1.5, 0.4}, {1.8, 3.0, 1.5}, {3.9, 0.1, 2.5}}) {
+        const View view = makeView(camera, lookAt({1.9, 1.1, 1.4}, target));
+        const auto frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        const Agreement agreement = compareWithRays(rays, view, *frame);
+        EXPECT_GT(agreement.compared, 15'000);
+        EXPECT_EQ(agreement.wrong_id, 0);
+        EXPECT_LT(agreement.worst_depth_m, 2e-3);
+    }
+}
+
+// The comparison above must be able to fail: half a pixel off is seen.
+TEST_F(SceneRendererGl, TheRayComparisonNoticesAnotherPose) {
+    const Scene scene = furnishedRoom();
+    const RayCaster rays(scene);
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const View view = makeView(camera, lookAt({1.9, 1.1, 1.4}, {3.3, 1.5, 0.7}));
+    const auto frame = renderer->render(view);
+    ASSERT_TRUE(frame);
+    View moved = view;
+    moved.intrinsics.cx += 0.5;
+    EXPECT_GT(compareWithRays(rays, moved, *frame).worst_depth_m, 2e-3);
+}
+
+TEST_F(SceneRendererGl, RowZeroIsTheTopAndColumnZeroTheLeft) {
+    SceneBuilder builder;
+    builder.object("left_top").box({4, 1, 1}, {0.5, 0.5, 0.5});
+    builder.object("right_bottom").box({4, -1, -1}, {0.5, 0.5, 0.5});
+    const Scene scene = builder.build();
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const auto frame = renderer->render(makeView(camera, lookAt({0, 0, 0}, {1, 0, 0})));
+    ASSERT_TRUE(frame);
+    const auto at = [&](int x, int y) {
+        return frame->instance[static_cast<std::size_t>(y) * camera.width_px + x];
+    };
+    EXPECT_EQ(at(80 - 35, 60 - 35), 1);
+    EXPECT_EQ(at(80 + 35, 60 + 35), 2);
+    EXPECT_EQ(at(80, 60), 0);
+}
+
+// A box half hidden by another: what fraction is hidden follows from similar triangles.
+TEST_F(SceneRendererGl, SilhouettesIgnoreOccluders) {
+    SceneBuilder builder;
+    builder.object("behind").quad({4, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1});
+    builder.object("before").quad({2, 0, -2}, {0, 2, 0}, {0, 0, 4});
+    const Scene scene = builder.build();
+    CameraParams camera;  // 640 x 480, 60 degrees
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+    const auto frame = renderer->render(view);
+    ASSERT_TRUE(frame);
+    const std::vector<int> ids = {1, 2};
+    ASSERT_TRUE(renderer->scene().startSilhouettes(view, ids));
+    const std::vector<std::uint64_t> whole = renderer->scene().finishSilhouettes();
+    const double side_px = view.intrinsics.fx / 4.0;
+    EXPECT_NEAR(static_cast<double>(whole[0]), side_px * side_px, 2.0 * side_px);
+    const auto visible = std::count(frame->instance.begin(), frame->instance.end(), 1);
+    EXPECT_NEAR(static_cast<double>(visible) / static_cast<double>(whole[0]), 0.5, 0.01);
+}
+
+// The same box counted where it fits the image and where most of it lies outside.
+TEST_F(SceneRendererGl, SilhouettesReachBeyondTheImage) {
+    SceneBuilder builder;
+    builder.object("panel").quad({2, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1});
+    builder.object("beside").quad({2, 1.0, -0.5}, {0, 1, 0}, {0, 0, 1});
+    builder.object("huge").quad({1, -2.0, -1.5}, {0, 4, 0}, {0, 0, 3});
+    const Scene scene = builder.build();
+    const CameraParams camera;
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+    const std::vector<int> ids = {1, 2, 3, 1};
+    ASSERT_TRUE(renderer->scene().startSilhouettes(view, ids));
+    const std::vector<std::uint64_t> whole = renderer->scene().finishSilhouettes();
+    const double side_px = view.intrinsics.fx / 2.0;
+    EXPECT_NEAR(static_cast<double>(whole[0]), side_px * side_px, 2.0 * side_px);
+    EXPECT_NEAR(static_cast<double>(whole[1]), side_px * side_px, 2.0 * side_px);
+    const double fx = view.intrinsics.fx;
+    EXPECT_NEAR(static_cast<double>(whole[2]), 4.0 * fx * 3.0 * fx, 8.0 * fx);
+    EXPECT_EQ(whole[0], whole[3]);
+}
+
+// Overlapping layers of one object count once.
+TEST_F(SceneRendererGl, SilhouettesCountEachPixelOnce) {
+    SceneBuilder builder;
+    builder.object("stack");
+    for (int i = 0; i < 5; ++i) builder.quad({2.0 + i, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1});
+    const Scene scene = builder.build();
+    const CameraParams camera;
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+    const std::vector<int> ids = {1};
+    ASSERT_TRUE(renderer->scene().startSilhouettes(view, ids));
+    const double side_px = view.intrinsics.fx / 2.0;
+    EXPECT_NEAR(static_cast<double>(renderer->scene().finishSilhouettes()[0]), side_px * side_px,
+                2.0 * side_px);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
