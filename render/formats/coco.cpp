@@ -1,0 +1,64 @@
+#include "render/formats/coco.h"
+
+#include "engine/scene/labels.h"
+
+#include <nlohmann/json.hpp>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string superCategory(int nyu40) {
+    switch (nyu40) {
+        case kNyuWall:
+        case kNyuFloor:
+        case kNyuDoor:
+        case kNyuWindow:
+        case kNyuCeiling:
+        case kNyuOtherStructure:
+            return "structure";
+        default:
+            return nyu40 == kNyuOtherProp ? "prop" : "furnishing";
+    }
+}
+
+}  // namespace
+
+std::string cocoText(const Scene& scene, int width, int height,
+                     const std::vector<CocoFrame>& frames) {
+    Json root;
+    root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
+    root["licenses"] = Json::array();
+    Json& categories = root["categories"] = Json::array();
+    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
+        categories.push_back(
+            {{"id", nyu40}, {"name", nyu40Name(nyu40)}, {"supercategory", superCategory(nyu40)}});
+    }
+    Json& images = root["images"] = Json::array();
+    Json& annotations = root["annotations"] = Json::array();
+    for (const CocoFrame& frame : frames) {
+        images.push_back({{"id", frame.index + 1},
+                          {"file_name", frame.file_name},
+                          {"width", width},
+                          {"height", height}});
+        for (const ObjectMask& mask : frame.masks) {
+            const Object& object = scene.object(mask.object_id);
+            if (object.role != Role::Target || mask.area == 0) continue;
+            annotations.push_back(
+                {{"id", annotations.size() + 1},
+                 {"image_id", frame.index + 1},
+                 {"category_id", object.nyu40 == kNyuUnknown ? kNyuOtherProp : object.nyu40},
+                 {"iscrowd", 0},
+                 {"area", mask.area},
+                 {"bbox", mask.bbox},
+                 {"segmentation",
+                  {{"size", {height, width}}, {"counts", compressCounts(mask.counts)}}},
+                 {"object_id", object.id}});
+        }
+    }
+    // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
+    return root.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dollytrack::render
