@@ -27,16 +27,17 @@ std::string superCategory(int nyu40) {
 
 std::string cocoText(const Scene& scene, int width, int height,
                      const std::vector<CocoFrame>& frames) {
+    // Lists are built apart: a reference into an ordered object ends with its next key.
     Json root;
     root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
     root["licenses"] = Json::array();
-    Json& categories = root["categories"] = Json::array();
+    Json categories = Json::array();
     for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
         categories.push_back(
             {{"id", nyu40}, {"name", nyu40Name(nyu40)}, {"supercategory", superCategory(nyu40)}});
     }
-    Json& images = root["images"] = Json::array();
-    Json& annotations = root["annotations"] = Json::array();
+    Json images = Json::array();
+    Json annotations = Json::array();
     for (const CocoFrame& frame : frames) {
         images.push_back({{"id", frame.index + 1},
                           {"file_name", frame.file_name},
@@ -57,6 +58,9 @@ std::string cocoText(const Scene& scene, int width, int height,
                  {"object_id", object.id}});
         }
     }
+    root["categories"] = std::move(categories);
+    root["images"] = std::move(images);
+    root["annotations"] = std::move(annotations);
     // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
     return root.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
