@@ -14,7 +14,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr double kReach = 9.0;        // m; farther lamps add too little to be worth a ray
 constexpr double kLampShade = 0.4;    // m around a lamp in which nothing casts a shadow
-constexpr int kShadowRays = 4;        // per lamp and cell
+constexpr int kShadowRays = 6;        // per lamp and cell
 constexpr int kNearestLamps = 4;      // considered per cell
 constexpr float kWhiteLevel = 0.62F;  // linear value of a white surface in average light
 
@@ -23,7 +23,8 @@ struct Bounce {
     Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
     Eigen::Vector3f sent = Eigen::Vector3f::Zero();  // by itself: emission or sky
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-    std::size_t cell = 0;  // whose light falls on it
+    float distance = 0.0F;  // 0: nothing was hit
+    std::size_t cell = 0;   // whose light falls on it
 };
 
 Eigen::Vector3f meanTexel(const Texture& texture) {
@@ -52,6 +53,7 @@ class Baker {
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
         volume_.lamp_color = rig.lamp_color;
         bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
+        in_air_.assign(count, 1);
         for (const Material& material : scene.materials) {
             Eigen::Vector3f albedo = material.base_color;
             const bool textured =
@@ -68,7 +70,13 @@ class Baker {
             for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
         });
         if (job.cancelled()) return {};
-        for (int i = 0; i < params_.bounces; ++i) bounce();
+        closeHoles(volume_.lamps);
+        volume_.lamps = smoothed(volume_.lamps);
+        for (int i = 0; i < params_.bounces; ++i) {
+            bounce();
+            closeHoles(volume_.ambient);
+        }
+        volume_.ambient = smoothed(volume_.ambient);
         expose();
         return std::move(volume_);
     }
@@ -113,15 +121,24 @@ class Baker {
         volume_.lamps[i] = lampsAt(from, random);
         const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
         const int count = params_.rays_per_cell;
+        int escaped = 0;
+        int stuck = 0;
         for (int k = 0; k < count; ++k) {
             // A spiral over the sphere, turned by chance from cell to cell.
             const double z = 1.0 - 2.0 * (k + 0.5) / count;
             const double ring = std::sqrt(1.0 - z * z);
             const double angle = turn + k * 2.399963229728653;
             const Eigen::Vector3d way(ring * std::cos(angle), ring * std::sin(angle), z);
-            bounces_[i * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)] =
-                follow(from, way);
+            Bounce& bounce =
+                bounces_[i * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)];
+            bounce = follow(from, way);
+            escaped += bounce.distance == 0.0F ? 1 : 0;
+            stuck += bounce.distance > 0.0F && bounce.distance < volume_.cell_m ? 1 : 0;
         }
+        // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
+        // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
+        const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
+        in_air_[i] = in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count) ? 0 : 1;
     }
 
     [[nodiscard]] Eigen::Vector3f lampsAt(const Eigen::Vector3d& from, Random& random) const {
@@ -160,6 +177,9 @@ class Baker {
     [[nodiscard]] Bounce follow(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
         Bounce result;
         const RayHit hit = rays_.cast(from, way);
+        if (hit.object_id != 0) {
+            result.distance = std::max(static_cast<float>(hit.distance), 1e-6F);
+        }
         if (hit.object_id == 0 || scene_.object(hit.object_id).nyu40 == kNyuWindow) {
             const auto strength = static_cast<float>(rig_.sky_strength);
             // From below the horizon comes what the ground throws back.
@@ -200,6 +220,71 @@ class Baker {
         volume_.ambient = std::move(next);
     }
 
+    /// Calls add(j, steps) for the 27 cells around i, itself included.
+    template <class Add>
+    void visitAround(std::size_t i, Add&& add) const {
+        const int width = volume_.cells[0];
+        const int height = volume_.cells[1];
+        const int x = static_cast<int>(i % static_cast<std::size_t>(width));
+        const int y = static_cast<int>(i / static_cast<std::size_t>(width) % height);
+        const int z = static_cast<int>(i / (static_cast<std::size_t>(width) * height));
+        for (int k = std::max(z - 1, 0); k <= std::min(z + 1, volume_.cells[2] - 1); ++k) {
+            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
+                for (int h = std::max(x - 1, 0); h <= std::min(x + 1, width - 1); ++h) {
+                    const int steps = std::abs(h - x) + std::abs(j - y) + std::abs(k - z);
+                    add(volume_.index(h, j, k), steps);
+                }
+            }
+        }
+    }
+
+    /// Gives cells outside the air the light of the air next to them, layer by layer.
+    void closeHoles(std::vector<Eigen::Vector3f>& values) const {
+        std::vector<char> known = in_air_;
+        for (int layer = 0; layer < 3; ++layer) {
+            const std::vector<char> before = known;
+            std::vector<Eigen::Vector3f> next = values;
+            parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (before[i] != 0) continue;
+                    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                    float weights = 0.0F;
+                    visitAround(i, [&](std::size_t j, int steps) {
+                        if (before[j] == 0) return;
+                        const float weight = 1.0F / static_cast<float>(1 + steps * steps);
+                        sum += weight * values[j];
+                        weights += weight;
+                    });
+                    if (weights == 0.0F) continue;
+                    next[i] = sum / weights;
+                    known[i] = 1;
+                }
+            });
+            values = std::move(next);
+        }
+    }
+
+    /// Averages the chance of the rays out of neighbouring cells.
+    [[nodiscard]] std::vector<Eigen::Vector3f> smoothed(
+        const std::vector<Eigen::Vector3f>& values) const {
+        std::vector<Eigen::Vector3f> result(values.size());
+        parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                float weights = 0.0F;
+                visitAround(i, [&](std::size_t j, int steps) {
+                    // Light does not cross from the air into a closed hole and back.
+                    if (in_air_[j] == 0 && in_air_[i] != 0) return;
+                    const float weight = steps == 0 ? 8.0F : 4.0F / static_cast<float>(1U << steps);
+                    sum += weight * values[j];
+                    weights += weight;
+                });
+                result[i] = sum / weights;
+            }
+        });
+        return result;
+    }
+
     /// From what the lit cells receive: dark solids and the outside must not decide.
     void expose() {
         std::vector<float> levels;
@@ -222,6 +307,7 @@ class Baker {
     const LightVolumeParams& params_;
     LightVolume volume_;
     std::vector<Bounce> bounces_;
+    std::vector<char> in_air_;  // by cell
     std::vector<Eigen::Vector3f> albedo_;
 };
 
