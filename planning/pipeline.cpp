@@ -199,6 +199,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
 
 Plan Pipeline::Stages::collect() const {
     Plan plan;
+    for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
     plan.observation_points = viewpoints->observation_points;
     plan.searches = viewpoints->searches;
     plan.position_points = viewpoints->position_points;

@@ -45,6 +45,7 @@ struct CaptureBound {
 
 /// Everything that planning found. Plain data, shared by export, project files and pictures.
 struct Plan {
+    std::vector<Eigen::AlignedBox3d> rooms;  // by component of free space
     std::vector<ObservationPoint> observation_points;
     std::vector<ViewpointSearch> searches;  // one an observation point
     std::vector<PositionPoint> position_points;

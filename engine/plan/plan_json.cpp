@@ -136,9 +136,32 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
     return trajectory;
 }
 
+json withoutTimes(json metrics) {
+    for (const char* name : {"map_ms", "plan_ms", "bound_ms", "stages"}) metrics.erase(name);
+    return metrics;
+}
+
+Result<std::vector<Eigen::AlignedBox3d>> roomsFromJson(const json& result) {
+    std::vector<Eigen::AlignedBox3d> rooms;
+    try {
+        for (const json& room : result.value("rooms", json::array())) {
+            rooms.emplace_back(vectorFrom(room.at("low")), vectorFrom(room.at("high")));
+        }
+    } catch (const json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("room {}", rooms.size()));
+    }
+    return rooms;
+}
+
 json resultJson(const Scene& scene, const Plan& plan) {
     json result;
-    result["metrics"] = metricsJson(scene, plan);
+    result["metrics"] = withoutTimes(metricsJson(scene, plan));
+    for (const Eigen::AlignedBox3d& room : plan.rooms) {
+        result["rooms"].push_back(
+            {{"low", vectorJson(room.min())}, {"high", vectorJson(room.max())}});
+    }
     result["trajectory"] = trajectoryJson(plan.trajectory);
     for (const ObservationPoint& point : plan.observation_points) {
         result["observation_points"].push_back({{"kind", name(point.kind)},

@@ -20,7 +20,14 @@ nlohmann::json trajectoryJson(const Trajectory& trajectory);
 /// Error: BadInput when a field is missing, of the wrong type, or no finite pose.
 Result<Trajectory> trajectoryFromJson(const nlohmann::json& json);
 
-/// The result section of a project: metrics, trajectory, observation and position points, path.
+/// Metrics without what differs from run to run, the times: for files that must repeat exactly.
+nlohmann::json withoutTimes(nlohmann::json metrics);
+
+/// The result section of a project: metrics without times, rooms, trajectory, observation and
+/// position points, paths.
 nlohmann::json resultJson(const Scene& scene, const Plan& plan);
+
+/// The rooms of a result section. Error: BadInput.
+Result<std::vector<Eigen::AlignedBox3d>> roomsFromJson(const nlohmann::json& result);
 
 }  // namespace dollytrack

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace CLI {
+class App;
+}
+
+namespace dollytrack::cli {
+
+/// What a program ends with; README.md has the table.
+enum ExitCode : int {
+    kDone = 0,
+    kFailed = 1,
+    kUsage = 2,
+    kPartial = 3,
+    kBadInput = 4,
+    kNoOpenGl = 5,
+    kCannotWrite = 6,
+};
+
+int exitCodeFor(ErrorCode code);
+
+/// What all subcommands share. The parsed subcommand leaves its work in `action`.
+struct Session {
+    std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
+    std::function<Result<ExitCode>()> action;
+    bool quiet = false;
+
+    /// Progress on stderr (none when quiet), stopped by Ctrl-C.
+    [[nodiscard]] JobContext job() const;
+};
+
+void addInfoCommand(CLI::App& app, Session& session);
+void addPlanCommand(CLI::App& app, Session& session);
+void addExportCommand(CLI::App& app, Session& session);
+void addParamsCommand(CLI::App& app, Session& session);
+
+}  // namespace dollytrack::cli

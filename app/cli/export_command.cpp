@@ -1,0 +1,133 @@
+#include "app/cli/command_line.h"
+#include "app/cli/planned_scene.h"
+#include "app/cli/scene_arguments.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/plan/plan_json.h"
+#include "render/dataset_job.h"
+#include "render/gl/osmesa_context.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace dollytrack::cli {
+namespace {
+
+struct ExportArguments {
+    SceneArguments scene;
+    std::string out;
+    std::string range = "::";
+    bool overwrite = false;
+    bool as_json = false;
+};
+
+nlohmann::json summaryJson(const render::DatasetSummary& summary, const ExportArguments& arguments,
+                           const nlohmann::json& planned) {
+    const CaptureMetrics& counted = summary.counted;
+    return {{"out", arguments.out},
+            {"frames", summary.frames},
+            {"contact_sheet", summary.contact_sheet.string()},
+            {"planned", planned},
+            {"counted",
+             {{"objects", counted.objects},
+              {"captured", counted.captured},
+              {"well_captured", counted.well_captured},
+              {"capture_rate", counted.capture_rate},
+              {"well_captured_rate", counted.well_captured_rate},
+              {"small_capture_rate", counted.small_capture_rate},
+              {"area_share_box", counted.area_share_box},
+              {"area_share_mask", counted.area_share_mask}}}};
+}
+
+void printSummary(const render::DatasetSummary& summary, const ExportArguments& arguments,
+                  const nlohmann::json& planned) {
+    const CaptureMetrics& counted = summary.counted;
+    fmt::print("{} frames in {}\n\n", summary.frames, arguments.out);
+    fmt::print("  {:<22} {:>10} {:>10}\n", "", "planned", "counted");
+    const auto row = [&](std::string_view what, const char* name, int value) {
+        fmt::print("  {:<22} {:>10} {:>10}\n", what, planned.value(name, 0), value);
+    };
+    const auto rate = [&](std::string_view what, const char* name, double value) {
+        fmt::print("  {:<22} {:>8.1f} % {:>8.1f} %\n", what, 100.0 * planned.value(name, 0.0),
+                   100.0 * value);
+    };
+    row("objects", "objects", counted.objects);
+    row("captured", "captured", counted.captured);
+    row("well captured", "well_captured", counted.well_captured);
+    rate("capture rate", "capture_rate", counted.capture_rate);
+    rate("well captured rate", "well_captured_rate", counted.well_captured_rate);
+    rate("area share (box)", "area_share_box", counted.area_share_box);
+    fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+}
+
+Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
+    render::DatasetSettings settings;
+    const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
+    if (!range) return tl::unexpected<Error>(range.error());
+    settings.folder = arguments.out;
+    settings.range = *range;
+    settings.overwrite = arguments.overwrite;
+
+    const JobContext job = session.job();
+    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    // A context early: a machine that cannot draw should say so before minutes of planning.
+    Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
+    if (!context) return tl::unexpected<Error>(std::move(context.error()));
+    const Result<PlannedScene> planned = planOrReuse(*opened, job.stage(0.03, 0.06, "planning"));
+    if (!planned) return tl::unexpected<Error>(planned.error());
+    if (planned->trajectory.frames.empty()) {
+        return fail(ErrorCode::Failed,
+                    "The trajectory is empty: nothing in the scene can be captured; "
+                    "'dollytrack info' lists the objects.",
+                    arguments.scene.path);
+    }
+
+    render::DatasetOrigin origin;
+    origin.product_version = DOLLYTRACK_VERSION;
+    origin.seed = static_cast<std::uint64_t>(planned->params.seed);
+    planning::PlanParams params = planned->params;
+    origin.parameters_json = toJson(planning::listFields(params)).dump();
+    origin.planned_metrics_json = withoutTimes(planned->metrics).dump();
+    origin.rooms = planned->rooms;
+    const RayCaster rays(*planned->scene);
+    const Result<render::DatasetSummary> summary = render::exportDataset(
+        std::move(*context), *planned->scene, rays, planned->trajectory, planned->params.camera,
+        settings, std::move(origin), job.stage(0.06, 1.0, "rendering"));
+    if (!summary) return tl::unexpected<Error>(summary.error());
+    if (arguments.as_json) {
+        fmt::print("{}\n", summaryJson(*summary, arguments, planned->metrics).dump(1));
+    } else {
+        printSummary(*summary, arguments, planned->metrics);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Session& session) {
+    CLI::App* command =
+        app.add_subcommand("export", "Render the planned trajectory as a labelled dataset");
+    auto arguments = std::make_shared<ExportArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addParameterArguments(*command, arguments->scene);
+    command->add_option("--out", arguments->out, "Folder for the dataset; made if missing")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option("--range", arguments->range,
+                     "Frames a to b (b not included), every s-th: 100:200, ::5")
+        ->type_name("a:b:s");
+    command->add_flag("--overwrite", arguments->overwrite,
+                      "Write into a folder that holds other files; they stay");
+    command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
+    command->footer(
+        "A scene is planned first; a project's own plan is used as it is.\n"
+        "Example: dollytrack export room.dolly --out dataset --range ::5");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runExport(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

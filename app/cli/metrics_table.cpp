@@ -1,0 +1,57 @@
+#include "app/cli/metrics_table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace dollytrack::cli {
+namespace {
+
+constexpr std::size_t kListed = 12;  // uncaptured objects listed before "and n more"
+
+std::string percent(const nlohmann::json& metrics, const char* name) {
+    return fmt::format("{:.1f} %", 100.0 * metrics.value(name, 0.0));
+}
+
+std::string row(std::string_view what, const std::string& value) {
+    return fmt::format("  {:<22} {}\n", what, value);
+}
+
+}  // namespace
+
+std::string metricsTable(const nlohmann::json& m) {
+    const int objects = m.value("objects", 0);
+    std::string text = row("objects", fmt::format("{}", objects));
+    text +=
+        row("captured", fmt::format("{} ({})", percent(m, "capture_rate"), m.value("captured", 0)));
+    text += row("well captured", fmt::format("{} ({})", percent(m, "well_captured_rate"),
+                                             m.value("well_captured", 0)));
+    if (m.contains("capturable_rate")) {
+        text += row("  possible", fmt::format("{} captured, {} well", percent(m, "capturable_rate"),
+                                              percent(m, "well_capturable_rate")));
+    }
+    text += row("small, captured", percent(m, "small_capture_rate"));
+    text +=
+        row("area share", fmt::format("{} of the image (box), {} (mask)",
+                                      percent(m, "area_share_box"), percent(m, "area_share_mask")));
+    text += row("collisions",
+                fmt::format("{} of pieces, {} of frames", percent(m, "corner_collision_rate"),
+                            percent(m, "frame_collision_rate")));
+    text += row("smallest clearance", fmt::format("{:.3f} m", m.value("min_clearance_m", 0.0)));
+    text +=
+        row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
+                                  m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
+    text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
+    text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
+                                    m.value("plan_ms", 0.0)));
+    const auto& uncaptured = m.value("uncaptured", nlohmann::json::array());
+    if (!uncaptured.empty()) text += "not captured:\n";
+    for (std::size_t i = 0; i < std::min(kListed, uncaptured.size()); ++i) {
+        text += row(uncaptured[i].value("object", ""), uncaptured[i].value("reason", ""));
+    }
+    if (uncaptured.size() > kListed) {
+        text += fmt::format("  and {} more (--json lists all)\n", uncaptured.size() - kListed);
+    }
+    return text;
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace dollytrack::cli {
+
+/// The metrics of a plan for a person: rates in %, and what was not captured, with the reasons.
+std::string metricsTable(const nlohmann::json& metrics);
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,127 @@
+#include "app/cli/command_line.h"
+#include "app/cli/metrics_table.h"
+#include "app/cli/planned_scene.h"
+#include "app/cli/requirement.h"
+#include "app/cli/scene_arguments.h"
+#include "engine/core/log.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/io/project_file.h"
+#include "engine/plan/plan_json.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/metrics/capture_bound.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+
+namespace dollytrack::cli {
+namespace {
+
+struct PlanArguments {
+    SceneArguments scene;
+    std::string out;
+    std::vector<std::string> requirements;
+    bool as_json = false;
+    bool bound = false;
+};
+
+Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
+                      const Plan& plan, nlohmann::json& metrics, const JobContext& job) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto rays = pipeline.rays();
+    const auto free_space = pipeline.freeSpace();
+    const planning::ViewEstimator views(*opened.scene, *rays, opened.params.camera);
+    const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m);
+    const auto bound =
+        planning::boundCaptures({views, *free_space, sphere}, plan, opened.params.seed, job);
+    if (!bound) return tl::unexpected<Error>(bound.error());
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - begin;
+    addBound(metrics, *bound, spent.count());
+    return {};
+}
+
+Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts) {
+    std::vector<Requirement> requirements;
+    for (const std::string& text : texts) {
+        Result<Requirement> one = parseRequirement(text);
+        if (!one) return tl::unexpected<Error>(std::move(one.error()));
+        requirements.push_back(std::move(*one));
+    }
+    return requirements;
+}
+
+Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
+    const auto requirements = parseAll(arguments.requirements);
+    if (!requirements) return tl::unexpected<Error>(requirements.error());
+    const JobContext job = session.job();
+    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    planning::Pipeline pipeline(opened->scene);
+    Result<PlannedScene> planned =
+        planScene(*opened, pipeline, job.stage(0.3, arguments.bound ? 0.5 : 1.0, "planning"));
+    if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
+    if (arguments.bound) {
+        const auto plan = pipeline.run(opened->params, JobContext{});
+        if (!plan) return tl::unexpected<Error>(plan.error());
+        if (Status status = addDenseSearch(*opened, pipeline, **plan, planned->metrics,
+                                           job.stage(0.5, 1.0, "dense search"));
+            !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+        planned->result["metrics"] = withoutTimes(planned->metrics);
+    }
+    if (!arguments.out.empty()) {
+        io::ProjectFile project;
+        project.scene = opened->scene->source;
+        project.scene_sha256 = opened->scene->source_sha256;
+        planning::PlanParams params = opened->params;
+        project.parameters = toJson(planning::listFields(params));
+        project.result = planned->result;
+        project.others = opened->project_others;
+        if (Status status = io::saveProject(project, arguments.out); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (arguments.as_json) {
+        fmt::print("{}\n", planned->metrics.dump(1));
+    } else {
+        fmt::print("{}", metricsTable(planned->metrics));
+    }
+    const Result<bool> met = checkRequirements(*requirements, planned->metrics);
+    if (!met) return tl::unexpected<Error>(met.error());
+    return *met ? kDone : kPartial;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand(
+        "plan", "Plan a camera trajectory and say how well it captures the objects");
+    auto arguments = std::make_shared<PlanArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addParameterArguments(*command, arguments->scene);
+    command->add_option("-o,--out", arguments->out, "Write a project with the plan")
+        ->type_name("FILE.dolly");
+    command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
+    command->add_flag("--bound", arguments->bound,
+                      "Also search densely for what could be captured at all (takes a while)");
+    command
+        ->add_option("--require", arguments->requirements,
+                     "Exit with 3 unless a metric meets a condition, as in "
+                     "'well_captured_rate>=0.8'")
+        ->type_name("CONDITION")
+        ->allow_extra_args(false);
+    command->footer(
+        "Example: dollytrack plan room.glb -o room.dolly --set fill=0.5 --max-frames 300");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runPlan(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

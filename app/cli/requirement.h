@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace dollytrack::cli {
+
+/// A condition on a metric, such as "well_captured_rate>=0.8".
+struct Requirement {
+    std::string metric;
+    std::string comparison;  // ">=", "<=", ">", "<" or "="
+    double value = 0.0;
+
+    [[nodiscard]] bool holds(double measured) const;
+};
+
+/// Error: Usage when it is not of that form.
+Result<Requirement> parseRequirement(std::string_view text);
+
+/// Whether all hold for the metrics; says on stderr which does not. Error: Usage when there is no
+/// such number among the metrics, with the closest name.
+Result<bool> checkRequirements(const std::vector<Requirement>& requirements,
+                               const nlohmann::json& metrics);
+
+}  // namespace dollytrack::cli

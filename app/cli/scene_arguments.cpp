@@ -1,0 +1,108 @@
+#include "app/cli/scene_arguments.h"
+
+#include "engine/core/log.h"
+#include "engine/io/project_file.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace dollytrack::cli {
+namespace {
+
+Status applyArguments(const SceneArguments& arguments, planning::PlanParams& params) {
+    const FieldList fields = planning::listFields(params);
+    std::vector<std::string> all = arguments.assignments;
+    if (arguments.seed) all.push_back(fmt::format("seed={}", *arguments.seed));
+    if (arguments.max_frames) all.push_back(fmt::format("max_frames={}", *arguments.max_frames));
+    for (const std::string& assignment : all) {
+        if (Status status = setField(fields, assignment); !status) return status;
+    }
+    return {};
+}
+
+bool isProject(const std::filesystem::path& path) {
+    return path.extension() == ".dolly";
+}
+
+ImportOptions importOptions(const SceneArguments& arguments, const planning::PlanParams& params) {
+    ImportOptions options;
+    options.unit_m = arguments.unit_m;
+    if (arguments.up_axis) options.up_axis = arguments.up_axis->front();
+    if (arguments.labels) options.labels = *arguments.labels;
+    options.small_volume_m3 = params.targets.small_volume_m3;
+    options.size_ratio = params.targets.size_ratio;
+    return options;
+}
+
+}  // namespace
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
+    command
+        .add_option("scene", arguments.path,
+                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
+        ->required()
+        ->type_name("SCENE");
+    command.add_option("--unit", arguments.unit_m, "Metres per unit of the scene; else found out")
+        ->check(CLI::PositiveNumber)
+        ->type_name("METRES");
+    command.add_option("--up", arguments.up_axis, "The scene's upward axis; else found out")
+        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->type_name("AXIS");
+    command
+        .add_option("--labels", arguments.labels,
+                    "Table of names and NYU40 classes, added to the built-in one")
+        ->type_name("CSV");
+}
+
+void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
+    command
+        .add_option("--set", arguments.assignments,
+                    "Set a parameter; 'dollytrack params' lists them")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");
+    command.add_option("--max-frames", arguments.max_frames, "Same as --set max_frames=N")
+        ->type_name("N");
+}
+
+Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
+    OpenedScene opened;
+    std::filesystem::path scene_path = arguments.path;
+    std::string planned_sha256;
+    planning::PlanParams stored;
+    if (isProject(arguments.path)) {
+        Result<io::ProjectFile> project = io::loadProject(arguments.path);
+        if (!project) return tl::unexpected<Error>(std::move(project.error()));
+        Status status = setFromJson(planning::listFields(stored), project->parameters);
+        if (!status) {
+            status.error().where = arguments.path + ": " + status.error().where;
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+        scene_path = project->scene;
+        planned_sha256 = project->scene_sha256;
+        opened.stored_result = std::move(project->result);
+        opened.project_others = std::move(project->others);
+    }
+    opened.params = stored;
+    if (Status status = applyArguments(arguments, opened.params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    Result<Scene> scene = importScene(scene_path, importOptions(arguments, opened.params), job);
+    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    opened.scene = std::make_shared<const Scene>(std::move(*scene));
+
+    for (const std::string& warning : opened.scene->report.warnings) log::warn("import", warning);
+    if (!opened.stored_result.is_null()) {
+        const bool other_scene = planned_sha256 != opened.scene->source_sha256;
+        const bool other_params = !(stored == opened.params);
+        if (other_scene || other_params) {
+            log::info("project", other_scene ? "the scene file has changed since it was planned: "
+                                               "planning again"
+                                             : "parameters were changed: planning again");
+            opened.stored_result = nullptr;
+        }
+    }
+    return opened;
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "engine/io/scene_import.h"
+#include "engine/scene/scene.h"
+#include "planning/plan_params.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+struct Trajectory;
+}
+
+namespace dollytrack::cli {
+
+/// The arguments that name a scene or project and say how to read it.
+struct SceneArguments {
+    std::string path;
+    std::optional<double> unit_m;
+    std::optional<std::string> up_axis;
+    std::optional<std::string> labels;
+    std::vector<std::string> assignments;  // --set name=value
+    std::optional<int> seed;
+    std::optional<int> max_frames;
+};
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments);
+/// --set, --seed, --max-frames
+void addParameterArguments(CLI::App& command, SceneArguments& arguments);
+
+/// A scene with the parameters to plan it with, from a scene file or a project.
+struct OpenedScene {
+    std::shared_ptr<const Scene> scene;
+    planning::PlanParams params;
+    nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds
+    nlohmann::json project_others = nlohmann::json::object();  // what else the project holds
+};
+
+/// Loads it and applies the parameters: defaults, then the project's, then the command line's.
+/// A project's result is dropped, with a note, when the command line changes a parameter or the
+/// scene file is another one than was planned. Errors: BadInput, Usage, Cancelled.
+Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job);
+
+}  // namespace dollytrack::cli
