@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# The include check must find what it is for: here a tree of one file with one wrong arrow.
+set -eu
+check=$1
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+mkdir -p "$root/engine"
+printf '#include "planning/pipeline.h"\n' > "$root/engine/leak.h"
+cmake -DROOT="$root" -P "$check" 2>&1 | grep -q "engine may not know"
