@@ -161,6 +161,8 @@ struct RayCaster::Impl {
         std::call_once(*object.alone_once, [&] {
             object.alone = rtcNewScene(device);
             rtcSetSceneFlags(object.alone, RTC_SCENE_FLAG_ROBUST);
+            // Asked far less than the whole scene: quick to build matters more than quick to ask.
+            rtcSetSceneBuildQuality(object.alone, RTC_BUILD_QUALITY_LOW);
             rtcAttachGeometryByID(object.alone, object.geometry, static_cast<unsigned>(index));
             rtcCommitScene(object.alone);
         });
@@ -189,6 +191,45 @@ RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 RayHit RayCaster::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                        double max_distance, double min_distance) const {
     return impl_->trace(impl_->scene, makeRay(origin, direction, min_distance, max_distance));
+}
+
+void RayCaster::castBundle(const Eigen::Vector3d& origin,
+                           std::span<const Eigen::Vector3d> directions, double min_distance,
+                           std::vector<RayHit>& hits) const {
+    constexpr std::size_t kPacket = 8;
+    hits.resize(directions.size());
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (std::size_t first = 0; first < directions.size(); first += kPacket) {
+        const std::size_t count = std::min(kPacket, directions.size() - first);
+        RTCRayHit8 packet{};
+        alignas(32) int valid[kPacket] = {};
+        for (std::size_t i = 0; i < count; ++i) {
+            const RTCRay ray = makeRay(origin, directions[first + i], min_distance,
+                                       std::numeric_limits<double>::infinity());
+            valid[i] = -1;
+            packet.ray.org_x[i] = ray.org_x;
+            packet.ray.org_y[i] = ray.org_y;
+            packet.ray.org_z[i] = ray.org_z;
+            packet.ray.dir_x[i] = ray.dir_x;
+            packet.ray.dir_y[i] = ray.dir_y;
+            packet.ray.dir_z[i] = ray.dir_z;
+            packet.ray.tnear[i] = ray.tnear;
+            packet.ray.tfar[i] = ray.tfar;
+            packet.ray.mask[i] = ray.mask;
+            packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        rtcIntersect8(valid, impl_->scene, &context, &packet);
+        for (std::size_t i = 0; i < count; ++i) {
+            const unsigned geometry = packet.hit.geomID[i];
+            hits[first + i] =
+                geometry == RTC_INVALID_GEOMETRY_ID
+                    ? RayHit{}
+                    : RayHit{static_cast<int>(geometry) + 1, packet.ray.tfar[i],
+                             impl_->objects[geometry].first_triangle + packet.hit.primID[i]};
+        }
+    }
 }
 
 RayHit RayCaster::castObject(int object_id, const Eigen::Vector3d& origin,

@@ -6,6 +6,8 @@
 
 #include <limits>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace dollytrack {
 
@@ -35,6 +37,11 @@ class RayCaster {
     [[nodiscard]] RayHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                               double max_distance = std::numeric_limits<double>::infinity(),
                               double min_distance = 0.0) const;
+
+    /// The same for many directions from one point, much faster when neighbours in the list point
+    /// nearly alike. hits[i] belongs to directions[i].
+    void castBundle(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
+                    double min_distance, std::vector<RayHit>& hits) const;
 
     /// The same as if `object_id` stood alone in empty space.
     [[nodiscard]] RayHit castObject(

@@ -13,6 +13,9 @@ constexpr double kFractionMargin = 0.04;
 constexpr double kAreaMargin = 1.12;
 // A view is worth little more when a last sliver comes into sight, so fill may decide then.
 constexpr double kFractionStep = 0.03;
+constexpr int kGlance = 4;
+constexpr int kEnoughRays = 6;      // fewer on the target say nothing
+constexpr double kHopeless = 0.45;  // well below what counts as captured
 
 }  // namespace
 
@@ -51,7 +54,21 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
     return own ? Verdict::TooClose : Verdict::InObstacle;
 }
 
-Judged CandidateJudge::judge(const Eigen::Vector3d& position, int grid) const {
+/// A glance with few rays: most bad places hide most of the target, and need no closer look.
+bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
+    for (const int id : point_.objects) {
+        const auto glance = around_.views.estimate(pose, id, kGlance);
+        if (glance.rays_on_silhouette < kEnoughRays || glance.visible_fraction >= kHopeless)
+            continue;
+        judged.candidate.visible_fraction = glance.visible_fraction;
+        judged.candidate.occluder = glance.occluder;
+        judged.candidate.verdict = glance.occluder == 0 ? Verdict::Cropped : Verdict::OccludedBy;
+        return true;
+    }
+    return false;
+}
+
+Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     Judged judged;
     judged.candidate.position = position;
     judged.candidate.fill = fillFrom(around_.views, subject_, position);
@@ -60,6 +77,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, int grid) const {
     if (judged.candidate.verdict != Verdict::Legal) return judged;
 
     const Pose pose = lookAt(position, subject_.center);
+    if (look == Look::Coarse && isHopeless(pose, judged)) return judged;
     double sum = 0.0;
     double worst = 1.0;
     int occluder = 0;
@@ -68,7 +86,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, int grid) const {
     judged.all_well = true;
     bool all_captured = true;
     for (const int id : point_.objects) {
-        const auto estimate = around_.views.estimate(pose, id, grid);
+        const auto estimate = around_.views.estimate(pose, id, static_cast<int>(look));
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);
         judged.all_well &= well;

@@ -16,13 +16,15 @@ struct Judged {
     bool all_well = false;  // every object is captured well, with a margin
 };
 
+/// How carefully a candidate is looked at: rays along each side of each object's extent.
+enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
+
 /// Judges places for one observation point: legality first, the view by rays second.
 class CandidateJudge {
   public:
     CandidateJudge(const Surroundings& around, const ObservationPoint& point, double wished_fill);
 
-    /// `grid`: rays along each side of each object's extent.
-    [[nodiscard]] Judged judge(const Eigen::Vector3d& position, int grid) const;
+    [[nodiscard]] Judged judge(const Eigen::Vector3d& position, Look look) const;
 
     [[nodiscard]] const Subject& subject() const { return subject_; }
     [[nodiscard]] double wishedFill() const { return wished_fill_; }
@@ -30,6 +32,7 @@ class CandidateJudge {
   private:
     [[nodiscard]] Verdict placeVerdict(const Eigen::Vector3d& position, double fill,
                                        int& obstacle) const;
+    [[nodiscard]] bool isHopeless(const Pose& pose, Judged& judged) const;
 
     const Surroundings& around_;
     const ObservationPoint& point_;

@@ -17,12 +17,15 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kCoarseGrid = 8;
-constexpr int kFineGrid = 22;
-constexpr int kRefined = 5;  // candidates looked at again with the fine grid
+constexpr int kExactGrid = 64;  // decides about objects that can be captured only just
+constexpr int kRefined = 5;     // candidates looked at again with the fine grid
 constexpr int kConeDirections = 20;
 constexpr int kAroundDirections = 64;
 constexpr int kRandomPlaces = 160;
+constexpr int kEnoughGood = 12;
+constexpr double kWorthClimbing = 0.5;  // visible fraction
+constexpr int kClimbRounds = 6;
+constexpr int kClimbTries = 14;
 // The range of fill that the paper searches.
 constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
@@ -57,7 +60,7 @@ class Search {
                                   kRandomPlaces, random_)) {
                     tryPlace(place);
                 }
-                refineBest();
+                if (!refineBest()) climb();
             }
         }
         return finish();
@@ -68,6 +71,10 @@ class Search {
                        const std::vector<double>& shares_of_wish) {
         const double wish = judge_.wishedFill();
         for (const Eigen::Vector3d& direction : directions) {
+            // Directions come with the best first: among so many good views there is a best one.
+            const auto good = std::count_if(pending_.begin(), pending_.end(),
+                                            [](const Judged& judged) { return judged.all_well; });
+            if (good >= kEnoughGood) break;
             for (const double share : shares_of_wish) {
                 const double fill =
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
@@ -79,7 +86,7 @@ class Search {
     }
 
     void tryPlace(const Eigen::Vector3d& place) {
-        Judged judged = judge_.judge(place, kCoarseGrid);
+        Judged judged = judge_.judge(place, Look::Coarse);
         candidates_.push_back(judged.candidate);
         if (judged.quality < 0.0) return;
         pending_.push_back(std::move(judged));
@@ -92,11 +99,35 @@ class Search {
                           pending_.end(),
                           [](const Judged& a, const Judged& b) { return a.quality > b.quality; });
         for (std::size_t i = 0; i < count; ++i) {
-            Judged fine = judge_.judge(pending_[i].candidate.position, kFineGrid);
+            Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
             if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);
         }
         pending_.clear();
         return best_ && best_->all_well;
+    }
+
+    /// Moves the best place found about in shrinking steps, as long as the view improves. What no
+    /// sample captures well often lies just beside one.
+    void climb() {
+        if (!best_ || best_->candidate.visible_fraction < kWorthClimbing) return;
+        double step = 0.25 * (best_->candidate.position - judge_.subject().center).norm();
+        for (int round = 0; round < kClimbRounds && !best_->all_well; ++round) {
+            const Eigen::Vector3d from = best_->candidate.position;
+            std::optional<Judged> better;
+            for (int i = 0; i < kClimbTries; ++i) {
+                const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
+                Judged tried = judge_.judge(from + step * offset, Look::Closer);
+                if (tried.quality > (better ? better->quality : best_->quality)) {
+                    better = std::move(tried);
+                }
+            }
+            if (better) better = judge_.judge(better->candidate.position, Look::Fine);
+            if (better && better->quality > best_->quality) {
+                best_ = std::move(better);
+            } else {
+                step *= 0.5;
+            }
+        }
     }
 
     Found finish() {
@@ -111,13 +142,15 @@ class Search {
         p.component = around_.free_space.componentAt(p.pose.position);
         p.fill = best_->candidate.fill;
         for (const int id : point_.objects) {
-            const auto estimate = around_.views.estimate(p.pose, id, kFineGrid);
-            if (isSafelyWellCaptured(estimate)) {
+            // By every pixel and without the margins: this very pose is flown to, and an object
+            // that can be captured only just is better captured than not.
+            const ObjectView view = makeView(around_.views.estimate(p.pose, id, kExactGrid), id, 0);
+            if (isWellCaptured(view)) {
                 p.well_captured.push_back(id);
             } else {
                 found.not_well.push_back(id);
             }
-            if (isSafelyCaptured(estimate)) p.captured.push_back(id);
+            if (isCaptured(view)) p.captured.push_back(id);
         }
         if (!p.captured.empty()) found.best = std::move(p);
         return found;

@@ -90,39 +90,40 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     const int rows = std::max(1, static_cast<int>(std::ceil(area->sizes().y() / cell)));
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
 
+    std::vector<Eigen::Vector3d> directions;
+    std::vector<Eigen::Vector2d> pixels;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            pixels.emplace_back(area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5));
+            directions.emplace_back(world_from_camera *
+                                    intrinsics_.unproject(pixels.back().x(), pixels.back().y()));
+        }
+    }
+    std::vector<RayHit> hits;
+    rays_->castBundle(pose.position, directions, near_m_, hits);
+
     int silhouette = 0;
     int visible = 0;
     Eigen::AlignedBox2d visible_box;
     std::map<int, int> hidden_by;
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const Eigen::Vector2d pixel =
-                area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5);
-            const Eigen::Vector3d direction =
-                world_from_camera * intrinsics_.unproject(pixel.x(), pixel.y());
-            const RayHit hit = rays_->cast(pose.position, direction,
-                                           std::numeric_limits<double>::infinity(), near_m_);
-            const bool inside = image.contains(pixel);
-            if (hit.object_id == object_id) {
-                ++silhouette;
-                if (inside) {
-                    ++visible;
-                    visible_box.extend(pixel);
-                } else {
-                    result.cropped = true;
-                }
-                continue;
-            }
-            if (hit.object_id == 0) continue;
-            if (rays_->castObject(object_id, pose.position, direction).object_id == 0) continue;
-            ++silhouette;
-            if (inside) {
-                ++hidden_by[hit.object_id];
-            } else {
-                result.cropped = true;
-            }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const int met = hits[i].object_id;
+        if (met == 0) continue;
+        const bool hidden = met != object_id;
+        if (hidden && rays_->castObject(object_id, pose.position, directions[i]).object_id == 0) {
+            continue;
+        }
+        ++silhouette;
+        if (!image.contains(pixels[i])) {
+            result.cropped = true;
+        } else if (hidden) {
+            ++hidden_by[met];
+        } else {
+            ++visible;
+            visible_box.extend(pixels[i]);
         }
     }
+    result.rays_on_silhouette = silhouette;
     if (silhouette == 0) return result;
 
     const double image_area = static_cast<double>(intrinsics_.width) * intrinsics_.height;
