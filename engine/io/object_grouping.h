@@ -13,6 +13,7 @@ struct ObjectDraft {
     std::string name;
     Label label;
     std::vector<std::size_t> parts;  // indices into RawScene::parts
+    bool loose = false;              // a piece of a scene taken apart: its name is a material's
 };
 
 /// One draft for each node that holds meshes, in the file's order. The pieces that one thing was

@@ -5,15 +5,19 @@
 #include "engine/io/frame_guess.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
+#include "engine/io/piece_merge.h"
+#include "engine/io/piece_split.h"
 #include "engine/io/scene_assembly.h"
+#include "engine/io/structure_finder.h"
 #include "engine/io/texture_loader.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/label_table.h"
+#include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
 #include "engine/scene/room_bounds.h"
-#include "engine/scene/structure.h"
 
 #include <future>
+#include <map>
 
 namespace dollytrack {
 namespace {
@@ -54,6 +58,44 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
         report.notes.push_back(
             counted(repairs.mirrored, "meshes are mirrored; their faces were turned back"));
     }
+}
+
+/// Pieces of a scene taken apart are named after class or material, with a number.
+void nameObjects(std::vector<ObjectDraft>& drafts) {
+    std::map<std::string, int> used;
+    for (ObjectDraft& draft : drafts) {
+        if (!draft.loose) continue;
+        std::string base = draft.label.kind == LabelKind::Structure
+                               ? std::string(nyu40Name(draft.label.nyu40))
+                               : withoutNumber(draft.name);
+        if (base.empty()) base = "object";
+        draft.name = base + "_" + std::to_string(++used[base]);
+    }
+}
+
+/// From one draft a node to one draft an object.
+void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
+                 ImportReport& report) {
+    const std::size_t scattered = splitScattered(raw, labels, drafts);
+    if (scattered > 0) {
+        report.notes.push_back(counted(scattered,
+                                       "nodes held things far apart, which were made "
+                                       "objects of their own"));
+    }
+    const std::size_t split = splitMergedScenes(raw, labels, drafts);
+    if (split > 0) {
+        report.warnings.push_back(
+            "the file does not keep its objects apart; they were found as connected pieces, look "
+            "whether they are right");
+    }
+    const std::vector<bool> structure = findStructure(raw, drafts);
+    const std::size_t merged = mergePieces(raw, structure, drafts);
+    if (merged > 0) {
+        report.notes.push_back(counted(merged,
+                                       "pieces were put together with what they are "
+                                       "attached to"));
+    }
+    nameObjects(drafts);
 }
 
 Result<LabelTable> labelTable(const ImportOptions& options) {
@@ -116,6 +158,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
     scene.source_from_world = world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
+    findObjects(raw, *labels, drafts, scene.report);
     job.report(0.7);
 
     TextureSet textures = loadTextures(path, raw.textures, job);
@@ -130,13 +173,6 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
 
     scene.materials = std::move(raw.materials);
     assembleObjects(raw.parts, drafts, scene);
-    std::vector<bool> undecided;
-    for (const ObjectDraft& draft : drafts) {
-        undecided.push_back(draft.label.kind == LabelKind::None ||
-                            draft.label.kind == LabelKind::Part ||
-                            draft.label.kind == LabelKind::Weak);
-    }
-    recogniseStructure(scene, undecided);
     std::vector<std::string> left_out;
     scene.room_bounds = findRoomBounds(scene.objects, &left_out);
     for (const std::string& name : left_out) {

@@ -6,7 +6,7 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kNearby = 1.5;       // m: parts of one building are no further apart
+constexpr double kNearby = 4.0;       // m: things in one building are no further apart
 constexpr double kTooWide = 2.0;      // times the rest: no building, but a ground or a sky
 constexpr double kTooWideFlat = 1.6;  // the same for a flat thing: a ground plane
 

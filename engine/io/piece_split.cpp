@@ -1,0 +1,247 @@
+#include "engine/io/piece_split.h"
+
+#include "engine/geometry/vertex_join.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dollytrack {
+namespace {
+
+constexpr float kWeld = 1e-4F;         // m
+constexpr float kFarApart = 0.5F;      // m between things that are not one
+constexpr std::size_t kFewOthers = 5;  // with more objects beside it a shell is only a shell
+
+Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
+    Eigen::AlignedBox3f box;
+    for (const std::size_t part : draft.parts) box.extend(raw.parts[part].bounds);
+    return box;
+}
+
+/// "mat12", "Material.003", "default": a name that tells nothing.
+bool isMaterialNumber(const std::string& name) {
+    const std::vector<std::string> words = splitWords(name);
+    return words.empty() ||
+           (words.size() == 1 && (words[0] == "mat" || words[0] == "material" ||
+                                  words[0] == "default" || words[0].size() < 2)) ||
+           name == "DefaultMaterial";
+}
+
+class PieceFinder {
+  public:
+    explicit PieceFinder(std::size_t expected) : places_(expected) {}
+
+    std::uint32_t add(const Eigen::Vector3f& p) {
+        // Rounding to a grid parts a few equal points; half-cell shifts are not worth it, as
+        // exporters repeat shared corners exactly.
+        const auto grid = [](float x) { return std::round(x / kWeld); };
+        const std::uint32_t place = places_.insert({grid(p.x()), grid(p.y()), grid(p.z())});
+        if (place == root_.size()) root_.push_back(place);
+        return place;
+    }
+    std::uint32_t find(std::uint32_t i) {
+        while (root_[i] != i) i = root_[i] = root_[root_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t low = std::min(find(a), find(b));
+        const std::uint32_t high = std::max(find(a), find(b));
+        root_[high] = low;
+    }
+
+  private:
+    VertexJoin<3> places_;
+    std::vector<std::uint32_t> root_;
+};
+
+/// The triangles of one part that belong to one piece.
+MeshPart extract(const MeshPart& part, const std::vector<std::size_t>& triangles) {
+    MeshPart piece;
+    piece.name = part.name;
+    piece.node = part.node;
+    piece.material = part.material;
+    std::vector<std::uint32_t> renumbered(part.positions.size(), 0xFFFFFFFFU);
+    for (const std::size_t t : triangles) {
+        Triangle triangle;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t v = part.triangles[t][i];
+            if (renumbered[v] == 0xFFFFFFFFU) {
+                renumbered[v] = static_cast<std::uint32_t>(piece.positions.size());
+                piece.positions.push_back(part.positions[v]);
+                piece.normals.push_back(part.normals[v]);
+                piece.uvs.push_back(part.uvs[v]);
+                piece.bounds.extend(part.positions[v]);
+            }
+            triangle[i] = renumbered[v];
+        }
+        piece.triangles.push_back(triangle);
+    }
+    return piece;
+}
+
+std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
+                               std::size_t least) {
+    std::size_t corners = 0;
+    for (const std::size_t part : draft.parts) corners += raw.parts[part].positions.size();
+    PieceFinder finder(corners);
+    std::vector<std::vector<std::uint32_t>> places(draft.parts.size());
+    for (std::size_t k = 0; k < draft.parts.size(); ++k) {
+        const MeshPart& part = raw.parts[draft.parts[k]];
+        for (const auto& p : part.positions) places[k].push_back(finder.add(p));
+        for (const Triangle& t : part.triangles) {
+            finder.join(places[k][t[0]], places[k][t[1]]);
+            finder.join(places[k][t[0]], places[k][t[2]]);
+        }
+    }
+    // Pieces in order of their first corner, so that the result does not depend on anything else.
+    std::vector<std::uint32_t> roots;
+    std::vector<std::vector<std::vector<std::size_t>>> members;  // piece, part, triangles
+    std::vector<std::int64_t> piece_of(corners, -1);
+    for (std::size_t k = 0; k < draft.parts.size(); ++k) {
+        const MeshPart& part = raw.parts[draft.parts[k]];
+        for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+            const std::uint32_t root = finder.find(places[k][part.triangles[t][0]]);
+            if (piece_of[root] < 0) {
+                piece_of[root] = static_cast<std::int64_t>(members.size());
+                members.emplace_back(draft.parts.size());
+            }
+            members[static_cast<std::size_t>(piece_of[root])][k].push_back(t);
+        }
+    }
+    if (members.size() < least) return {draft};
+    std::vector<ObjectDraft> pieces;
+    for (const auto& by_part : members) {
+        ObjectDraft piece;
+        piece.loose = true;
+        std::size_t most = 0;
+        for (std::size_t k = 0; k < by_part.size(); ++k) {
+            if (by_part[k].empty()) continue;
+            const MeshPart made = extract(raw.parts[draft.parts[k]], by_part[k]);
+            if (made.triangles.size() > most) {
+                most = made.triangles.size();
+                piece.name = raw.materials[made.material].name;
+            }
+            piece.parts.push_back(raw.parts.size());
+            raw.parts.push_back(made);
+        }
+        piece.label = labels.find(piece.name);
+        // "mat_3" is a material here, not what lies before the door.
+        if (piece.label.pattern == "mat") piece.label = {};
+        if (piece.label.kind == LabelKind::None && isMaterialNumber(piece.name)) piece.name.clear();
+        pieces.push_back(std::move(piece));
+    }
+    for (const std::size_t part : draft.parts) raw.parts[part] = MeshPart{};
+    return pieces;
+}
+
+/// Whether some plane across an axis has nothing of the draft within half a metre.
+bool hasGap(const RawScene& raw, const ObjectDraft& draft) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<std::pair<float, float>> spans;
+        for (const std::size_t index : draft.parts) {
+            const MeshPart& part = raw.parts[index];
+            for (const Triangle& t : part.triangles) {
+                const float a = part.positions[t[0]][axis];
+                const float b = part.positions[t[1]][axis];
+                const float c = part.positions[t[2]][axis];
+                spans.emplace_back(std::min({a, b, c}), std::max({a, b, c}));
+            }
+        }
+        std::sort(spans.begin(), spans.end());
+        float reached = spans.empty() ? 0.0F : spans.front().second;
+        for (const auto& [low, high] : spans) {
+            if (low - reached > kFarApart) return true;
+            reached = std::max(reached, high);
+        }
+    }
+    return false;
+}
+
+/// Joins pieces whose boxes are near each other.
+std::vector<ObjectDraft> clusterPieces(const RawScene& raw, std::vector<ObjectDraft> pieces) {
+    std::vector<std::size_t> root(pieces.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](std::size_t i) {
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    std::vector<Eigen::AlignedBox3f> boxes;
+    for (const ObjectDraft& piece : pieces) boxes.push_back(boundsOf(raw, piece));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+            if (boxes[i].exteriorDistance(boxes[j]) > kFarApart) continue;
+            const std::size_t a = find(i);
+            const std::size_t b = find(j);
+            root[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    std::vector<ObjectDraft> clusters;
+    std::vector<std::size_t> cluster_of(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (find(i) == i) {
+            cluster_of[i] = clusters.size();
+            clusters.push_back(std::move(pieces[i]));
+        } else {
+            auto& parts = clusters[cluster_of[find(i)]].parts;
+            parts.insert(parts.end(), pieces[i].parts.begin(), pieces[i].parts.end());
+        }
+    }
+    return clusters;
+}
+
+}  // namespace
+
+std::size_t splitScattered(RawScene& raw, const LabelTable& labels,
+                           std::vector<ObjectDraft>& drafts) {
+    std::vector<ObjectDraft> result;
+    std::size_t count = 0;
+    for (ObjectDraft& draft : drafts) {
+        const bool large = boundsOf(raw, draft).sizes().maxCoeff() > 2.0F * kFarApart;
+        if (draft.loose || draft.label.kind == LabelKind::Structure || !large ||
+            !hasGap(raw, draft)) {
+            result.push_back(std::move(draft));
+            continue;
+        }
+        std::vector<ObjectDraft> clusters = clusterPieces(raw, split(raw, labels, draft, 2));
+        if (clusters.size() > 1) ++count;
+        for (std::size_t i = 0; i < clusters.size(); ++i) {
+            clusters[i].name = draft.name;
+            if (clusters.size() > 1) clusters[i].name.append("_").append(std::to_string(i + 1));
+            clusters[i].label = draft.label;
+            clusters[i].loose = false;
+            result.push_back(std::move(clusters[i]));
+        }
+    }
+    drafts = std::move(result);
+    return count;
+}
+
+std::size_t splitMergedScenes(RawScene& raw, const LabelTable& labels,
+                              std::vector<ObjectDraft>& drafts) {
+    Eigen::AlignedBox3f all;
+    for (const ObjectDraft& draft : drafts) all.extend(boundsOf(raw, draft));
+    std::vector<ObjectDraft> result;
+    std::size_t count = 0;
+    const std::size_t targets = static_cast<std::size_t>(std::count_if(
+        drafts.begin(), drafts.end(),
+        [](const ObjectDraft& draft) { return draft.label.kind != LabelKind::Structure; }));
+    for (ObjectDraft& draft : drafts) {
+        const Eigen::Vector3f share =
+            boundsOf(raw, draft).sizes().cwiseQuotient(all.sizes().cwiseMax(1e-6F));
+        const Eigen::Vector3f size = boundsOf(raw, draft).sizes();
+        const bool spans = share.x() > 0.6F && share.y() > 0.6F && size.z() > 1.5F &&
+                           size.head<2>().minCoeff() > 1.5F;
+        if (!spans || targets > kFewOthers || draft.label.kind == LabelKind::Target) {
+            result.push_back(std::move(draft));
+            continue;
+        }
+        std::vector<ObjectDraft> pieces = split(raw, labels, draft, 3);
+        count += pieces.size() > 1;
+        for (ObjectDraft& piece : pieces) result.push_back(std::move(piece));
+    }
+    drafts = std::move(result);
+    return count;
+}
+
+}  // namespace dollytrack
