@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/jobs/job.h"
+#include "planning/free_space/floor_plan.h"
 #include "planning/free_space/voxel_grid.h"
 
 #include <cstdint>
@@ -17,14 +18,12 @@ enum class EnclosureRule {
 
 /// Marks the cells without surface that are inside the building: 1 inside, 0 not.
 ///
-/// Three things are asked of every cell: in how many of 16 horizontal directions it meets
-/// something of the building within the grid, and whether there is something of the building below
-/// and above it. A ground plane is not of the building. Cells that pass are certain; cells that
-/// pass weakly (before a missing wall, at a window without glass, but also in the notch of an
-/// L-shaped house) take the vote of the wide space they are in, where space is cut at doors.
+/// By what is seen from it (lookAround) a cell may be inside for certain, or perhaps: before a
+/// missing wall, at a window without glass, but also in the notch of an L-shaped house. The cells
+/// vote in the parts of the floor plan, height by height, so that a room is inside as a whole.
 std::vector<std::uint8_t> findInside(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
-                                     const std::vector<std::uint16_t>& squared_gaps,
-                                     EnclosureRule rule, const JobContext& job);
+                                     const std::vector<std::uint8_t>& sight, const FloorPlan& plan,
+                                     EnclosureRule rule);
 
 }  // namespace dollytrack::planning

@@ -5,8 +5,10 @@
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
 #include "planning/free_space/enclosure.h"
+#include "planning/free_space/floor_plan.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
+#include "planning/free_space/sight.h"
 #include "planning/free_space/voxelize.h"
 
 #include <octomap/OcTree.h>
@@ -70,11 +72,14 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
                                                   const SurfaceCells& surfaces,
                                                   std::vector<std::uint8_t>& inside,
                                                   const JobContext& job) {
+    const std::vector<std::uint8_t> sight = lookAround(grid, surfaces.cells, job);
+    if (job.cancelled()) return cancelled();
+    const FloorPlan plan = drawFloorPlan(grid, surfaces.cells);
     FoundRooms best;
     std::int64_t best_cells = 0;
     double stage = 0.3;
     for (const EnclosureRule rule : kRules) {
-        std::vector<std::uint8_t> tried = findInside(grid, surfaces.cells, squared_gaps, rule, job);
+        std::vector<std::uint8_t> tried = findInside(grid, surfaces.cells, sight, plan, rule);
         if (job.cancelled()) return cancelled();
         job.report(stage += 0.1);
         FoundRooms found =

@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kSmallestOpening_m2 = 0.04;
+constexpr double kSmallestOpening_m2 = 0.1;
 constexpr double kMostOfASide = 0.5;
 // Free cells next to an opening may be too near its frame for the camera; their room is the one
 // found within this many cells inwards.

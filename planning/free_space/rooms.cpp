@@ -17,7 +17,7 @@ namespace {
 // sofa and the wall do not.
 constexpr double kRoomVolume_m3 = 0.6;
 constexpr double kRoomHeight_m = 1.0;
-constexpr double kRoomGap_m = 0.2;  // from the roomiest cell to the nearest surface
+constexpr double kRoomGap_m = 0.3;  // from the roomiest cell to the nearest surface
 // Less than this is no place for a camera, even when there is nothing larger.
 constexpr double kPocketVolume_m3 = 0.05;
 // Hollows up to this size may be furniture; larger ones are rooms whatever surrounds them.

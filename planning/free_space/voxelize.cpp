@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 
 // Cells are tested a little larger than they are, so that rounding never loses a touch.
 constexpr double kInflate = 1e-4;  // cells
+constexpr double kSteepCosine = 0.7;
 
 /// The overlap test of a triangle with the cells of a grid, in units of cells (Schwarz and Seidel,
 /// "Fast parallel surface and solid voxelization on GPUs", 2010): a cell overlaps when the plane
@@ -166,12 +167,16 @@ SurfaceCells voxelize(const Scene& scene, const VoxelGrid& grid, const JobContex
                 if (low[k] < 0.0) below = std::min(below, std::max(0.0, -high[k]));
                 if (high[k] > size[k]) above = std::min(above, std::max(0.0, low[k] - size[k]));
             }
+            const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+            const bool steep = std::abs(normal.z()) < kSteepCosine * normal.norm();
+            const auto kind =
+                static_cast<std::uint8_t>(piece.kind | (steep ? unsigned{kSteep} : 0U));
             TriangleCells(p[0], p[1], p[2]).visit(grid.count, [&](const std::array<int, 3>& c) {
                 // Several threads may mark one cell; bits only get set, so their order is the same
                 // to the result.
                 std::atomic_ref<std::uint8_t> at(result.cells[grid.indexOf(c[0], c[1], c[2])]);
-                if ((at.load(std::memory_order_relaxed) & piece.kind) != piece.kind) {
-                    at.fetch_or(piece.kind, std::memory_order_relaxed);
+                if ((at.load(std::memory_order_relaxed) & kind) != kind) {
+                    at.fetch_or(kind, std::memory_order_relaxed);
                 }
             });
         }

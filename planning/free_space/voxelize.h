@@ -15,6 +15,7 @@ enum CellSurface : std::uint8_t {
     kSurface = 1,    // a triangle touches the cell
     kBuilding = 2,   // of something other than a ground or sky that goes on outside the room
     kStructure = 4,  // of a wall, floor or ceiling rather than of a thing in the room
+    kSteep = 8,      // nearer to upright than to level
 };
 
 /// The surfaces of a scene in a grid.

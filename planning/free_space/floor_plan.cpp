@@ -1,0 +1,135 @@
+#include "planning/free_space/floor_plan.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/free_space/components.h"
+#include "planning/free_space/distance_field.h"
+#include "planning/free_space/voxelize.h"
+
+#include <array>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kStructureHeight_m = 0.6;
+constexpr double kAnyHeight_m = 1.5;
+// Parts begin in places this far from all walls, in turn: rooms, narrow rooms, corridors. The first
+// is more than half of what a door or window without a frame in it measures.
+constexpr std::array kPartGaps_m = {0.9, 0.55, 0.3};
+// How far the parts reach into the walls between them, to share out doors and windows.
+constexpr double kWallDepth_m = 0.5;
+
+std::vector<std::uint8_t> findWalls(const VoxelGrid& grid,
+                                    const std::vector<std::uint8_t>& surfaces) {
+    const auto [nx, ny, nz] = grid.count;
+    std::vector<std::uint8_t> walls(grid.rowOf(0, 1), 0);
+    const int structure = static_cast<int>(std::ceil(kStructureHeight_m / grid.resolution_m));
+    const int any = static_cast<int>(std::ceil(kAnyHeight_m / grid.resolution_m));
+    parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
+        std::vector<std::array<int, 2>> heights(static_cast<std::size_t>(nx));
+        for (int z = 0; z < nz; ++z) {
+            const std::uint8_t* row = surfaces.data() + grid.rowOf(static_cast<int>(y), z);
+            for (std::size_t x = 0; x < heights.size(); ++x) {
+                constexpr unsigned kUpright = kBuilding | kSteep;
+                heights[x][0] += (row[x] & kUpright) == kUpright ? 1 : 0;
+                heights[x][1] += (row[x] & (kUpright | kStructure)) == (kUpright | kStructure);
+            }
+        }
+        std::uint8_t* row = walls.data() + grid.rowOf(static_cast<int>(y), 0);
+        for (std::size_t x = 0; x < heights.size(); ++x) {
+            row[x] = heights[x][0] >= any || heights[x][1] >= structure ? 1 : 0;
+        }
+    });
+    return walls;
+}
+
+/// Grows the parts of a plan over the columns of a grid of one layer.
+class PartGrower {
+  public:
+    PartGrower(const VoxelGrid& plane, const std::vector<std::uint8_t>& walls, FloorPlan& plan)
+        : plane_(plane), walls_(walls), plan_(plan), gaps_(squaredGaps(plane, walls, {})) {
+        plan_.part_of_column.assign(plane.size(), kNoPart);
+    }
+
+    /// Starts a part in every place this far from walls that has none yet, and lets all grow
+    /// towards the walls: never away from them, so growth ends in the middle of a door.
+    void begin(double gap_m) {
+        const double cells = gap_m / plane_.resolution_m;
+        std::vector<std::uint8_t> seeds(plane_.size(), 0);
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            seeds[i] = gaps_[i] >= cells * cells && plan_.part_of_column[i] == kNoPart ? 1 : 0;
+        }
+        const CellComponents found = findComponents(plane_, seeds, 1);
+        std::vector<std::size_t> front;
+        for (const CellRun& run : found.runs) {
+            for (int x = run.x_begin; x < run.x_end; ++x) {
+                const std::size_t i = plane_.indexOf(x, run.y, 0);
+                plan_.part_of_column[i] = plan_.parts + run.component;
+                front.push_back(i);
+            }
+        }
+        plan_.parts += static_cast<int>(found.cells.size());
+        while (!front.empty()) {
+            advance(front, [&](std::size_t from, std::size_t to) {
+                return walls_[to] == 0 && gaps_[to] <= gaps_[from];
+            });
+        }
+    }
+
+    /// Shares out what is left: first the columns without wall, then the walls' own to a depth.
+    void shareOut() {
+        for (const bool into_walls : {false, true}) {
+            std::vector<std::size_t> front;
+            for (std::size_t i = 0; i < plane_.size(); ++i) {
+                if (plan_.part_of_column[i] != kNoPart) front.push_back(i);
+            }
+            int steps = into_walls ? static_cast<int>(std::ceil(kWallDepth_m / plane_.resolution_m))
+                                   : plane_.count[0] + plane_.count[1];
+            for (; steps > 0 && !front.empty(); --steps) {
+                advance(front,
+                        [&](std::size_t, std::size_t to) { return into_walls || walls_[to] == 0; });
+            }
+        }
+    }
+
+  private:
+    template <class May>
+    void advance(std::vector<std::size_t>& front, May&& may) {
+        std::vector<std::size_t> next;
+        const auto nx = static_cast<std::size_t>(plane_.count[0]);
+        for (const std::size_t from : front) {
+            const std::size_t x = from % nx;
+            const auto visit = [&](bool exists, std::size_t to) {
+                if (!exists || plan_.part_of_column[to] != kNoPart || !may(from, to)) return;
+                plan_.part_of_column[to] = plan_.part_of_column[from];
+                next.push_back(to);
+            };
+            visit(x > 0, from - 1);
+            visit(x + 1 < nx, from + 1);
+            visit(from >= nx, from - nx);
+            visit(from + nx < plane_.size(), from + nx);
+        }
+        front.swap(next);
+    }
+
+    const VoxelGrid& plane_;
+    const std::vector<std::uint8_t>& walls_;
+    FloorPlan& plan_;
+    std::vector<std::uint16_t> gaps_;
+};
+
+}  // namespace
+
+FloorPlan drawFloorPlan(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces) {
+    const std::vector<std::uint8_t> walls = findWalls(grid, surfaces);
+    VoxelGrid plane = grid;
+    plane.first[2] = 0;
+    plane.count[2] = 1;
+    FloorPlan plan;
+    PartGrower grower(plane, walls, plan);
+    for (const double gap_m : kPartGaps_m) grower.begin(gap_m);
+    grower.shareOut();
+    return plan;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,159 @@
+#include "planning/free_space/sight.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/free_space/voxelize.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace dollytrack::planning {
+namespace {
+
+struct Step {
+    int x = 0;
+    int y = 0;
+};
+constexpr std::array<Step, 16> kAzimuths = {{{1, 0},
+                                             {2, 1},
+                                             {1, 1},
+                                             {1, 2},
+                                             {0, 1},
+                                             {-1, 2},
+                                             {-1, 1},
+                                             {-2, 1},
+                                             {-1, 0},
+                                             {-2, -1},
+                                             {-1, -1},
+                                             {-1, -2},
+                                             {0, -1},
+                                             {1, -2},
+                                             {1, -1},
+                                             {2, -1}}};
+
+/// One horizontal slice with a border of empty cells, so that steps need no limits.
+class Slice {
+  public:
+    Slice(int nx, int ny) : nx_(nx), ny_(ny), stride_(static_cast<std::size_t>(nx) + 2 * kBorder) {
+        const std::size_t size = stride_ * (static_cast<std::size_t>(ny) + 2 * kBorder);
+        wall_.assign(size, 0);
+        hit_.assign(size, 0);
+        hits_.assign(size, 0);
+    }
+
+    [[nodiscard]] std::size_t rowOf(int y) const {
+        return (static_cast<std::size_t>(y) + kBorder) * stride_ + kBorder;
+    }
+    std::uint8_t* walls(int y) { return wall_.data() + rowOf(y); }
+    [[nodiscard]] const std::uint8_t* hits(int y) const { return hits_.data() + rowOf(y); }
+
+    /// Counts for every cell the directions in which it meets a wall.
+    void countHits() {
+        std::ranges::fill(hits_, std::uint8_t{0});
+        for (const Step& step : kAzimuths) sweep(step);
+    }
+
+  private:
+    static constexpr std::size_t kBorder = 2;
+
+    // A cell meets a wall in one direction when the cells up to the next step are one, or when
+    // the cell at the next step meets one.
+    void sweep(const Step& step) {
+        std::ranges::fill(hit_, std::uint8_t{0});
+        const auto stride = static_cast<std::ptrdiff_t>(stride_);
+        const std::ptrdiff_t next = step.y * stride + step.x;
+        // The two cells that a knight's move passes between; other moves pass none.
+        std::ptrdiff_t near_side = next;
+        std::ptrdiff_t far_side = next;
+        if (std::abs(step.x) == 2) {
+            near_side = step.x / 2;
+            far_side = near_side + step.y * stride;
+        } else if (std::abs(step.y) == 2) {
+            near_side = step.y / 2 * stride;
+            far_side = near_side + step.x;
+        }
+        for (int i = 0; i < ny_; ++i) {
+            const std::size_t row = rowOf(step.y > 0 ? ny_ - 1 - i : i);
+            const std::uint8_t* wall = wall_.data() + row;
+            std::uint8_t* hit = hit_.data() + row;
+            std::uint8_t* hits = hits_.data() + row;
+            if (step.y == 0) {
+                for (int k = 0; k < nx_; ++k) {
+                    const std::ptrdiff_t x = step.x > 0 ? nx_ - 1 - k : k;
+                    hit[x] = wall[x + next] | hit[x + next];
+                    hits[x] = static_cast<std::uint8_t>(hits[x] + hit[x]);
+                }
+            } else {
+                // The row before is finished, so all cells of this one are independent.
+                const std::uint8_t* before = hit + next;
+                const std::uint8_t* a = wall + near_side;
+                const std::uint8_t* b = wall + far_side;
+                const std::uint8_t* c = wall + next;
+                for (std::ptrdiff_t x = 0; x < nx_; ++x) {
+                    hit[x] = static_cast<std::uint8_t>(a[x] | b[x] | c[x] | before[x]);
+                    hits[x] = static_cast<std::uint8_t>(hits[x] + hit[x]);
+                }
+            }
+        }
+    }
+
+    int nx_;
+    int ny_;
+    std::size_t stride_;
+    std::vector<std::uint8_t> wall_;
+    std::vector<std::uint8_t> hit_;
+    std::vector<std::uint8_t> hits_;
+};
+
+/// What is below and above: one pass down and one up through the columns over each row of cells.
+void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
+                   std::vector<std::uint8_t>& sight) {
+    const auto [nx, ny, nz] = grid.count;
+    parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
+        std::vector<std::uint8_t> seen(static_cast<std::size_t>(nx));
+        const auto pass = [&](int z, std::uint8_t bit) {
+            const std::size_t row = grid.rowOf(static_cast<int>(y), z);
+            for (std::size_t x = 0; x < seen.size(); ++x) {
+                sight[row + x] = static_cast<std::uint8_t>(sight[row + x] | (seen[x] * bit));
+                seen[x] |= static_cast<std::uint8_t>((surfaces[row + x] & kBuilding) / kBuilding);
+            }
+        };
+        for (int z = 0; z < nz; ++z) pass(z, kFloorBelow);
+        std::ranges::fill(seen, std::uint8_t{0});
+        for (int z = nz - 1; z >= 0; --z) pass(z, kCeilingAbove);
+    });
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
+                                     const std::vector<std::uint8_t>& surfaces,
+                                     const JobContext& job) {
+    std::vector<std::uint8_t> sight(grid.size(), 0);
+    lookUpAndDown(grid, surfaces, sight);
+    parallelRanges(
+        static_cast<std::size_t>(grid.count[2]), 1, [&](std::size_t begin, std::size_t end) {
+            Slice slice(grid.count[0], grid.count[1]);
+            for (std::size_t at = begin; at < end; ++at) {
+                const int z = static_cast<int>(at);
+                if (job.cancelled()) return;
+                for (int y = 0; y < grid.count[1]; ++y) {
+                    const std::size_t row = grid.rowOf(y, z);
+                    std::uint8_t* walls = slice.walls(y);
+                    for (int x = 0; x < grid.count[0]; ++x) {
+                        walls[x] = static_cast<std::uint8_t>(
+                            (surfaces[row + static_cast<std::size_t>(x)] & kBuilding) / kBuilding);
+                    }
+                }
+                slice.countHits();
+                for (int y = 0; y < grid.count[1]; ++y) {
+                    std::uint8_t* row = sight.data() + grid.rowOf(y, z);
+                    const std::uint8_t* hits = slice.hits(y);
+                    for (int x = 0; x < grid.count[0]; ++x) row[x] |= hits[x];
+                }
+            }
+        });
+    return sight;
+}
+
+}  // namespace dollytrack::planning

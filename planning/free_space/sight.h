@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/jobs/job.h"
+#include "planning/free_space/voxel_grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dollytrack::planning {
+
+constexpr int kSightDirections = 16;
+constexpr std::uint8_t kSightHitsMask = 31;
+constexpr std::uint8_t kFloorBelow = 32;
+constexpr std::uint8_t kCeilingAbove = 64;
+
+/// What is seen of the building from every cell: in how many of 16 horizontal directions something
+/// of it stands within the grid (the low five bits), and whether something of it is straight below
+/// (kFloorBelow) and above (kCeilingAbove). A ground plane is not of the building.
+std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
+                                     const std::vector<std::uint8_t>& surfaces,
+                                     const JobContext& job);
+
+}  // namespace dollytrack::planning
