@@ -10,8 +10,14 @@
 namespace dollytrack::planning {
 namespace {
 
-// Share of a part's possible cells that must be certain.
+// Share of a part's possible cells that must be certain; more where it has neither floor nor
+// ceiling of its own, since a yard between two wings has walls on three sides, too.
 constexpr double kCertainShare = 0.25;
+constexpr double kCertainShareInOpen = 0.5;
+// A part with so much furniture is lived in, walls or not: its things are to be seen.
+constexpr double kFurnishedShare = 0.05;
+constexpr double kFurnishedArea_m2 = 2.0;
+constexpr double kFurnishedHits = 3.0;  // directions with walls, on average, up to a height
 // Share of the air at one height of a part that must be possible.
 constexpr double kPossibleShare = 0.5;
 // When so many of the certain cells have floor and ceiling, the building is roofed: a niche of the
@@ -49,6 +55,8 @@ struct Votes {
     std::int64_t air = 0;
     std::int64_t possible = 0;  // certain ones among them
     std::int64_t certain = 0;
+    std::int64_t covered = 0;  // with floor below or ceiling above
+    std::int64_t hits = 0;
 };
 
 class Election {
@@ -104,23 +112,32 @@ class Election {
                 ++count.air;
                 count.possible += verdict != Verdict::Outside ? 1 : 0;
                 count.certain += verdict == Verdict::Certain ? 1 : 0;
+                count.covered += (sight_[i] & (kFloorBelow | kCeilingAbove)) != 0 ? 1 : 0;
+                count.hits += sight_[i] & kSightHitsMask;
             });
         });
+        const std::vector<std::uint8_t> furnished = findFurnished();
         std::vector<std::vector<std::uint8_t>> inside(static_cast<std::size_t>(plan_.parts),
                                                       std::vector<std::uint8_t>(heights, 0));
         for (std::size_t part = 0; part < inside.size(); ++part) {
-            double possible = 0.0;
-            double certain = 0.0;
+            Votes sum;
             for (const auto& height : votes) {
-                possible += static_cast<double>(height[part].possible);
-                certain += static_cast<double>(height[part].certain);
+                sum.air += height[part].air;
+                sum.possible += height[part].possible;
+                sum.certain += height[part].certain;
+                sum.covered += height[part].covered;
             }
-            if (certain == 0.0 || certain < kCertainShare * possible) continue;
+            const double needed = 2 * sum.covered < sum.air ? kCertainShareInOpen : kCertainShare;
+            const bool carried = sum.certain > 0 && static_cast<double>(sum.certain) >=
+                                                        needed * static_cast<double>(sum.possible);
             for (std::size_t z = 0; z < heights; ++z) {
                 const Votes& count = votes[z][part];
-                inside[part][z] =
-                    count.possible > 0 && static_cast<double>(count.possible) >=
-                                              kPossibleShare * static_cast<double>(count.air);
+                const auto air = static_cast<double>(count.air);
+                const bool walled = carried && count.possible > 0 &&
+                                    static_cast<double>(count.possible) >= kPossibleShare * air;
+                const bool lived_in = furnished[part] != 0 && count.air > 0 &&
+                                      static_cast<double>(count.hits) >= kFurnishedHits * air;
+                inside[part][z] = walled || lived_in ? 1 : 0;
             }
             closeGaps(inside[part]);
         }
@@ -128,6 +145,37 @@ class Election {
     }
 
   private:
+    /// Parts on whose floor much furniture stands, by columns that hold something of the building
+    /// that is no structure.
+    [[nodiscard]] std::vector<std::uint8_t> findFurnished() const {
+        std::vector<std::uint8_t> thing(plan_.part_of_column.size(), 0);
+        parallelFor(static_cast<std::size_t>(grid_.count[1]), [&](std::size_t y) {
+            const std::size_t column = grid_.rowOf(static_cast<int>(y), 0);
+            for (int z = 0; z < grid_.count[2]; ++z) {
+                const std::size_t row = grid_.rowOf(static_cast<int>(y), z);
+                for (std::size_t x = 0; x < static_cast<std::size_t>(grid_.count[0]); ++x) {
+                    const unsigned kind = surfaces_[row + x] & (kBuilding | kStructure);
+                    if (kind == kBuilding) thing[column + x] = 1;
+                }
+            }
+        });
+        std::vector<std::array<std::int64_t, 2>> columns(static_cast<std::size_t>(plan_.parts));
+        for (std::size_t i = 0; i < thing.size(); ++i) {
+            if (plan_.part_of_column[i] == kNoPart) continue;
+            auto& count = columns[static_cast<std::size_t>(plan_.part_of_column[i])];
+            ++count[0];
+            count[1] += thing[i];
+        }
+        std::vector<std::uint8_t> furnished(columns.size(), 0);
+        const double cell_area = grid_.resolution_m * grid_.resolution_m;
+        for (std::size_t part = 0; part < columns.size(); ++part) {
+            const auto things = static_cast<double>(columns[part][1]);
+            furnished[part] = things >= kFurnishedShare * static_cast<double>(columns[part][0]) &&
+                              things * cell_area >= kFurnishedArea_m2;
+        }
+        return furnished;
+    }
+
     void closeGaps(std::vector<std::uint8_t>& inside) const {
         const auto most = static_cast<std::size_t>(kOpenHeight_m / grid_.resolution_m);
         std::size_t last = inside.size();  // the last height inside so far; none yet

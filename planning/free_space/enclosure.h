@@ -20,7 +20,8 @@ enum class EnclosureRule {
 ///
 /// By what is seen from it (lookAround) a cell may be inside for certain, or perhaps: before a
 /// missing wall, at a window without glass, but also in the notch of an L-shaped house. The cells
-/// vote in the parts of the floor plan, height by height, so that a room is inside as a whole.
+/// vote in the parts of the floor plan, height by height, so that a room is inside as a whole. A
+/// part full of furniture is inside even where it has few walls.
 std::vector<std::uint8_t> findInside(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
                                      const std::vector<std::uint8_t>& sight, const FloorPlan& plan,

@@ -16,8 +16,6 @@ constexpr double kAnyHeight_m = 1.5;
 // Parts begin in places this far from all walls, in turn: rooms, narrow rooms, corridors. The first
 // is more than half of what a door or window without a frame in it measures.
 constexpr std::array kPartGaps_m = {0.9, 0.55, 0.3};
-// How far the parts reach into the walls between them, to share out doors and windows.
-constexpr double kWallDepth_m = 0.5;
 
 std::vector<std::uint8_t> findWalls(const VoxelGrid& grid,
                                     const std::vector<std::uint8_t>& surfaces) {
@@ -76,16 +74,15 @@ class PartGrower {
         }
     }
 
-    /// Shares out what is left: first the columns without wall, then the walls' own to a depth.
+    /// Shares out what is left: the columns without wall, then those of the walls themselves, where
+    /// air is in doors and windows and over cupboards.
     void shareOut() {
         for (const bool into_walls : {false, true}) {
             std::vector<std::size_t> front;
             for (std::size_t i = 0; i < plane_.size(); ++i) {
                 if (plan_.part_of_column[i] != kNoPart) front.push_back(i);
             }
-            int steps = into_walls ? static_cast<int>(std::ceil(kWallDepth_m / plane_.resolution_m))
-                                   : plane_.count[0] + plane_.count[1];
-            for (; steps > 0 && !front.empty(); --steps) {
+            while (!front.empty()) {
                 advance(front,
                         [&](std::size_t, std::size_t to) { return into_walls || walls_[to] == 0; });
             }

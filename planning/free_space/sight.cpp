@@ -124,6 +124,22 @@ void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfa
     });
 }
 
+/// The bits that make an upright surface a wall. Furniture must not wall in a terrace, but in a
+/// scene whose walls are not known as structure everything may be one.
+std::uint8_t wallBits(const std::vector<std::uint8_t>& surfaces) {
+    constexpr unsigned kUpright = kBuilding | kSteep;
+    constexpr double kEnoughStructure = 0.05;
+    std::int64_t upright = 0;
+    std::int64_t structure = 0;
+    for (const std::uint8_t cell : surfaces) {
+        upright += (cell & kUpright) == kUpright ? 1 : 0;
+        structure += (cell & (kUpright | kStructure)) == (kUpright | kStructure) ? 1 : 0;
+    }
+    return static_cast<double>(structure) > kEnoughStructure * static_cast<double>(upright)
+               ? kBuilding | kStructure
+               : kBuilding;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
@@ -131,6 +147,7 @@ std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                                      const JobContext& job) {
     std::vector<std::uint8_t> sight(grid.size(), 0);
     lookUpAndDown(grid, surfaces, sight);
+    const std::uint8_t wall = wallBits(surfaces);
     parallelRanges(
         static_cast<std::size_t>(grid.count[2]), 1, [&](std::size_t begin, std::size_t end) {
             Slice slice(grid.count[0], grid.count[1]);
@@ -141,8 +158,8 @@ std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                     const std::size_t row = grid.rowOf(y, z);
                     std::uint8_t* walls = slice.walls(y);
                     for (int x = 0; x < grid.count[0]; ++x) {
-                        walls[x] = static_cast<std::uint8_t>(
-                            (surfaces[row + static_cast<std::size_t>(x)] & kBuilding) / kBuilding);
+                        const std::uint8_t surface = surfaces[row + static_cast<std::size_t>(x)];
+                        walls[x] = (surface & wall) == wall ? 1 : 0;
                     }
                 }
                 slice.countHits();

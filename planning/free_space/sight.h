@@ -13,9 +13,10 @@ constexpr std::uint8_t kSightHitsMask = 31;
 constexpr std::uint8_t kFloorBelow = 32;
 constexpr std::uint8_t kCeilingAbove = 64;
 
-/// What is seen of the building from every cell: in how many of 16 horizontal directions something
+/// What is seen of the building from every cell: in how many of 16 horizontal directions a wall
 /// of it stands within the grid (the low five bits), and whether something of it is straight below
-/// (kFloorBelow) and above (kCeilingAbove). A ground plane is not of the building.
+/// (kFloorBelow) and above (kCeilingAbove). A ground plane is not of the building; walls are its
+/// structure, or everything where the scene does not say what is structure.
 std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
                                      const JobContext& job);
