@@ -12,11 +12,12 @@ namespace dollytrack::render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr double kReach = 9.0;        // m; farther lamps add too little to be worth a ray
-constexpr double kLampShade = 0.4;    // m around a lamp in which nothing casts a shadow
-constexpr int kShadowRays = 6;        // per lamp and cell
-constexpr int kNearestLamps = 4;      // considered per cell
-constexpr float kWhiteLevel = 0.62F;  // linear value of a white surface in average light
+constexpr double kReach = 9.0;          // m; farther lamps add too little to be worth a ray
+constexpr double kLampShade = 0.4;      // m around a lamp in which nothing casts a shadow
+constexpr int kShadowRays = 6;          // per lamp and cell
+constexpr int kNearestLamps = 4;        // considered per cell
+constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
+constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
 
 /// Where a ray from a cell ended.
 struct Bounce {
@@ -72,6 +73,7 @@ class Baker {
         if (job.cancelled()) return {};
         closeHoles(volume_.lamps);
         volume_.lamps = smoothed(volume_.lamps);
+        balance();
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
             closeHoles(volume_.ambient);
@@ -285,6 +287,33 @@ class Baker {
         return result;
     }
 
+    static float median(std::vector<float> values) {
+        if (values.empty()) return 0.0F;
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+
+    /// Dims sky and emitting things where they would drown the lamps: files give emission in any
+    /// unit, and a house without a roof would be all cool daylight.
+    void balance() {
+        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        std::vector<float> lamps;
+        std::vector<float> others;
+        for (std::size_t i = 0; i < cellCount(); ++i) {
+            const float lamp = volume_.lamps[i].norm();
+            if (lamp == 0.0F || in_air_[i] == 0) continue;
+            float sum = 0.0F;
+            for (std::size_t k = 0; k < count; ++k) sum += bounces_[i * count + k].sent.mean();
+            lamps.push_back(lamp);
+            others.push_back(sum * kPi / static_cast<float>(count));
+        }
+        const float wanted = kDaylightShare * median(std::move(lamps));
+        const float found = median(std::move(others));
+        if (found <= wanted || wanted == 0.0F) return;
+        for (Bounce& bounce : bounces_) bounce.sent *= wanted / found;
+    }
+
     /// From what the lit cells receive: dark solids and the outside must not decide.
     void expose() {
         std::vector<float> levels;
@@ -295,10 +324,8 @@ class Baker {
         if (levels.empty()) {
             for (const Eigen::Vector3f& ambient : volume_.ambient) levels.push_back(ambient.mean());
         }
-        if (levels.empty()) return;
-        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-        std::nth_element(levels.begin(), middle, levels.end());
-        if (*middle > 0.0F) volume_.exposure = kWhiteLevel / *middle;
+        const float middle = median(std::move(levels));
+        if (middle > 0.0F) volume_.exposure = kWhiteLevel / middle;
     }
 
     const Scene& scene_;

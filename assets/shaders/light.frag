@@ -37,8 +37,9 @@ void main() {
     float z = texelFetch(surface, pixel, 0).r;
     vec3 ray = world_from_camera * vec3(gl_FragCoord.xy * unproject.xy + unproject.zw, 1.0);
     if (z <= 0.0) {
-        vec3 sky = mix(vec3(0.93, 0.95, 0.97), vec3(0.66, 0.80, 0.96),
-                       clamp(normalize(ray).z * 1.5 + 0.1, 0.0, 1.0));
+        float rise = normalize(ray).z;
+        vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
+        sky = mix(sky, vec3(0.64, 0.63, 0.61), smoothstep(0.0, 0.12, -rise));
         out_rgb = vec4(backdrop.a > 0.0 ? backdrop.rgb : sky, 1.0);
         return;
     }
