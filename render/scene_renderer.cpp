@@ -102,8 +102,9 @@ struct SceneRenderer::Impl {
         setCamera(program.get(), view);
         glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
         glProgramUniform1f(program.get(), 5, alpha);
-        const Eigen::Vector4f cut =
-            view.structure_cut.value_or(Eigen::Vector4d(0, 0, 0, 1)).cast<float>();
+        const StructureCut structure_cut = view.structure_cut.value_or(StructureCut{});
+        const Eigen::Vector4f cut = structure_cut.plane.cast<float>();
+        glProgramUniform1f(program.get(), 8, static_cast<float>(structure_cut.keep_below_z));
         glProgramUniform4fv(program.get(), 6, 1, cut.data());
         const Eigen::Vector3f eye = view.pose.position.cast<float>();
         glProgramUniform3fv(program.get(), 7, 1, eye.data());

@@ -10,6 +10,13 @@
 
 namespace dollytrack::render {
 
+/// Leaves structure away, to look into a room from outside: what lies above the plane, where
+/// dot(p, xyz) > w, and above keep_below_z.
+struct StructureCut {
+    Eigen::Vector4d plane = {0, 0, 0, 1};
+    double keep_below_z = 0.0;
+};
+
 /// One picture to be drawn.
 struct View {
     Intrinsics intrinsics;
@@ -17,8 +24,7 @@ struct View {
     double near_m = 0.05;
     /// By object id; ids beyond its end are shown. Empty: everything is shown.
     std::vector<bool> hidden;
-    /// Structure where dot(p, xyz) > w is left away, to look into a room from outside.
-    std::optional<Eigen::Vector4d> structure_cut;
+    std::optional<StructureCut> structure_cut;
     /// Colour (sRGB 0..1) where nothing is hit; none: a sky.
     std::optional<Eigen::Vector3f> backdrop;
 };

@@ -12,6 +12,7 @@ layout(location = 4) uniform int textured;
 layout(location = 5) uniform float tint;  // 0: only depth and label (the holes of cut-outs)
 layout(location = 6) uniform vec4 cut_plane;
 layout(location = 7) uniform vec3 eye;
+layout(location = 8) uniform float keep_below_z;
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -20,7 +21,10 @@ layout(location = 3) out float out_depth;
 layout(location = 4) out uint out_id;
 
 void main() {
-    if (surface_traits.w > 0.5 && dot(offset_in_world + eye, cut_plane.xyz) > cut_plane.w) discard;
+    vec3 p = offset_in_world + eye;
+    if (surface_traits.w > 0.5 && dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z) {
+        discard;
+    }
     vec4 color = surface_color;
     if (textured != 0) color *= texture(base_texture, texture_uv);
     out_color = vec4(color.rgb, color.a * tint);

@@ -11,8 +11,9 @@ flat in uint surface_id;
 
 layout(location = 4) uniform int textured;
 layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: none
-layout(location = 6) uniform vec4 cut_plane;   // structure where dot(p, xyz) > w is left away
+layout(location = 6) uniform vec4 cut_plane;   // structure above it is left away, see view.h
 layout(location = 7) uniform vec3 eye;
+layout(location = 8) uniform float keep_below_z;
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -23,7 +24,10 @@ layout(location = 3) out float out_depth;    // planar depth of the label, m
 layout(location = 4) out uint out_id;
 
 void main() {
-    if (surface_traits.w > 0.5 && dot(offset_in_world + eye, cut_plane.xyz) > cut_plane.w) discard;
+    vec3 p = offset_in_world + eye;
+    if (surface_traits.w > 0.5 && dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z) {
+        discard;
+    }
     vec4 color = surface_color;
     if (textured != 0) {
         vec4 texel = texture(base_texture, texture_uv);

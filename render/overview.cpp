@@ -1,0 +1,125 @@
+#include "render/overview.h"
+
+#include "engine/scene/labels.h"
+#include "render/offscreen_renderer.h"
+#include "render/overlays/overlay_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Picture shrink(const std::vector<std::uint8_t>& rgb, int width, int height, int factor) {
+    Picture small{width / factor, height / factor, {}};
+    small.rgb.resize(3UL * small.width * small.height);
+    const int samples = factor * factor;
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (int k = 0; k < samples; ++k) {
+                    const std::size_t from_y = static_cast<std::size_t>(y) * factor + k / factor;
+                    const std::size_t from_x = static_cast<std::size_t>(x) * factor + k % factor;
+                    sum += rgb[3 * (from_y * width + from_x) + c];
+                }
+                small.rgb[3 * (static_cast<std::size_t>(y) * small.width + x) + c] =
+                    static_cast<std::uint8_t>((sum + samples / 2) / samples);
+            }
+        }
+    }
+    return small;
+}
+
+/// Ceilings, and structure much larger than the building: grounds, streets, skies.
+std::vector<bool> hiddenObjects(const Scene& scene) {
+    std::vector<bool> hidden(scene.objects.size() + 1, false);
+    const double building = scene.room_bounds.sizes().head<2>().norm();
+    for (const Object& object : scene.objects) {
+        if (object.role != Role::Structure) continue;
+        const double across = 2.0 * object.box.half_size.head<2>().norm();
+        hidden[static_cast<std::size_t>(object.id)] =
+            object.nyu40 == kNyuCeiling || across > 1.5 * building;
+    }
+    return hidden;
+}
+
+}  // namespace
+
+View overviewOf(const Scene& scene, const OverviewSettings& settings) {
+    View view;
+    CameraParams camera;
+    camera.width_px = settings.width_px * settings.supersampling;
+    camera.height_px = settings.height_px * settings.supersampling;
+    camera.hfov_deg = settings.hfov_deg;
+    view.intrinsics = makeIntrinsics(camera);
+    view.hidden = hiddenObjects(scene);
+    view.backdrop = Eigen::Vector3f(0.955F, 0.955F, 0.95F);
+    Eigen::AlignedBox3d bounds = scene.room_bounds;
+    if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
+    const double floor = bounds.min().z();
+    const double height = std::max(bounds.sizes().z(), 0.5);
+
+    const double azimuth = settings.azimuth_deg * kDegree;
+    const double elevation = settings.elevation_deg * kDegree;
+    const Eigen::Vector3d aside(std::cos(azimuth), std::sin(azimuth), 0.0);
+    const Eigen::Vector3d way =
+        std::cos(elevation) * aside + Eigen::Vector3d(0, 0, std::sin(elevation));
+    // The nearest distance from which all corners are inside the image with a margin. Distance
+    // changes what a corner's offset covers smoothly, so halving the interval finds it.
+    const auto fits = [&](double distance, Pose& pose) {
+        pose = lookAt(bounds.center() + distance * way, bounds.center());
+        Eigen::AlignedBox2d covered;
+        for (int i = 0; i < 8; ++i) {
+            const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(i);
+            const Eigen::Vector3d p = pose.toCamera(bounds.corner(corner));
+            if (p.z() < 0.1) return false;
+            covered.extend(view.intrinsics.project(p));
+        }
+        const double margin = 0.03 * camera.width_px;
+        return covered.min().minCoeff() > margin && covered.max().x() < camera.width_px - margin &&
+               covered.max().y() < camera.height_px - margin;
+    };
+    double near = 0.0;
+    double far = 20.0 * bounds.sizes().norm() + 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (near + far);
+        (fits(middle, view.pose) ? far : near) = middle;
+    }
+    fits(far, view.pose);
+
+    // Walls are cut along a plane that falls from the top of the far ones to the foot of the near
+    // ones; floors and skirting stay.
+    const double half_depth =
+        0.5 * (std::abs(aside.x()) * bounds.sizes().x() + std::abs(aside.y()) * bounds.sizes().y());
+    const double slope = 0.95 * height / std::max(1.15 * half_depth, 0.1);
+    StructureCut cut;
+    cut.plane.head<3>() = Eigen::Vector3d(0, 0, 1) + slope * aside;
+    const Eigen::Vector3d top_of_far =
+        Eigen::Vector3d(bounds.center().x(), bounds.center().y(), bounds.max().z() - 0.04) -
+        half_depth * aside;
+    cut.plane.w() = cut.plane.head<3>().dot(top_of_far);
+    cut.keep_below_z = floor + 0.12;
+    view.structure_cut = cut;
+    return view;
+}
+
+Result<Picture> renderOverview(std::unique_ptr<gl::Context> context, const Scene& scene,
+                               const RayCaster& rays, const Overlay& overlay,
+                               const OverviewSettings& settings,
+                               std::span<const Eigen::AlignedBox3d> rooms) {
+    const View view = overviewOf(scene, settings);
+    const LightVolume light = bakeLightVolume(scene, rays, makeLightRig(scene, rays, rooms));
+    Result<OffscreenRenderer> renderer = OffscreenRenderer::create(
+        std::move(context), scene, light, view.intrinsics.width, view.intrinsics.height);
+    if (!renderer) return tl::unexpected(renderer.error());
+    Result<FrameRecord> frame = renderer->render(view);
+    if (!frame) return tl::unexpected(frame.error());
+    paintOverlay(overlay, view, frame->depth_m, settings.supersampling, frame->rgb);
+    return shrink(frame->rgb, frame->width, frame->height, settings.supersampling);
+}
+
+}  // namespace dollytrack::render
