@@ -68,40 +68,48 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings) {
     const Eigen::Vector3d aside(std::cos(azimuth), std::sin(azimuth), 0.0);
     const Eigen::Vector3d way =
         std::cos(elevation) * aside + Eigen::Vector3d(0, 0, std::sin(elevation));
-    // The nearest distance from which all corners are inside the image with a margin. Distance
-    // changes what a corner's offset covers smoothly, so halving the interval finds it.
-    const auto fits = [&](double distance, Pose& pose) {
-        pose = lookAt(bounds.center() + distance * way, bounds.center());
+    // What the picture has to hold: the floor's corners and the tops of the walls that stay.
+    std::vector<Eigen::Vector3d> corners;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner =
+            bounds.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        const bool top = corner.z() > bounds.center().z();
+        if (!top || aside.dot(corner - bounds.center()) < 0.0) corners.push_back(corner);
+    }
+    const auto coveredFrom = [&](double distance) {
+        view.pose = lookAt(bounds.center() + distance * way, bounds.center());
         Eigen::AlignedBox2d covered;
-        for (int i = 0; i < 8; ++i) {
-            const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(i);
-            const Eigen::Vector3d p = pose.toCamera(bounds.corner(corner));
-            if (p.z() < 0.1) return false;
-            covered.extend(view.intrinsics.project(p));
+        for (const Eigen::Vector3d& corner : corners) {
+            const Eigen::Vector3d p = view.pose.toCamera(corner);
+            covered.extend(p.z() > 0.1 ? view.intrinsics.project(p) : Eigen::Vector2d(1e9, 1e9));
         }
-        const double margin = 0.03 * camera.width_px;
-        return covered.min().minCoeff() > margin && covered.max().x() < camera.width_px - margin &&
-               covered.max().y() < camera.height_px - margin;
+        return covered;
     };
+    // The nearest distance at which it fits; what is covered shrinks as the distance grows, so
+    // halving the interval finds it.
     double near = 0.0;
     double far = 20.0 * bounds.sizes().norm() + 1.0;
+    const Eigen::Vector2d allowed(0.92 * camera.width_px, 0.90 * camera.height_px);
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (near + far);
-        (fits(middle, view.pose) ? far : near) = middle;
+        const bool fits = (coveredFrom(middle).sizes().array() <= allowed.array()).all();
+        (fits ? far : near) = middle;
     }
-    fits(far, view.pose);
+    // A shifted lens centres it without turning the camera.
+    const Eigen::Vector2d off = coveredFrom(far).center();
+    view.intrinsics.cx += 0.5 * camera.width_px - off.x();
+    view.intrinsics.cy += 0.5 * camera.height_px - off.y();
 
     // Walls are cut along a plane that falls from the top of the far ones to the foot of the near
     // ones; floors and skirting stay.
     const double half_depth =
         0.5 * (std::abs(aside.x()) * bounds.sizes().x() + std::abs(aside.y()) * bounds.sizes().y());
-    const double slope = 0.95 * height / std::max(1.15 * half_depth, 0.1);
+    const double slope = 0.95 * height / std::max(0.75 * half_depth, 0.1);
     StructureCut cut;
     cut.plane.head<3>() = Eigen::Vector3d(0, 0, 1) + slope * aside;
-    const Eigen::Vector3d top_of_far =
-        Eigen::Vector3d(bounds.center().x(), bounds.center().y(), bounds.max().z() - 0.04) -
-        half_depth * aside;
-    cut.plane.w() = cut.plane.head<3>().dot(top_of_far);
+    Eigen::Vector3d full_height = bounds.center() - 0.3 * half_depth * aside;
+    full_height.z() = bounds.max().z() - 0.04;
+    cut.plane.w() = cut.plane.head<3>().dot(full_height);
     cut.keep_below_z = floor + 0.12;
     view.structure_cut = cut;
     return view;
