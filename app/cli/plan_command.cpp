@@ -5,6 +5,8 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/durable_file.h"
+#include "engine/io/png_writer.h"
 #include "engine/io/project_file.h"
 #include "engine/plan/plan_json.h"
 #include "planning/collision/swept_sphere.h"
@@ -12,6 +14,9 @@
 #include "planning/metrics/capture_bound.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
+#include "render/gl/osmesa_context.h"
+#include "render/overlays/plan_overlay.h"
+#include "render/overview.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,6 +30,7 @@ namespace {
 struct PlanArguments {
     SceneArguments scene;
     std::string out;
+    std::string picture;
     std::vector<std::string> requirements;
     bool as_json = false;
     bool bound = false;
@@ -44,6 +50,20 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
         std::chrono::steady_clock::now() - begin;
     addBound(metrics, *bound, spent.count());
     return {};
+}
+
+Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
+                   const std::string& path) {
+    Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
+    if (!context) return tl::unexpected<Error>(std::move(context.error()));
+    const auto picture = render::renderOverview(
+        std::move(*context), *opened.scene, *pipeline.rays(),
+        render::planOverlay(*opened.scene, plan, opened.params.camera), {}, plan.rooms);
+    if (!picture) return tl::unexpected<Error>(picture.error());
+    const auto png =
+        io::encodePng(picture->width, picture->height, io::PngFormat::Rgb8, picture->rgb);
+    if (!png) return tl::unexpected<Error>(png.error());
+    return io::writeWhole(path, *png);
 }
 
 Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts) {
@@ -88,6 +108,13 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
+    if (!arguments.picture.empty()) {
+        const auto plan = pipeline.run(opened->params, JobContext{});
+        if (!plan) return tl::unexpected<Error>(plan.error());
+        if (Status status = savePicture(*opened, pipeline, **plan, arguments.picture); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     if (arguments.as_json) {
         fmt::print("{}\n", planned->metrics.dump(1));
     } else {
@@ -108,6 +135,10 @@ void addPlanCommand(CLI::App& app, Session& session) {
     addParameterArguments(*command, arguments->scene);
     command->add_option("-o,--out", arguments->out, "Write a project with the plan")
         ->type_name("FILE.dolly");
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Write a picture of the planned room, seen from above")
+        ->type_name("FILE.png");
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
                       "Also search densely for what could be captured at all (takes a while)");

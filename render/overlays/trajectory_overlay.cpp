@@ -6,9 +6,8 @@
 #include <array>
 
 namespace dollytrack::render {
-namespace {
 
-Eigen::Vector4f colorAt(double share) {
+Eigen::Vector4f colorAlong(double share) {
     const Eigen::Vector4f cool(0.10F, 0.45F, 0.92F, 1.0F);
     const Eigen::Vector4f middle(0.72F, 0.22F, 0.74F, 1.0F);
     const Eigen::Vector4f warm(0.98F, 0.45F, 0.08F, 1.0F);
@@ -16,8 +15,6 @@ Eigen::Vector4f colorAt(double share) {
     return t < 1.0F ? Eigen::Vector4f(cool + t * (middle - cool))
                     : Eigen::Vector4f(middle + (t - 1.0F) * (warm - middle));
 }
-
-}  // namespace
 
 void addFrustum(Overlay& overlay, const Pose& pose, const CameraParams& camera, double length_m,
                 const Eigen::Vector4f& rgba, double width_px) {
@@ -44,7 +41,7 @@ Overlay trajectoryOverlay(const Trajectory& trajectory, const CameraParams& came
     int last_key = -1;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double share = frames.size() > 1 ? double(i) / double(frames.size() - 1) : 0.0;
-        const Eigen::Vector4f color = colorAt(share);
+        const Eigen::Vector4f color = colorAlong(share);
         if (i > 0 && frames[i].component == frames[i - 1].component) {
             const Eigen::Vector3d& from = frames[i - 1].pose.position;
             const Eigen::Vector3d& to = frames[i].pose.position;

@@ -11,6 +11,9 @@ namespace dollytrack::render {
 /// rooms are left open.
 [[nodiscard]] Overlay trajectoryOverlay(const Trajectory& trajectory, const CameraParams& camera);
 
+/// The colour at a share (0..1) of the way: from cool to warm.
+[[nodiscard]] Eigen::Vector4f colorAlong(double share);
+
 /// The edges of a camera's pyramid, `length_m` deep.
 void addFrustum(Overlay& overlay, const Pose& pose, const CameraParams& camera, double length_m,
                 const Eigen::Vector4f& rgba, double width_px);
