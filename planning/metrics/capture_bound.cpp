@@ -13,11 +13,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kDirections = 300;
-constexpr int kRandomPlaces = 1200;
-constexpr int kCoarseGrid = 8;
+constexpr int kDirections = 900;
+constexpr int kRandomPlaces = 4000;
+constexpr int kCoarseGrid = 14;
 constexpr int kExactGrid = 64;
-constexpr std::size_t kRefined = 24;
+constexpr std::size_t kRefined = 80;
 
 struct Reach {
     bool captured = false;
@@ -40,7 +40,7 @@ class DenseSearch {
         if (reach_.well) return reach_;
         for (const Eigen::Vector3d& direction :
              directionsAllAround(Eigen::Vector3d::UnitX(), kDirections)) {
-            for (double fill = 0.08; fill < 1.4; fill *= 1.25) {
+            for (double fill = 0.08; fill < 1.4; fill *= 1.2) {
                 const double distance = distanceForFill(around_.views, subject_, direction, fill);
                 consider(subject_.center + direction * distance);
             }

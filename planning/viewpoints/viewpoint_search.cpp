@@ -51,7 +51,8 @@ class Search {
         const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
         tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
                       {1.0, 0.8, 1.25});
-        if (!refineBest()) {
+        // A group whose cone holds no good view is split; only single objects are worth more search.
+        if (!refineBest() && point_.objects.size() == 1) {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
             if (!refineBest()) {

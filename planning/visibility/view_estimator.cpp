@@ -43,6 +43,30 @@ std::vector<Eigen::Vector3d> extremePoints(const Scene& scene, const Object& obj
     return points;
 }
 
+/// Distance at which a ray leaves a box, in lengths of its direction; negative when it misses it.
+/// Spares asking for the object itself about most rays that pass it by.
+class BoxExit {
+  public:
+    BoxExit(const OrientedBox& box, const Eigen::Vector3d& origin)
+        : turn_(Eigen::AngleAxisd(-box.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix()),
+          origin_(box.toBox(origin)),
+          half_(box.half_size.array() + 1e-4 * (1.0 + box.half_size.maxCoeff())) {}
+
+    [[nodiscard]] double operator()(const Eigen::Vector3d& direction) const {
+        const Eigen::Array3d inverse = (turn_ * direction).array().inverse();
+        const Eigen::Array3d a = (-half_ - origin_.array()) * inverse;
+        const Eigen::Array3d b = (half_ - origin_.array()) * inverse;
+        const double enter = a.min(b).maxCoeff();
+        const double leave = a.max(b).minCoeff();
+        return enter <= leave ? leave : -1.0;
+    }
+
+  private:
+    Eigen::Matrix3d turn_;
+    Eigen::Vector3d origin_;
+    Eigen::Array3d half_;
+};
+
 }  // namespace
 
 ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera)
@@ -102,6 +126,7 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     std::vector<RayHit> hits;
     rays_->castBundle(pose.position, directions, near_m_, hits);
 
+    const BoxExit box_exit(scene_->object(object_id).box, pose.position);
     int silhouette = 0;
     int visible = 0;
     Eigen::AlignedBox2d visible_box;
