@@ -106,7 +106,7 @@ struct UnitScore {
 UnitScore scoreUnit(const std::vector<Thing>& things, const Eigen::AlignedBox3d& core, int up,
                     double unit_m) {
     UnitScore result;
-    // Named furniture says more than anything else, each class once.
+    // Named furniture says most, each class once.
     std::array<double, kNyu40Count + 1> sum{};
     std::array<int, kNyu40Count + 1> count{};
     for (const Thing& thing : things) {
@@ -131,7 +131,9 @@ UnitScore scoreUnit(const std::vector<Thing>& things, const Eigen::AlignedBox3d&
     result.score = (2.0 * believable(height, 2.0, 4.0) + believable(length, 2.5, 25.0)) / 3.0;
     result.evidence = "room height " + number(height) + " m";
     if (classes > 0.0) {
-        result.score = (result.score + 2.0 * fit / classes) / 3.0;
+        // One kind may be an odd model, or all lamps of a room in one node; many do not err.
+        const double weight = 2.0 * classes / (classes + 2.0);
+        result.score = (result.score + weight * fit / classes) / (1.0 + weight);
         result.evidence += ", " + number(classes) + " kinds of furniture";
     }
     return result;

@@ -1,6 +1,5 @@
 #include "engine/io/scene_import.h"
 
-#include "engine/io/sha256.h"
 #include "engine/io/assimp_reader.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/input_check.h"
@@ -8,6 +7,7 @@
 #include "engine/io/piece_merge.h"
 #include "engine/io/piece_split.h"
 #include "engine/io/scene_assembly.h"
+#include "engine/io/sha256.h"
 #include "engine/io/structure_finder.h"
 #include "engine/io/texture_loader.h"
 #include "engine/scene/facing.h"
@@ -161,7 +161,9 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     findObjects(raw, *labels, drafts, scene.report);
     job.report(0.7);
 
-    TextureSet textures = loadTextures(path, raw.textures, job);
+    TextureSet textures =
+        options.read_textures ? loadTextures(path, raw.textures, job) : TextureSet{};
+    textures.textures.resize(raw.textures.size());
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
     scene.report.textures_missing = textures.missing;

@@ -11,11 +11,13 @@ namespace dollytrack {
 
 /// What a user can say about a scene file that the file does not say itself.
 struct ImportOptions {
-    std::optional<double> unit_m;                 // metres per source unit; else found out
-    std::optional<char> up_axis;                  // 'x', 'y' or 'z'; else found out
-    std::optional<std::filesystem::path> labels;  // a label table added to the built-in one
-    double small_volume_m3 = 0.1;                 // smaller objects are small
-    double size_ratio = 5.0;  // also small: this many times smaller than what carries it
+    std::optional<double> unit_m = std::nullopt;  // metres per source unit; else found out
+    std::optional<char> up_axis = std::nullopt;   // 'x', 'y' or 'z'; else found out
+    std::optional<std::filesystem::path> labels =
+        std::nullopt;              // a label table added to the built-in one
+    bool read_textures = true;     // else they are named, but empty
+    double small_volume_m3 = 0.1;  // smaller objects are small
+    double size_ratio = 5.0;       // also small: this many times smaller than what carries it
 };
 
 /// Reads an OBJ, FBX, glTF/GLB, DAE, PLY or STL file into a scene: objects, classes, boxes,

@@ -34,9 +34,10 @@ std::string singular(std::string word) {
         return word.size() > end.size() + 1 && word.ends_with(end);
     };
     if (word == "glasses" || word == "clothes" || word == "sunglasses") return word;
-    if (endsWith("shelves")) return word.substr(0, word.size() - 3) + "f";
-    if (endsWith("knives")) return "knife";
-    if (endsWith("leaves")) return "leaf";
+    // A whole word may be the ending itself here.
+    if (word.ends_with("shelves")) return word.substr(0, word.size() - 3) + "f";
+    if (word == "knives") return "knife";
+    if (word == "leaves") return "leaf";
     if (endsWith("ies")) return word.substr(0, word.size() - 3) + "y";
     if (endsWith("ches") || endsWith("shes") || endsWith("xes") || endsWith("sses")) {
         return word.substr(0, word.size() - 2);

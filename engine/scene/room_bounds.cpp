@@ -70,22 +70,27 @@ Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
     };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
-    // From the widest down: what is far wider than all that remains is around the building, not
-    // of it.
+    const auto restAfter = [&](std::size_t k) {
+        const Eigen::AlignedBox3d rest = largestGroup(items, k + 1);
+        return std::max(rest.sizes().x(), rest.sizes().y());
+    };
+    // A sky may hold a ground that holds the house: what is huge beside all that is smaller goes,
+    // with everything larger still.
     std::size_t first = 0;
+    constexpr std::size_t kMostHuge = 8;
+    for (std::size_t k = 0; k + 1 < items.size() && k < kMostHuge; ++k) {
+        if (planSize(items[k]) < 60.0) break;
+        const double wide = restAfter(k);
+        if (wide > 0.0 && planSize(items[k]) > 3.0 * wide) first = k + 1;
+    }
+    // Then from the widest down: what is far wider than all that remains is around the building.
     for (; first + 1 < items.size(); ++first) {
-        const Eigen::AlignedBox3d rest = largestGroup(items, first + 1);
-        const Eigen::Vector3d size = items[first].box.sizes();
-        const double wide = std::max(rest.sizes().x(), rest.sizes().y());
-        const bool flat = size.z() < 0.05 * planSize(items[first]);
-        const bool inside = rest.contains(items[first].box);
-        if (inside || wide <= 0.0) break;
         // Few things on a large floor are a sparse room, not a house on a plain.
-        const bool many = items.size() - first - 1 >= 3;
+        if (items.size() - first - 1 < 3) break;
+        const double wide = restAfter(first);
+        const bool flat = items[first].box.sizes().z() < 0.05 * planSize(items[first]);
         const double limit = flat ? kTooWideFlat : kTooWide;
-        const bool huge = planSize(items[first]) > 60.0 && planSize(items[first]) > 3.0 * wide;
-        const bool surrounds = many && wide > 4.0 && planSize(items[first]) > limit * wide;
-        if (!huge && !surrounds) break;
+        if (wide < 4.0 || planSize(items[first]) <= limit * wide) break;
     }
     std::vector<bool> in_group;
     const Eigen::AlignedBox3d bounds = largestGroup(items, first, &in_group);

@@ -1,0 +1,63 @@
+#include "engine/io/scene_import.h"
+#include "tests/support/obj_writer.h"
+#include "tests/support/temp_folder.h"
+
+#include <benchmark/benchmark.h>
+#include <assimp/Importer.hpp>
+
+#include <cstdlib>
+
+namespace {
+
+using namespace dollytrack;
+
+/// The file of DOLLYTRACK_BENCH_SCENE, else a room of 33,334 boxes: 400,000 triangles.
+const std::filesystem::path& benchScene() {
+    static const test::TempFolder folder;
+    static const std::filesystem::path path = [] {
+        if (const char* given = std::getenv("DOLLYTRACK_BENCH_SCENE")) {
+            return std::filesystem::path(given);
+        }
+        test::ObjWriter obj;
+        obj.room({10, 10, 3}, true);
+        for (int i = 0; i < 100; ++i) {
+            obj.object("book_" + std::to_string(i));
+            for (int k = 0; k < 334; ++k) {
+                const Eigen::Vector3d low(0.1 * i, 0.02 * k, 0.0);
+                obj.box(low, low + Eigen::Vector3d(0.05, 0.015, 0.2));
+            }
+        }
+        return folder.write("room.obj", obj.text());
+    }();
+    return path;
+}
+
+/// The bar: reading the file with assimp and nothing more, clean-up included.
+void assimpAlone(benchmark::State& state) {
+    const std::string path = benchScene().string();
+    for (auto _ : state) {
+        Assimp::Importer importer;
+        benchmark::DoNotOptimize(importer.ReadFile(path, 0));
+    }
+}
+BENCHMARK(assimpAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void importWhole(benchmark::State& state) {
+    for (auto _ : state) {
+        const Result<Scene> scene = importScene(benchScene());
+        if (!scene) state.SkipWithError(describe(scene.error()).c_str());
+    }
+}
+BENCHMARK(importWhole)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void importWithoutTextures(benchmark::State& state) {
+    ImportOptions options;
+    options.read_textures = false;
+    for (auto _ : state) {
+        const Result<Scene> scene = importScene(benchScene(), options);
+        if (!scene) state.SkipWithError(describe(scene.error()).c_str());
+    }
+}
+BENCHMARK(importWithoutTextures)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace

@@ -1,0 +1,80 @@
+#include "engine/io/scene_import.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack {
+namespace {
+
+using test::TempFolder;
+
+/// One sentence with BadInput that holds `part`.
+void expectRefused(const std::filesystem::path& path, const std::string& part) {
+    const Result<Scene> scene = importScene(path);
+    ASSERT_FALSE(scene) << path;
+    EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
+    EXPECT_NE(scene.error().message.find(part), std::string::npos) << scene.error().message;
+    EXPECT_EQ(scene.error().message.find('\n'), std::string::npos);
+    EXPECT_FALSE(scene.error().where.empty());
+}
+
+TEST(BadInput, MissingFileFolderAndEmptyFile) {
+    const TempFolder folder;
+    expectRefused(folder.path() / "nothing.obj", "no such file");
+    expectRefused(folder.path(), "folder");
+    expectRefused(folder.write("empty.obj", ""), "empty");
+}
+
+TEST(BadInput, UnknownExtensionsSayWhatToDo) {
+    const TempFolder folder;
+    expectRefused(folder.write("room.xyz", "x"), "known are .obj, .fbx");
+    expectRefused(folder.write("room", "x"), "no extension");
+    expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
+    expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
+    expectRefused(folder.write("room.MAX", "x"), "export FBX or glTF");
+    expectRefused(folder.write("room.skp", "x"), "export FBX or glTF");
+}
+
+TEST(BadInput, GitLfsPointerIsNamed) {
+    const TempFolder folder;
+    expectRefused(
+        folder.write("room.glb",
+                     "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"),
+        "git lfs pull");
+}
+
+TEST(BadInput, WrongFirstBytes) {
+    const TempFolder folder;
+    expectRefused(folder.write("room.glb", "not a glb at all"), "wrong extension");
+    expectRefused(folder.write("room.ply", "obj"), "wrong extension");
+    expectRefused(folder.write("room.gltf", "glTF"), "wrong extension");
+    expectRefused(folder.write("room.dae", "{}"), "wrong extension");
+}
+
+TEST(BadInput, NothingThatCanBeDrawn) {
+    const TempFolder folder;
+    expectRefused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "");
+    expectRefused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "triangle");
+    expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "triangle");
+}
+
+TEST(BadInput, GltfWithoutItsBuffer) {
+    const TempFolder folder;
+    expectRefused(
+        folder.write(
+            "room.gltf",
+            R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"gone.bin"}]})"),
+        "cannot be read");
+}
+
+TEST(BadInput, OptionsOutOfRange) {
+    const Result<Scene> unit = importScene("room.obj", {.unit_m = -1.0});
+    ASSERT_FALSE(unit);
+    EXPECT_EQ(unit.error().code, ErrorCode::Usage);
+    const Result<Scene> up = importScene("room.obj", {.up_axis = 'q'});
+    ASSERT_FALSE(up);
+    EXPECT_EQ(up.error().where, "up_axis");
+}
+
+}  // namespace
+}  // namespace dollytrack

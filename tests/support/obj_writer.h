@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <sstream>
+#include <string>
+
+namespace dollytrack::test {
+
+/// Writes small OBJ scenes: z up and metres here, the file's own axes and unit in the text.
+class ObjWriter {
+  public:
+    /// `units_per_metre` 100 gives centimetres; `y_up` stores (x, z, -y).
+    explicit ObjWriter(double units_per_metre = 1.0, bool y_up = true)
+        : scale_(units_per_metre), y_up_(y_up) {}
+
+    ObjWriter& object(const std::string& name);
+    ObjWriter& material(const std::string& name);
+    /// A closed box of six quads.
+    ObjWriter& box(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+    ObjWriter& quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                    const Eigen::Vector3d& d);
+    /// Floor, ceiling and four walls without thickness; named, or all in the object at hand.
+    ObjWriter& room(const Eigen::Vector3d& size, bool named);
+
+    [[nodiscard]] std::string text() const { return out_.str(); }
+
+  private:
+    int vertex(const Eigen::Vector3d& p);
+
+    double scale_;
+    bool y_up_;
+    int count_ = 0;
+    std::ostringstream out_;
+};
+
+}  // namespace dollytrack::test
