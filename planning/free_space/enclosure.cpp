@@ -65,7 +65,7 @@ class Election {
              const std::vector<std::uint8_t>& sight, const FloorPlan& plan)
         : grid_(grid), surfaces_(surfaces), sight_(sight), plan_(plan) {}
 
-    /// Calls visit(index, part) for the air of one slice.
+    /// Calls visit(index, part) for the air of one slice; part may be kNoPart.
     template <class Visit>
     void visitAir(int z, Visit&& visit) const {
         if (z < grid_.room_begin[2] || z >= grid_.room_end[2]) return;
@@ -75,7 +75,7 @@ class Election {
             for (int x = grid_.room_begin[0]; x < grid_.room_end[0]; ++x) {
                 const std::size_t i = row + static_cast<std::size_t>(x);
                 const int part = plan_.part_of_column[column + static_cast<std::size_t>(x)];
-                if (surfaces_[i] == 0 && part != kNoPart) visit(i, static_cast<std::size_t>(part));
+                if (surfaces_[i] == 0) visit(i, part);
             }
         }
     }
@@ -83,7 +83,7 @@ class Election {
     [[nodiscard]] bool isRoofed() const {
         std::vector<std::array<std::int64_t, 2>> slices(static_cast<std::size_t>(grid_.count[2]));
         parallelFor(slices.size(), [&](std::size_t z) {
-            visitAir(static_cast<int>(z), [&](std::size_t i, std::size_t) {
+            visitAir(static_cast<int>(z), [&](std::size_t i, int) {
                 if (judge(EnclosureRule::Walls, false, sight_[i]) != Verdict::Certain) return;
                 constexpr unsigned kBoth = kFloorBelow | kCeilingAbove;
                 ++slices[z][0];
@@ -106,9 +106,10 @@ class Election {
         std::vector<std::vector<Votes>> votes(
             heights, std::vector<Votes>(static_cast<std::size_t>(plan_.parts)));
         parallelFor(heights, [&](std::size_t z) {
-            visitAir(static_cast<int>(z), [&](std::size_t i, std::size_t part) {
+            visitAir(static_cast<int>(z), [&](std::size_t i, int part) {
+                if (part == kNoPart) return;
                 const Verdict verdict = judge(rule, roofed, sight_[i]);
-                Votes& count = votes[z][part];
+                Votes& count = votes[z][static_cast<std::size_t>(part)];
                 ++count.air;
                 count.possible += verdict != Verdict::Outside ? 1 : 0;
                 count.certain += verdict == Verdict::Certain ? 1 : 0;
@@ -195,6 +196,45 @@ class Election {
     const FloorPlan& plan_;
 };
 
+// What a cell is while the walls' air is shared out.
+constexpr std::uint8_t kIn = 1;
+constexpr std::uint8_t kOut = 2;
+constexpr std::uint8_t kOpen = 4;
+
+/// Air in the columns of walls (in doors and windows, over and in cupboards) belongs to the side
+/// whose air reaches it first; between two sides the cut is in the middle of the opening.
+void shareOutWalls(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
+    // Cells outside the room's bounds are 0, and the grid has a rim of them, so neighbours exist.
+    const std::array<std::size_t, 3> steps = {1, static_cast<std::size_t>(grid.count[0]),
+                                              grid.rowOf(0, 1)};
+    std::vector<std::size_t> front;
+    // The inside comes first in every wave, so it wins ties.
+    for (const std::uint8_t side : {kIn, kOut}) {
+        for (std::size_t i = steps[2]; i + steps[2] < cells.size(); ++i) {
+            if (cells[i] != side) continue;
+            for (const std::size_t step : steps) {
+                if (cells[i - step] != kOpen && cells[i + step] != kOpen) continue;
+                front.push_back(i);
+                break;
+            }
+        }
+    }
+    std::vector<std::size_t> next;
+    while (!front.empty()) {
+        next.clear();
+        for (const std::size_t from : front) {
+            for (const std::size_t step : steps) {
+                for (const std::size_t to : {from - step, from + step}) {
+                    if (cells[to] != kOpen) continue;
+                    cells[to] = cells[from];
+                    next.push_back(to);
+                }
+            }
+        }
+        front.swap(next);
+    }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> findInside(const VoxelGrid& grid,
@@ -205,9 +245,14 @@ std::vector<std::uint8_t> findInside(const VoxelGrid& grid,
     const auto inside = election.decide(rule);
     std::vector<std::uint8_t> cells(grid.size(), 0);
     parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
-        election.visitAir(static_cast<int>(z),
-                          [&](std::size_t i, std::size_t part) { cells[i] = inside[part][z]; });
+        election.visitAir(static_cast<int>(z), [&](std::size_t i, int part) {
+            cells[i] = part == kNoPart                                  ? kOpen
+                       : inside[static_cast<std::size_t>(part)][z] != 0 ? kIn
+                                                                        : kOut;
+        });
     });
+    shareOutWalls(grid, cells);
+    for (std::uint8_t& cell : cells) cell &= kIn;
     return cells;
 }
 

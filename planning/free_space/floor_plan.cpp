@@ -74,18 +74,14 @@ class PartGrower {
         }
     }
 
-    /// Shares out what is left: the columns without wall, then those of the walls themselves, where
-    /// air is in doors and windows and over cupboards.
+    /// Shares out the columns without wall that are left.
     void shareOut() {
-        for (const bool into_walls : {false, true}) {
-            std::vector<std::size_t> front;
-            for (std::size_t i = 0; i < plane_.size(); ++i) {
-                if (plan_.part_of_column[i] != kNoPart) front.push_back(i);
-            }
-            while (!front.empty()) {
-                advance(front,
-                        [&](std::size_t, std::size_t to) { return into_walls || walls_[to] == 0; });
-            }
+        std::vector<std::size_t> front;
+        for (std::size_t i = 0; i < plane_.size(); ++i) {
+            if (plan_.part_of_column[i] != kNoPart) front.push_back(i);
+        }
+        while (!front.empty()) {
+            advance(front, [&](std::size_t, std::size_t to) { return walls_[to] == 0; });
         }
     }
 

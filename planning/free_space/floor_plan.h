@@ -13,7 +13,7 @@ constexpr int kNoPart = -1;
 /// windows, gaps. A part is a room, a corridor, the garden; a large or crooked room may be several.
 struct FloorPlan {
     int parts = 0;
-    std::vector<int> part_of_column;  // x first, then y; kNoPart where all is wall
+    std::vector<int> part_of_column;  // x first, then y; kNoPart in walls
 };
 
 /// Walls are columns that hold an upright surface of structure of at least 0.6 m, or any upright
