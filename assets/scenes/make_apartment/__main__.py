@@ -27,8 +27,11 @@ def apartment():
 
 def answer_sheet(scene):
     rows = ",\n".join("  " + json.dumps(entry) for entry in scene.truth())
-    return ('{"frame": "metres, z up; the model file has y up: (x, z, -y)",\n "objects": [\n'
-            + rows + "\n]}\n")
+    return (
+        '{"frame": "metres, z up; the model file has y up: (x, z, -y)",\n "objects": [\n'
+        + rows
+        + "\n]}\n"
+    )
 
 
 def main():
@@ -41,19 +44,27 @@ def main():
     scene = apartment()
     files = {"apartment.glb": glb(scene), "apartment.json": answer_sheet(scene).encode()}
     if options.check:
-        stale = [name for name, data in files.items()
-                 if not (options.out / name).is_file() or (options.out / name).read_bytes() != data]
+        stale = [
+            name
+            for name, data in files.items()
+            if not (options.out / name).is_file() or (options.out / name).read_bytes() != data
+        ]
         for name in stale:
-            print(f"{options.out / name}: differs from what the program makes; run it again "
-                  "without --check", file=sys.stderr)
+            print(
+                f"{options.out / name}: differs from what the program makes; run it again "
+                "without --check",
+                file=sys.stderr,
+            )
         return 1 if stale else 0
     options.out.mkdir(parents=True, exist_ok=True)
     for name, data in files.items():
         (options.out / name).write_bytes(data)
     triangles = sum(len(p.triangles) for t in scene.things.values() for p in t.model.parts)
     targets = sum(not entry["structure"] for entry in scene.truth())
-    print(f"{targets} objects, {len(scene.things)} nodes, {triangles} triangles, "
-          f"{len(files['apartment.glb']) / 1e6:.2f} MB")
+    print(
+        f"{targets} objects, {len(scene.things)} nodes, {triangles} triangles, "
+        f"{len(files['apartment.glb']) / 1e6:.2f} MB"
+    )
     return 0
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from surfaces.materials import MATERIALS, PICTURES
 
-JPEG_QUALITY = 87
+JPEG_QUALITY = 75
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 
 
@@ -32,11 +32,16 @@ class _Buffer:
         offset = sum(len(c) for c in chunks)
         data = array.tobytes()
         chunks.append(data + b"\0" * (-len(data) % 4))
-        entry = {"bufferView": list(self.arrays).index((kind, component, target)),
-                 "byteOffset": offset, "componentType": component, "count": len(array), "type": kind}
+        entry = {
+            "bufferView": list(self.arrays).index((kind, component, target)),
+            "byteOffset": offset,
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
         if bounds:
-            entry["min"] = [float(v) for v in array.min(axis=0)]
-            entry["max"] = [float(v) for v in array.max(axis=0)]
+            entry["min"] = [float(str(v)) for v in array.min(axis=0)]  # the shortest
+            entry["max"] = [float(str(v)) for v in array.max(axis=0)]
         self.accessors.append(entry)
         return len(self.accessors) - 1
 
@@ -49,8 +54,14 @@ class _Buffer:
             data += payload
         for (kind, component, target), chunks in self.arrays.items():
             data += b"\0" * (-len(data) % 4)
-            views.append({"buffer": 0, "byteOffset": len(data),
-                          "byteLength": sum(len(c) for c in chunks), "target": target})
+            views.append(
+                {
+                    "buffer": 0,
+                    "byteOffset": len(data),
+                    "byteLength": sum(len(c) for c in chunks),
+                    "target": target,
+                }
+            )
             if target == ARRAY_BUFFER:
                 views[-1]["byteStride"] = {"VEC3": 12, "VEC2": 8}[kind]
             for chunk in chunks:
@@ -63,7 +74,7 @@ class _Buffer:
 
 def linear(text):
     """Linear factors of an sRGB "#rrggbb"."""
-    values = [int(text[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    values = [int(text[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     return [round(v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4, 5) for v in values]
 
 
@@ -74,8 +85,13 @@ def glb(scene):
     images, textures = [], {}
     for picture in sorted({MATERIALS[m].picture for m in used if MATERIALS[m].picture}):
         textures[picture] = len(images)
-        images.append({"name": picture, "mimeType": "image/jpeg",
-                       "bufferView": buffer.picture(_jpeg(PICTURES[picture]()))})
+        images.append(
+            {
+                "name": picture,
+                "mimeType": "image/jpeg",
+                "bufferView": buffer.picture(_jpeg(PICTURES[picture]())),
+            }
+        )
     materials = [_material(name, textures) for name in used]
     index = {name: i for i, name in enumerate(used)}
     meshes, nodes, known = [], [], {}
@@ -83,11 +99,21 @@ def glb(scene):
         key = _fingerprint(thing.model)
         if key not in known:
             known[key] = len(meshes)
-            meshes.append({"name": thing.name, "primitives": [
-                _primitive(buffer, part, index, thing.name) for part in thing.model.by_material()]})
+            meshes.append(
+                {
+                    "name": thing.name,
+                    "primitives": [
+                        _primitive(buffer, part, index, thing.name)
+                        for part in thing.model.by_material()
+                    ],
+                }
+            )
         x, y, z = thing.position
-        node = {"name": thing.name, "mesh": known[key],
-                "translation": [round(x, 5), round(z, 5), round(-y, 5)]}
+        node = {
+            "name": thing.name,
+            "mesh": known[key],
+            "translation": [round(x, 5), round(z, 5), round(-y, 5)],
+        }
         if thing.turn % 360:
             half = math.radians(thing.turn) / 2
             node["rotation"] = [0.0, round(math.sin(half), 9), 0.0, round(math.cos(half), 9)]
@@ -110,8 +136,13 @@ def glb(scene):
     text = json.dumps(document, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     total = 12 + 8 + len(text) + 8 + len(data)
-    return (struct.pack("<4sII", b"glTF", 2, total) + struct.pack("<I4s", len(text), b"JSON") + text
-            + struct.pack("<I4s", len(data), b"BIN\0") + data)
+    return (
+        struct.pack("<4sII", b"glTF", 2, total)
+        + struct.pack("<I4s", len(text), b"JSON")
+        + text
+        + struct.pack("<I4s", len(data), b"BIN\0")
+        + data
+    )
 
 
 def _jpeg(picture):
@@ -126,8 +157,11 @@ def _jpeg(picture):
 
 def _material(name, textures):
     m = MATERIALS[name]
-    surface = {"baseColorFactor": linear(m.tint) + [m.opacity], "metallicFactor": m.metallic,
-               "roughnessFactor": m.roughness}
+    surface = {
+        "baseColorFactor": linear(m.tint) + [m.opacity],
+        "metallicFactor": m.metallic,
+        "roughnessFactor": m.roughness,
+    }
     entry = {"name": name, "pbrMetallicRoughness": surface}
     if m.picture:
         surface["baseColorTexture"] = {"index": textures[m.picture]}
@@ -162,11 +196,18 @@ def _primitive(buffer, part, index, name):
     if material.tile_m != (1.0, 1.0) and material.wander:
         shift = zlib.crc32(f"{name}/{part.material}".encode())
         uv = uv + np.array([(shift & 1023) / 1024, (shift >> 10 & 1023) / 1024])
-    corners = np.column_stack([
-        _settled(part.positions[:, [0]], 1e-5), _settled(part.positions[:, [2]], 1e-5),
-        _settled(-part.positions[:, [1]], 1e-5), _settled(part.normals[:, [0]], 1e-4),
-        _settled(part.normals[:, [2]], 1e-4), _settled(-part.normals[:, [1]], 1e-4),
-        _settled(uv[:, [0]], 1e-4), _settled(1 - uv[:, [1]], 1e-4)]) + np.float32(0)
+    corners = np.column_stack(
+        [
+            _settled(part.positions[:, [0]], 1e-5),
+            _settled(part.positions[:, [2]], 1e-5),
+            _settled(-part.positions[:, [1]], 1e-5),
+            _settled(part.normals[:, [0]], 1e-4),
+            _settled(part.normals[:, [2]], 1e-4),
+            _settled(-part.normals[:, [1]], 1e-4),
+            _settled(uv[:, [0]], 1e-4),
+            _settled(1 - uv[:, [1]], 1e-4),
+        ]
+    ) + np.float32(0)
     _, first, place = np.unique(corners, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(first)
     rank = np.empty(len(order), dtype=np.int64)
@@ -178,12 +219,15 @@ def _primitive(buffer, part, index, name):
     wide = len(corners) > 65535
     indices = triangles.astype(np.uint32 if wide else np.uint16)
     attributes = {
-        "POSITION": buffer.accessor(np.ascontiguousarray(corners[:, :3]), "VEC3", 5126,
-                                    ARRAY_BUFFER, bounds=True),
-        "NORMAL": buffer.accessor(normals, "VEC3", 5126, ARRAY_BUFFER)}
+        "POSITION": buffer.accessor(
+            np.ascontiguousarray(corners[:, :3]), "VEC3", 5126, ARRAY_BUFFER, bounds=True
+        ),
+        "NORMAL": buffer.accessor(normals, "VEC3", 5126, ARRAY_BUFFER),
+    }
     if material.picture:
-        attributes["TEXCOORD_0"] = buffer.accessor(np.ascontiguousarray(corners[:, 6:]), "VEC2",
-                                                   5126, ARRAY_BUFFER)
+        attributes["TEXCOORD_0"] = buffer.accessor(
+            np.ascontiguousarray(corners[:, 6:]), "VEC2", 5126, ARRAY_BUFFER
+        )
     return {
         "attributes": attributes,
         "indices": buffer.accessor(indices, "SCALAR", 5125 if wide else 5123, ELEMENT_ARRAY_BUFFER),

@@ -39,20 +39,27 @@ class Scene:
         for thing in self.things.values():
             low, high = thing.bounds()
             own = thing.model.high() - thing.model.low()
-            objects.append({
-                "name": thing.name,
-                "nyu40": thing.nyu40,
-                "structure": thing.nyu40 in STRUCTURE,
-                "room": thing.room,
-                "on": thing.on,
-                "how": None if thing.on is None else thing.how,
-                "size_m": _rounded(own),
-                "centre_m": _rounded((low + high) / 2),
-                "low_m": _rounded(low),
-                "high_m": _rounded(high),
-                "front": _rounded([math.sin(math.radians(thing.turn)),
-                                   -math.cos(math.radians(thing.turn)), 0.0]),
-            })
+            objects.append(
+                {
+                    "name": thing.name,
+                    "nyu40": thing.nyu40,
+                    "structure": thing.nyu40 in STRUCTURE,
+                    "room": thing.room,
+                    "on": thing.on,
+                    "how": None if thing.on is None else thing.how,
+                    "size_m": _rounded(own),
+                    "centre_m": _rounded((low + high) / 2),
+                    "low_m": _rounded(low),
+                    "high_m": _rounded(high),
+                    "front": _rounded(
+                        [
+                            math.sin(math.radians(thing.turn)),
+                            -math.cos(math.radians(thing.turn)),
+                            0.0,
+                        ]
+                    ),
+                }
+            )
         return objects
 
 

@@ -5,9 +5,10 @@ All face the room at -y; the wall's inner face is y = 0 and its outer face y = +
 
 import math
 
+from furniture.small import printed
 from shapes.mesh import joined
 from shapes.soft import ribbon
-from shapes.solids import box, cylinder, rod, slab
+from shapes.solids import cylinder, rod, slab
 
 
 def window(width, height, thickness=0.15, leaves=2, bar=None):
@@ -28,7 +29,9 @@ def window(width, height, thickness=0.15, leaves=2, bar=None):
         member(x - f / 2, x + f / 2, f, height - f)
     if bar:
         member(-half + f, half - f, bar - 0.02, bar + 0.02, y0 + 0.01, y1 - 0.01)
-    parts.append(slab("glass_pane", (-half + f / 2, 0.088, f / 2), (half - f / 2, 0.094, height - f / 2)))
+    parts.append(
+        slab("glass_pane", (-half + f / 2, 0.088, f / 2), (half - f / 2, 0.094, height - f / 2))
+    )
     # The lining hides the wall's raw edge; the sill reaches into the room.
     parts.append(slab("trim_white", (-half - 0.04, -0.09, -0.03), (half + 0.04, y0, 0.0), 0.005))
     return joined(parts)
@@ -36,7 +39,6 @@ def window(width, height, thickness=0.15, leaves=2, bar=None):
 
 def sky(width, height):
     """The view: a picture standing a step outside."""
-    from furniture.small import printed
     return printed("outside", width, height, 0.01)
 
 
@@ -52,7 +54,9 @@ def door_frame(width, height, thickness):
             parts.append(slab("trim_white", (x0, y0, 0), (x1, y1, height + face), 0.003))
     parts.append(slab("trim_white", (-half, 0, height - lining), (half, thickness, height)))
     for y0, y1 in ((-proud, 0.0), (thickness, thickness + proud)):
-        parts.append(slab("trim_white", (-half, y0, height - 0.006), (half, y1, height + face), 0.003))
+        parts.append(
+            slab("trim_white", (-half, y0, height - 0.006), (half, y1, height + face), 0.003)
+        )
     return joined(parts)
 
 
@@ -66,17 +70,29 @@ def door_leaf(width, height, material="trim_white", panels=2):
         z0 = 0.22 + k * (tall + gap)
         for y in (-1, 1):
             a, b = sorted((y * thick / 2, y * (thick / 2 + 0.006)))
-            for x0, x1, za, zb in ((rim, width - rim, z0, z0 + 0.02),
-                                   (rim, width - rim, z0 + tall - 0.02, z0 + tall),
-                                   (rim, rim + 0.02, z0, z0 + tall),
-                                   (width - rim - 0.02, width - rim, z0, z0 + tall)):
-                parts.append(slab(material, (x0, a, za), (x1, b, zb), 0.002))
+            for x0, x1, za, zb in (
+                (rim, width - rim, z0, z0 + 0.03),
+                (rim, width - rim, z0 + tall - 0.03, z0 + tall),
+                (rim, rim + 0.03, z0, z0 + tall),
+                (width - rim - 0.03, width - rim, z0, z0 + tall),
+            ):
+                parts.append(slab(material, (x0, a, za), (x1, b, zb), 0.005))
     for y in (-1, 1):
         x = width - 0.06
-        parts.append(cylinder("brass", 0.024, 0.008, 24).turned(-90 * y, "x").moved(x, y * thick / 2, 1.02))
-        parts.append(rod("brass", (x, y * thick / 2, 1.02), (x, y * (thick / 2 + 0.05), 1.02), 0.008))
-        parts.append(rod("brass", (x + 0.008, y * (thick / 2 + 0.05), 1.02),
-                         (x - 0.12, y * (thick / 2 + 0.05), 1.02), 0.008))
+        parts.append(
+            cylinder("brass", 0.024, 0.008, 24).turned(-90 * y, "x").moved(x, y * thick / 2, 1.02)
+        )
+        parts.append(
+            rod("brass", (x, y * thick / 2, 1.02), (x, y * (thick / 2 + 0.05), 1.02), 0.008)
+        )
+        parts.append(
+            rod(
+                "brass",
+                (x + 0.008, y * (thick / 2 + 0.05), 1.02),
+                (x - 0.12, y * (thick / 2 + 0.05), 1.02),
+                0.008,
+            )
+        )
     return joined(parts)
 
 
@@ -98,6 +114,9 @@ def curtain_rod(width, reach=0.10):
         parts.append(rod("brass", (x, 0, 0), (x, -reach, 0), 0.006, segments=8))
         parts.append(cylinder("brass", 0.022, 0.008, 18).turned(90, "x").moved(x=x))
     for side in (-1, 1):
-        parts.append(cylinder("brass", 0.018, 0.035, 16, 0.006).turned(90 * side, "y")
-                     .moved(side * width / 2, -reach, 0))
+        parts.append(
+            cylinder("brass", 0.018, 0.035, 16, 0.006)
+            .turned(90 * side, "y")
+            .moved(side * width / 2, -reach, 0)
+        )
     return joined(parts)

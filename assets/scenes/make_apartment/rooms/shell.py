@@ -18,10 +18,10 @@ import numpy as np
 
 HEIGHT, OUTER, LEAF_HEIGHT = 2.60, 0.15, 2.06
 EAST, NORTH = 11.0, 8.0
-SPLIT = 4.46          # middle of the wall between the living room and the others
+SPLIT = 4.46  # middle of the wall between the living room and the others
 BATH_WEST, BATH_EAST = 4.26, 6.76  # middles of the bathroom's walls
-HALF = 0.06           # half a partition's thickness
-DOOR = 0.88           # opening; 0.84 m between the linings
+HALF = 0.06  # half a partition's thickness
+DOOR = 0.88  # opening; 0.84 m between the linings
 DOORS = {"bedroom": 3.42, "bathroom": 5.18, "study": 7.88}  # middles along x
 ENTRANCE = 9.42
 
@@ -90,20 +90,28 @@ def boards(x0, x1, y0, y1, seed):
         y, row = top, row + 1
     normals = [(0, 0, 1)] * len(positions)
     return Model([Part("floor_planks", positions, normals, uvs, triangles)]) + slab(
-        "walnut", (x0, y0, -0.06), (x1, y1, -0.002))
+        "walnut", (x0, y0, -0.06), (x1, y1, -0.002)
+    )
 
 
 def _window_holes(room, side):
-    return [(middle - width / 2, middle + width / 2, sill, sill + height)
-            for r, s, middle, width, sill, height in WINDOWS.values() if (r, s) == (room, side)]
+    return [
+        (middle - width / 2, middle + width / 2, sill, sill + height)
+        for r, s, middle, width, sill, height in WINDOWS.values()
+        if (r, s) == (room, side)
+    ]
 
 
 def build(scene):
     low, high = SPLIT - HALF, SPLIT + HALF
     w0, w1 = BATH_WEST - HALF, BATH_WEST + HALF
     e0, e1 = BATH_EAST - HALF, BATH_EAST + HALF
-    extents = {"living": (0.0, EAST, 0.0, low), "bedroom": (0.0, w0, high, NORTH),
-               "bathroom": (w1, e0, high, NORTH), "study": (e1, EAST, high, NORTH)}
+    extents = {
+        "living": (0.0, EAST, 0.0, low),
+        "bedroom": (0.0, w0, high, NORTH),
+        "bathroom": (w1, e0, high, NORTH),
+        "study": (e1, EAST, high, NORTH),
+    }
     for k, (room, (x0, x1, y0, y1)) in enumerate(extents.items()):
         scene.room = room
         if room == "bathroom":
@@ -112,10 +120,23 @@ def build(scene):
             floor = boards(x0, x1, y0, y1, 100 + k)
         if room in DOORS:  # the threshold
             x = DOORS[room]
-            floor = floor + slab("oak", (x - DOOR / 2, low, -0.06), (x + DOOR / 2, high, 0.0), grain="x")
+            floor = floor + slab(
+                "oak", (x - DOOR / 2, low, -0.06), (x + DOOR / 2, high, 0.0), grain="x"
+            )
+        if room == "living":
+            floor = floor + slab(
+                "oak", (ENTRANCE - 0.48, -OUTER, -0.06), (ENTRANCE + 0.48, 0.0, 0.0), grain="x"
+            )
         scene.add(f"floor_{room}", "floor", floor)
-        scene.add(f"ceiling_{room}", "ceiling",
-                  slab("ceiling_white", (x0 - HALF, y0 - HALF, HEIGHT), (x1 + HALF, y1 + HALF, HEIGHT + 0.10)))
+        scene.add(
+            f"ceiling_{room}",
+            "ceiling",
+            slab(
+                "ceiling_white",
+                (x0 - HALF, y0 - HALF, HEIGHT),
+                (x1 + HALF, y1 + HALF, HEIGHT + 0.10),
+            ),
+        )
         _walls(scene, room, x0, x1, y0, y1)
     for name, spec in WINDOWS.items():
         _window(scene, name, *spec)
@@ -129,36 +150,92 @@ def build(scene):
         x = DOORS[room] + hinge * (DOOR / 2 - 0.045)
         scene.add(f"door_{room}", "door", leaf, x, high + 0.035, 0.0, turn)
     scene.room = "living"
-    scene.add("door_frame_entrance", "door", door_frame(0.96, LEAF_HEIGHT, OUTER), ENTRANCE, 0.0, 0.0, 180)
-    scene.add("door_entrance", "door", door_leaf(0.915, LEAF_HEIGHT - 0.03, "sage_paint", 3),
-              ENTRANCE + 0.4575, -0.06, 0.0, 180)
+    scene.add(
+        "door_frame_entrance", "door", door_frame(0.96, LEAF_HEIGHT, OUTER), ENTRANCE, 0.0, 0.0, 180
+    )
+    scene.add(
+        "door_entrance",
+        "door",
+        door_leaf(0.915, LEAF_HEIGHT - 0.03, "sage_paint", 3),
+        ENTRANCE + 0.4575,
+        -0.06,
+        0.0,
+        180,
+    )
 
 
 def _walls(scene, room, x0, x1, y0, y1):
-    paint = {"living": "wall_white", "bedroom": "wall_sage", "bathroom": "tile_white", "study": "wall_blue"}[room]
-    door = [] if room == "living" else [(DOORS[room] - DOOR / 2, DOORS[room] + DOOR / 2, 0.0, LEAF_HEIGHT)]
+    paint = {
+        "living": "wall_white",
+        "bedroom": "wall_sage",
+        "bathroom": "tile_white",
+        "study": "wall_blue",
+    }[room]
+    door = (
+        []
+        if room == "living"
+        else [(DOORS[room] - DOOR / 2, DOORS[room] + DOOR / 2, 0.0, LEAF_HEIGHT)]
+    )
     if room == "living":
         door = [(x - DOOR / 2, x + DOOR / 2, 0.0, LEAF_HEIGHT) for x in DOORS.values()]
         outer_south, outer_north = -OUTER, SPLIT
-        south = [(ENTRANCE - 0.48, ENTRANCE + 0.48, 0.0, LEAF_HEIGHT)] + _window_holes(room, "south")
+        south = [(ENTRANCE - 0.48, ENTRANCE + 0.48, 0.0, LEAF_HEIGHT)] + _window_holes(
+            room, "south"
+        )
         north = door
     else:
         outer_south, outer_north = SPLIT, NORTH + OUTER
         south, north = door, _window_holes(room, "north")
     outer_west = -OUTER if x0 == 0.0 else x0 - HALF
     outer_east = EAST + OUTER if x1 == EAST else x1 + HALF
-    scene.add(f"wall_{room}_south", "wall", wall(paint, "south", outer_west, outer_east, y0, outer_south, south))
-    scene.add(f"wall_{room}_north", "wall", wall(paint, "north", outer_west, outer_east, y1, outer_north, north))
-    scene.add(f"wall_{room}_west", "wall", wall("wall_clay" if room == "study" else paint, "west", y0, y1, x0, outer_west,
-                                                _window_holes(room, "west")))
-    scene.add(f"wall_{room}_east", "wall", wall(paint, "east", y0, y1, x1, outer_east, _window_holes(room, "east")))
+    scene.add(
+        f"wall_{room}_south",
+        "wall",
+        wall(paint, "south", outer_west, outer_east, y0, outer_south, south),
+    )
+    scene.add(
+        f"wall_{room}_north",
+        "wall",
+        wall(paint, "north", outer_west, outer_east, y1, outer_north, north),
+    )
+    scene.add(
+        f"wall_{room}_west",
+        "wall",
+        wall(
+            "wall_clay" if room == "study" else paint,
+            "west",
+            y0,
+            y1,
+            x0,
+            outer_west,
+            _window_holes(room, "west"),
+        ),
+    )
+    scene.add(
+        f"wall_{room}_east",
+        "wall",
+        wall(paint, "east", y0, y1, x1, outer_east, _window_holes(room, "east")),
+    )
 
 
 def _window(scene, name, room, side, middle, width, sill, height):
     scene.room = room
     turn = {"north": 0, "south": 180, "west": 90, "east": -90}[side]
-    x, y = {"north": (middle, NORTH), "south": (middle, 0.0), "west": (0.0, middle), "east": (EAST, middle)}[side]
-    scene.add(f"window_{name}", "window", window(width, height, OUTER, 3 if width > 2 else 2), x, y, sill, turn)
+    x, y = {
+        "north": (middle, NORTH),
+        "south": (middle, 0.0),
+        "west": (0.0, middle),
+        "east": (EAST, middle),
+    }[side]
+    scene.add(
+        f"window_{name}",
+        "window",
+        window(width, height, OUTER, 3 if width > 2 else 2),
+        x,
+        y,
+        sill,
+        turn,
+    )
     out = {"north": (0, 0.5), "south": (0, -0.5), "west": (-0.5, 0), "east": (0.5, 0)}[side]
     view = sky(width + 1.6, height + 1.2)
     scene.add(f"sky_{name}", "otherstructure", view, x + out[0], y + out[1], sill - 0.6, turn)
@@ -171,11 +248,34 @@ def hang_curtains(scene, name, cloth, drop=0.02, wide=0.42):
     turn = {"north": 0, "south": 180, "west": 90, "east": -90}[side]
     along = {"north": (1, 0), "south": (-1, 0), "west": (0, 1), "east": (0, -1)}[side]
     away = {"north": (0, -1), "south": (0, 1), "west": (1, 0), "east": (-1, 0)}[side]
-    x, y = {"north": (middle, NORTH), "south": (middle, 0.0), "west": (0.0, middle), "east": (EAST, middle)}[side]
-    scene.add(f"curtain_rod_{name}", "otherprop", curtain_rod(width + 0.95, 0.13), x, y, top, turn,
-              on=f"wall_{room}_{side}", how="hangs")
+    x, y = {
+        "north": (middle, NORTH),
+        "south": (middle, 0.0),
+        "west": (0.0, middle),
+        "east": (EAST, middle),
+    }[side]
+    scene.add(
+        f"curtain_rod_{name}",
+        "curtain",
+        curtain_rod(width + 0.95, 0.13),
+        x,
+        y,
+        top,
+        turn,
+        on=f"wall_{room}_{side}",
+        how="hangs",
+    )
     panel = curtain(wide, top - 0.012 - drop, 6, 0.038, cloth)
     for label, sign in (("left", -1), ("right", 1)):
         reach = sign * (width / 2 + 0.20)
-        scene.add(f"curtain_{name}_{label}", "curtain", panel, x + along[0] * reach + 0.13 * away[0],
-                  y + along[1] * reach + 0.13 * away[1], drop, turn, on=f"curtain_rod_{name}", how="hangs")
+        scene.add(
+            f"curtain_{name}_{label}",
+            "curtain",
+            panel,
+            x + along[0] * reach + 0.13 * away[0],
+            y + along[1] * reach + 0.13 * away[1],
+            drop,
+            turn,
+            on=f"curtain_rod_{name}",
+            how="hangs",
+        )

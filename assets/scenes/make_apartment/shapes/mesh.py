@@ -31,14 +31,18 @@ class Model:
 
     def moved(self, x=0.0, y=0.0, z=0.0):
         offset = np.array([x, y, z])
-        return Model(Part(p.material, p.positions + offset, p.normals, p.uvs, p.triangles)
-                     for p in self.parts)
+        return Model(
+            Part(p.material, p.positions + offset, p.normals, p.uvs, p.triangles)
+            for p in self.parts
+        )
 
     def turned(self, degrees, axis="z"):
         """Counter-clockwise seen against the axis."""
         matrix = rotation(degrees, axis)
-        return Model(Part(p.material, p.positions @ matrix.T, p.normals @ matrix.T, p.uvs,
-                          p.triangles) for p in self.parts)
+        return Model(
+            Part(p.material, p.positions @ matrix.T, p.normals @ matrix.T, p.uvs, p.triangles)
+            for p in self.parts
+        )
 
     def scaled(self, x=1.0, y=1.0, z=1.0):
         """Factors must be positive: a mirror image would turn the triangles inside out."""
@@ -51,8 +55,11 @@ class Model:
         return Model(parts)
 
     def painted(self, material):
-        return Model(Part(material, p.positions, p.normals, p.uvs, p.triangles)
-                     for p in self.parts)
+        return Model(Part(material, p.positions, p.normals, p.uvs, p.triangles) for p in self.parts)
+
+    def grounded(self):
+        """Moved so that its lowest point is at z = 0, as after tilting."""
+        return self.moved(z=-self.low()[2])
 
     def low(self):
         return np.min([p.positions.min(axis=0) for p in self.parts], axis=0)
@@ -71,20 +78,28 @@ class Model:
         merged = []
         for material, parts in groups.items():
             starts = np.cumsum([0] + [len(p.positions) for p in parts[:-1]])
-            merged.append(Part(material,
-                               np.concatenate([p.positions for p in parts]),
-                               np.concatenate([p.normals for p in parts]),
-                               np.concatenate([p.uvs for p in parts]),
-                               np.concatenate([p.triangles + s for p, s in zip(parts, starts)])))
+            merged.append(
+                Part(
+                    material,
+                    np.concatenate([p.positions for p in parts]),
+                    np.concatenate([p.normals for p in parts]),
+                    np.concatenate([p.uvs for p in parts]),
+                    np.concatenate([p.triangles + s for p, s in zip(parts, starts)]),
+                )
+            )
         return merged
 
 
 def rotation(degrees, axis):
     angle = math.radians(degrees)
     c, s = math.cos(angle), math.sin(angle)
-    return np.array({"x": [[1, 0, 0], [0, c, -s], [0, s, c]],
-                     "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
-                     "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]]}[axis])
+    return np.array(
+        {
+            "x": [[1, 0, 0], [0, c, -s], [0, s, c]],
+            "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
+            "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]],
+        }[axis]
+    )
 
 
 def joined(models):
@@ -109,6 +124,7 @@ def smooth_normals(positions, triangles):
 def without_slivers(positions, triangles):
     """Drops triangles with two corners at one place (poles of round shapes)."""
     corners = positions[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
-                          axis=1)
+    area = np.linalg.norm(
+        np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1
+    )
     return triangles[area > 1e-12]

@@ -60,8 +60,8 @@ def pillow(material, sx, sy, thickness, cells=10, pinch=0.08):
     height = ((1 - np.abs(u) ** 2.6) * (1 - np.abs(v) ** 2.6)) ** 0.55
     height = np.where((np.abs(u) > 0.999) | (np.abs(v) > 0.999), 0.0, height)
     # The sides of a filled cushion draw in between its corners.
-    x = sx / 2 * u * (1 - pinch * (1 - v ** 2) * np.abs(u) ** 3)
-    y = sy / 2 * v * (1 - pinch * (1 - u ** 2) * np.abs(v) ** 3)
+    x = sx / 2 * u * (1 - pinch * (1 - v**2) * np.abs(u) ** 3)
+    y = sy / 2 * v * (1 - pinch * (1 - u**2) * np.abs(v) ** 3)
     positions, uvs, triangles = [], [], []
     for k, sign in enumerate((1, -1)):
         positions.append(np.stack([x, y, sign * thickness / 2 * height], axis=2).reshape(-1, 3))
@@ -134,9 +134,11 @@ def leaf(material, length, width, rise_deg, droop, fold=0.25, steps=6, tip=1.0):
     spine_normal = np.column_stack([np.zeros(len(t)), -np.sin(pitch), np.cos(pitch)])
     columns = np.array([-1.0, 0.0, 1.0])
     spine = np.column_stack([np.zeros(len(t)), y, z])
-    upper = (spine[:, None, :] + columns[None, :, None] * half[:, None, None] * np.array([1, 0, 0])
-             + (np.abs(columns)[None, :] * half[:, None] * fold)[..., None]
-             * spine_normal[:, None, :])
+    upper = (
+        spine[:, None, :]
+        + columns[None, :, None] * half[:, None, None] * np.array([1, 0, 0])
+        + (np.abs(columns)[None, :] * half[:, None] * fold)[..., None] * spine_normal[:, None, :]
+    )
     thickness = np.where(columns == 0, 0.0012, 0.0)[None, :, None] * (half > 0)[:, None, None]
     lower = upper - thickness * spine_normal[:, None, :]
     uv = np.stack(np.broadcast_arrays(columns[None, :] / 2 + 0.5, t[:, None]), axis=2)
@@ -144,9 +146,12 @@ def leaf(material, length, width, rise_deg, droop, fold=0.25, steps=6, tip=1.0):
     size = upper.shape[0] * 3
     triangles = np.concatenate([_grid(len(t), 3, flip=True), _grid(len(t), 3, flip=False) + size])
     triangles = without_slivers(positions, triangles)
-    normals = np.concatenate([_own_normals(upper, len(t), True), _own_normals(lower, len(t), False)])
-    return Model([Part(material, positions, normals, np.concatenate([uv.reshape(-1, 2)] * 2),
-                       triangles)])
+    normals = np.concatenate(
+        [_own_normals(upper, len(t), True), _own_normals(lower, len(t), False)]
+    )
+    return Model(
+        [Part(material, positions, normals, np.concatenate([uv.reshape(-1, 2)] * 2), triangles)]
+    )
 
 
 def _own_normals(grid, rows, flip):
@@ -154,22 +159,24 @@ def _own_normals(grid, rows, flip):
     return smooth_normals(points, without_slivers(points, _grid(rows, 3, flip)))
 
 
-def ellipsoid(material, sx, sy, sz, segments=16, rings=10):
+def ellipsoid(material, sx, sy, sz, segments=14, rings=8):
     """Stands on z = 0."""
-    segments = min(segments, int(14 + 60 * max(sx, sy) / 2))
+    segments = min(segments, int(12 + 50 * max(sx, sy) / 2))
     u = np.linspace(0, 2 * math.pi, segments + 1)
     u[-1] = 0.0
     v = np.linspace(-math.pi / 2, math.pi / 2, rings + 1)
     gu, gv = np.meshgrid(u, v, indexing="ij")
-    unit = np.stack([np.cos(gu) * np.cos(gv), np.sin(gu) * np.cos(gv), np.sin(gv)],
-                    axis=2).reshape(-1, 3)
+    unit = np.stack([np.cos(gu) * np.cos(gv), np.sin(gu) * np.cos(gv), np.sin(gv)], axis=2).reshape(
+        -1, 3
+    )
     half = np.array([sx, sy, sz]) / 2
     positions = unit * half
     normals = unit / half
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     wide = np.linspace(0, math.pi * sx, segments + 1)
-    uvs = np.stack(np.meshgrid(wide, (v / math.pi + 0.5) * math.pi * sz / 2, indexing="ij"),
-                   axis=2).reshape(-1, 2)
+    uvs = np.stack(
+        np.meshgrid(wide, (v / math.pi + 0.5) * math.pi * sz / 2, indexing="ij"), axis=2
+    ).reshape(-1, 2)
     triangles = without_slivers(positions, _grid(segments + 1, rings + 1, flip=False))
     return Model([Part(material, positions + np.array([0, 0, sz / 2]), normals, uvs, triangles)])
 

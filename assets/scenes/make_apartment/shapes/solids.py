@@ -26,10 +26,12 @@ def _box_topology():
         b, c = (a + 1) % 3, (a + 2) % 3
         for sa in (-1, 1):
             for sb in (-1, 1):
+
                 def corner(axis, sc):
                     signs = [0, 0, 0]
                     signs[a], signs[b], signs[c] = sa, sb, sc
                     return index[(axis, tuple(signs))]
+
                 quad = [corner(a, -1), corner(b, -1), corner(b, 1), corner(a, 1)]
                 polygons.append(quad if sa * sb > 0 else quad[::-1])
     for signs in [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]:
@@ -102,7 +104,7 @@ def lathe(material, profile, segments=24, sharp_deg=35.0):
         strips.append((ends[0], ends[1], length, length + reach))
         length += reach
     widest = max(p[0] for p in profile)
-    segments = min(segments, int(12 + 60 * widest))  # small things need no more
+    segments = min(segments, int(10 + 210 * widest))  # small things need no more
     angle = np.linspace(0, 2 * math.pi, segments + 1)
     angle[-1] = 0.0  # the seam closes exactly
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -119,8 +121,9 @@ def lathe(material, profile, segments=24, sharp_deg=35.0):
         triangles.append(np.stack([k, k + segments + 2, k + segments + 1], axis=1))
     positions = np.concatenate(positions)
     triangles = without_slivers(positions, np.concatenate(triangles))
-    return Model([Part(material, positions, np.concatenate(all_normals), np.concatenate(uvs),
-                       triangles)])
+    return Model(
+        [Part(material, positions, np.concatenate(all_normals), np.concatenate(uvs), triangles)]
+    )
 
 
 def cylinder(material, radius, height, segments=24, bevel=0.002, base=0.0):
@@ -128,15 +131,22 @@ def cylinder(material, radius, height, segments=24, bevel=0.002, base=0.0):
     if b <= 0:
         profile = [(0, 0), (radius, 0), (radius, height), (0, height)]
     else:
-        profile = [(0, 0), (radius - b, 0), (radius, b), (radius, height - b),
-                   (radius - b, height), (0, height)]
+        profile = [
+            (0, 0),
+            (radius - b, 0),
+            (radius, b),
+            (radius, height - b),
+            (radius - b, height),
+            (0, height),
+        ]
     return lathe(material, profile, segments, sharp_deg=50.0).moved(z=base)
 
 
-def rod(material, start, end, radius, end_radius=None, segments=10):
+def rod(material, start, end, radius, end_radius=None, segments=8):
     """A straight bar between two points, round in section."""
-    return tube(material, [start, end], [radius, radius if end_radius is None else end_radius],
-                segments)
+    return tube(
+        material, [start, end], [radius, radius if end_radius is None else end_radius], segments
+    )
 
 
 def tube(material, path, radius, segments=10, closed=False):
@@ -173,7 +183,7 @@ def tube(material, path, radius, segments=10, closed=False):
         a, b = i * row, ((i + 1) % count) * row
         for k in range(segments):
             triangles += [(a + k, a + k + 1, b + k + 1), (a + k, b + k + 1, b + k)]
-    if not closed:
+    if not closed and radii.max() > 0.0045:  # a stalk's ends are in the soil and in its leaf
         for i, sign in ((0, -1), (count - 1, 1)):
             start = sum(len(p) for p in positions)
             ring = positions[i][:-1]
@@ -185,8 +195,9 @@ def tube(material, path, radius, segments=10, closed=False):
                 triangles.append((start, a, b) if sign > 0 else (start, b, a))
     positions = np.concatenate(positions)
     triangles = without_slivers(positions, np.array(triangles))
-    return Model([Part(material, positions, np.concatenate(normals), np.concatenate(uvs),
-                       triangles)])
+    return Model(
+        [Part(material, positions, np.concatenate(normals), np.concatenate(uvs), triangles)]
+    )
 
 
 def extrude(material, outline, height, bevel=0.0, sharp_deg=35.0):
@@ -209,8 +220,10 @@ def extrude(material, outline, height, bevel=0.0, sharp_deg=35.0):
             positions.append((p[0], p[1], z))
             normals.append((0, 0, sign))
             uvs.append((p[0], p[1]))
-        triangles += [(start + a, start + b, start + c) if sign > 0 else
-                      (start + a, start + c, start + b) for a, b, c in caps]
+        triangles += [
+            (start + a, start + b, start + c) if sign > 0 else (start + a, start + c, start + b)
+            for a, b, c in caps
+        ]
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(edge, axis=1))])
     for i in range(count):
         j = (i + 1) % count
@@ -226,11 +239,16 @@ def extrude(material, outline, height, bevel=0.0, sharp_deg=35.0):
                 uvs.append((u, z))
         triangles += [(start, start + 2, start + 3), (start, start + 3, start + 1)]
         if bevel > 0:
-            triangles += [(i, start + 2, start), (i, j, start + 2),
-                          (start + 1, start + 3, count + j), (start + 1, count + j, count + i)]
+            triangles += [
+                (i, start + 2, start),
+                (i, j, start + 2),
+                (start + 1, start + 3, count + j),
+                (start + 1, count + j, count + i),
+            ]
     positions = np.array(positions)
-    return Model([Part(material, positions, normals, uvs,
-                       without_slivers(positions, np.array(triangles)))])
+    return Model(
+        [Part(material, positions, normals, uvs, without_slivers(positions, np.array(triangles)))]
+    )
 
 
 def _ear_clip(outline):
@@ -238,16 +256,20 @@ def _ear_clip(outline):
     triangles = []
 
     def area(a, b, c):
-        return ((outline[b][0] - outline[a][0]) * (outline[c][1] - outline[a][1])
-                - (outline[b][1] - outline[a][1]) * (outline[c][0] - outline[a][0]))
+        return (outline[b][0] - outline[a][0]) * (outline[c][1] - outline[a][1]) - (
+            outline[b][1] - outline[a][1]
+        ) * (outline[c][0] - outline[a][0])
 
     while len(left) > 3:
         for i, b in enumerate(left):
             a, c = left[i - 1], left[(i + 1) % len(left)]
             if area(a, b, c) <= 1e-14:
                 continue
-            if any(area(a, b, p) >= 0 and area(b, c, p) >= 0 and area(c, a, p) >= 0
-                   for p in left if p not in (a, b, c)):
+            if any(
+                area(a, b, p) >= 0 and area(b, c, p) >= 0 and area(c, a, p) >= 0
+                for p in left
+                if p not in (a, b, c)
+            ):
                 continue
             triangles.append((a, b, c))
             left.pop(i)
@@ -262,8 +284,12 @@ def rounded_rectangle(sx, sy, radius, steps=4):
     points = []
     for cx, cy, start in ((1, 1, 0), (-1, 1, 90), (-1, -1, 180), (1, -1, 270)):
         for a in np.radians(np.linspace(start, start + 90, steps + 1)):
-            points.append((cx * (sx / 2 - radius) + radius * math.cos(a),
-                           cy * (sy / 2 - radius) + radius * math.sin(a)))
+            points.append(
+                (
+                    cx * (sx / 2 - radius) + radius * math.cos(a),
+                    cy * (sy / 2 - radius) + radius * math.sin(a),
+                )
+            )
     return points
 
 

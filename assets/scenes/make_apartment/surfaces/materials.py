@@ -165,11 +165,30 @@ MATERIALS = {
 }
 
 # Fitted pictures: the material has the picture's name.
-for _name, _roughness in {"berber": 1.0, "kilim": 1.0, "jute": 1.0, "rug_bedroom": 1.0,
-                          "bath_mat": 1.0, "hills": 0.7, "shapes": 0.8, "branch": 0.8, "sea": 0.6,
-                          "waves": 0.8, "portrait": 0.8, "map": 0.8, "spines": 0.7, "covers": 0.5,
-                          "clock": 0.5, "keys": 0.6, "piano": 0.3, "globe": 0.4, "label_clay": 0.7,
-                          "label_sage": 0.7, "notes": 0.9, "hob": 0.1}.items():
+for _name, _roughness in {
+    "berber": 1.0,
+    "kilim": 1.0,
+    "jute": 1.0,
+    "rug_bedroom": 1.0,
+    "bath_mat": 1.0,
+    "hills": 0.7,
+    "shapes": 0.8,
+    "branch": 0.8,
+    "sea": 0.6,
+    "waves": 0.8,
+    "portrait": 0.8,
+    "map": 0.8,
+    "spines": 0.7,
+    "covers": 0.5,
+    "clock": 0.5,
+    "keys": 0.6,
+    "piano": 0.3,
+    "globe": 0.4,
+    "label_clay": 0.7,
+    "label_sage": 0.7,
+    "notes": 0.9,
+    "hob": 0.1,
+}.items():
     MATERIALS[_name] = Material(roughness=_roughness, picture=_name)
 for _name in ("tv", "desktop", "laptop"):
     MATERIALS[_name] = Material("#ffffff", 0.15, picture=_name, glow="#8a8a8a")

@@ -13,7 +13,7 @@ def noise(seed, height, width, roughness=1.0, stretch=(1.0, 1.0)):
     white = np.random.default_rng(seed).random((height, width)) - 0.5
     fy = np.fft.fftfreq(height)[:, None] * height * stretch[0]
     fx = np.fft.rfftfreq(width)[None, :] * width * stretch[1]
-    falloff = (1.0 + fy ** 2 + fx ** 2) ** (-roughness / 2)
+    falloff = (1.0 + fy**2 + fx**2) ** (-roughness / 2)
     falloff[0, 0] = 0.0
     field = np.fft.irfft2(np.fft.rfft2(white) * falloff, s=(height, width))
     return (field - field.mean()) / field.std()
@@ -21,7 +21,7 @@ def noise(seed, height, width, roughness=1.0, stretch=(1.0, 1.0)):
 
 def color(text):
     """(r, g, b) of "#rrggbb"."""
-    return np.array([int(text[i:i + 2], 16) for i in (1, 3, 5)]) / 255.0
+    return np.array([int(text[i : i + 2], 16) for i in (1, 3, 5)]) / 255.0
 
 
 def plain(height, width, text):

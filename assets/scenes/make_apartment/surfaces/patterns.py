@@ -25,8 +25,12 @@ def planks(seed, light, dark, boards=4, height=512, width=512):
         board = wood(seed + 10 * i, light, dark, tall, width, 0.85)
         board = shaded(board, np.full((tall, width), 0.09 * (rng.random() - 0.5)))
         edge = np.minimum(np.arange(tall), np.arange(tall)[::-1])
-        board = shaded(board, np.tile(np.where(edge == 0, -0.38, np.where(edge == 1, -0.10, 0.0))
-                                      [:, None], (1, width)))
+        board = shaded(
+            board,
+            np.tile(
+                np.where(edge == 0, -0.38, np.where(edge == 1, -0.10, 0.0))[:, None], (1, width)
+            ),
+        )
         rows.append(board)
     return np.concatenate(rows)
 
@@ -71,8 +75,9 @@ def terrazzo(seed, ground, chips, count=420, size=512):
         for dx in (-1, 0, 1):
             for dy in (-1, 0, 1):
                 if -0.02 < x + dx < 1.02 and -0.02 < y + dy < 1.02:
-                    points = np.column_stack([x + dx + reach * np.cos(angles),
-                                              y + dy + reach * np.sin(angles)])
+                    points = np.column_stack(
+                        [x + dx + reach * np.cos(angles), y + dy + reach * np.sin(angles)]
+                    )
                     picture = polygon(picture, points, text)
     return picture
 
@@ -80,7 +85,9 @@ def terrazzo(seed, ground, chips, count=420, size=512):
 def marble(seed, ground, vein, size=512):
     warp = noise(seed, size, size, 1.9)
     field = noise(seed + 1, size, size, 1.5) + 0.6 * warp
-    lines = np.exp(-np.abs(field) * 14) * np.clip(0.5 + 0.5 * noise(seed + 2, size, size, 1.7), 0, 1)
+    lines = np.exp(-np.abs(field) * 14) * np.clip(
+        0.5 + 0.5 * noise(seed + 2, size, size, 1.7), 0, 1
+    )
     clouds = 0.10 + 0.05 * noise(seed + 3, size, size, 1.6)
     return mixed(color(ground), color(vein), 0.55 * lines + clouds)
 
@@ -103,8 +110,9 @@ def knit(seed, size=256, columns=14, rows=18):
     lean = np.abs(u - 0.5) * 1.1
     v = (y * rows + lean) % 1.0
     stitch = np.sin(np.pi * v) ** 0.6 * np.sin(np.pi * ((u * 2) % 1.0)) ** 0.5
-    return shaded(plain(size, size, "#ececec"), 0.34 * (stitch - 0.75)
-                  + 0.03 * noise(seed, size, size, 0.6))
+    return shaded(
+        plain(size, size, "#ececec"), 0.34 * (stitch - 0.75) + 0.03 * noise(seed, size, size, 0.6)
+    )
 
 
 def pile(seed, size=256):
@@ -118,9 +126,14 @@ def rattan(seed, light="#c9a878", dark="#7c5a35", size=256, cells=8):
     y, x = np.mgrid[0:size, 0:size] * (cells / size)
     over = ((np.floor(x) + np.floor(y)) % 2) > 0
     u, v = x % 1.0, y % 1.0
-    swell = np.where(over, np.sin(np.pi * u) * np.sin(np.pi * v) ** 0.4,
-                     np.sin(np.pi * v) * np.sin(np.pi * u) ** 0.4)
-    fibre = np.where(over, noise(seed, size, size, 0.5, (1, 9)), noise(seed, size, size, 0.5, (9, 1)))
+    swell = np.where(
+        over,
+        np.sin(np.pi * u) * np.sin(np.pi * v) ** 0.4,
+        np.sin(np.pi * v) * np.sin(np.pi * u) ** 0.4,
+    )
+    fibre = np.where(
+        over, noise(seed, size, size, 0.5, (1, 9)), noise(seed, size, size, 0.5, (9, 1))
+    )
     return mixed(color(dark), color(light), 0.15 + 0.85 * swell + 0.07 * fibre)
 
 
@@ -134,8 +147,8 @@ def leaf_skin(seed, text, vein, size=128):
     """One leaf: stem at the bottom, mid-rib and side veins."""
     y, x = np.mgrid[0:size, 0:size] / size
     off = np.abs(x - 0.5)
-    rib = np.exp(-(off / 0.018) ** 2)
-    side = np.exp(-(((y * 9 - off * 7) % 1.0 - 0.5) / 0.10) ** 2) * 0.45
+    rib = np.exp(-((off / 0.018) ** 2))
+    side = np.exp(-((((y * 9 - off * 7) % 1.0 - 0.5) / 0.10) ** 2)) * 0.45
     picture = mixed(color(text), color(vein), 0.8 * np.maximum(rib, side * (1 - rib)))
     return shaded(picture, 0.06 * noise(seed, size, size, 1.0) - 0.10 * (off > 0.47))
 
@@ -148,8 +161,9 @@ def slats(text, gap, count=16, size=256):
     """Upright fluted strips, as on a cabinet front."""
     x = (np.arange(size) * count / size) % 1.0
     tone = np.sin(np.pi * x) ** 0.35
-    picture = mixed(np.tile(color(gap), (1, size, 1)), np.tile(color(text), (1, size, 1)),
-                    tone[None, :])
+    picture = mixed(
+        np.tile(color(gap), (1, size, 1)), np.tile(color(text), (1, size, 1)), tone[None, :]
+    )
     return np.repeat(picture, size, axis=0)
 
 

@@ -6,11 +6,26 @@ import numpy as np
 from surfaces.noise import color, ellipse, noise, plain, polygon, rectangle, shaded, stroke
 
 SPINES = 16  # side by side in book_spines()
-COVERS = 8   # four columns, two rows in book_covers()
+COVERS = 8  # four columns, two rows in book_covers()
 
-BOOK_COLORS = ["#a8563d", "#e9e0cf", "#5f7466", "#2f3f4a", "#d6a552", "#8c9fa6", "#c9b79c",
-               "#6e3f3a", "#41576b", "#dfd6c6", "#7d8a5a", "#c47f5a", "#28302f", "#b8b0a2",
-               "#93614a", "#4d6a63"]
+BOOK_COLORS = [
+    "#a8563d",
+    "#e9e0cf",
+    "#5f7466",
+    "#2f3f4a",
+    "#d6a552",
+    "#8c9fa6",
+    "#c9b79c",
+    "#6e3f3a",
+    "#41576b",
+    "#dfd6c6",
+    "#7d8a5a",
+    "#c47f5a",
+    "#28302f",
+    "#b8b0a2",
+    "#93614a",
+    "#4d6a63",
+]
 
 
 def _ink(text):
@@ -57,8 +72,16 @@ def book_covers(seed=82):
             picture = ellipse(picture, *at(0.5, 0.42), 0.045, 0.045, ground)
         elif i % 4 == 1:
             for k in range(5):
-                picture = polygon(picture, [at(0.1, 0.25 + 0.1 * k), at(0.9, 0.18 + 0.1 * k),
-                                            at(0.9, 0.22 + 0.1 * k), at(0.1, 0.29 + 0.1 * k)], second)
+                picture = polygon(
+                    picture,
+                    [
+                        at(0.1, 0.25 + 0.1 * k),
+                        at(0.9, 0.18 + 0.1 * k),
+                        at(0.9, 0.22 + 0.1 * k),
+                        at(0.1, 0.29 + 0.1 * k),
+                    ],
+                    second,
+                )
         elif i % 4 == 2:
             picture = polygon(picture, [at(0.12, 0.62), at(0.45, 0.22), at(0.88, 0.62)], second)
         else:
@@ -80,8 +103,15 @@ def clock_face(seed=83):
         picture = stroke(picture, p, 0.020 if long else 0.006, "#2f3437")
     for minutes, reach, width in ((10, 0.36, 0.016), (10 * 5 + 50 / 60 * 0 + 1, 0.24, 0.026)):
         a = 2 * np.pi * minutes / 60
-        picture = stroke(picture, [(0.5 - 0.05 * np.sin(a), 0.5 + 0.05 * np.cos(a)),
-                                   (0.5 + reach * np.sin(a), 0.5 - reach * np.cos(a))], width, "#2f3437")
+        picture = stroke(
+            picture,
+            [
+                (0.5 - 0.05 * np.sin(a), 0.5 + 0.05 * np.cos(a)),
+                (0.5 + reach * np.sin(a), 0.5 - reach * np.cos(a)),
+            ],
+            width,
+            "#2f3437",
+        )
     return ellipse(picture, 0.5, 0.5, 0.025, 0.025, "#b98a3e")
 
 
@@ -96,8 +126,14 @@ def keyboard_keys(seed=84):
             key = "#b9694b" if row == 0 and x == 0 else "#f2f1ec"
             picture = rectangle(picture, a, top, b, bottom, key)
             if w == 1.0:
-                picture = rectangle(picture, (a + b) / 2 - 0.006, top + 0.05, (a + b) / 2 + 0.006,
-                                    top + 0.10, "#6b6b68")
+                picture = rectangle(
+                    picture,
+                    (a + b) / 2 - 0.006,
+                    top + 0.05,
+                    (a + b) / 2 + 0.006,
+                    top + 0.10,
+                    "#6b6b68",
+                )
             x += w
     return picture
 
@@ -133,7 +169,9 @@ def label(seed, ground, ink, accent):
     for cx in (0.25, 0.75):
         picture = ellipse(picture, cx, 0.40, 0.06, 0.12, accent)
         for k, w in enumerate((0.30, 0.20)):
-            picture = rectangle(picture, cx - w / 2, 0.60 + 0.11 * k, cx + w / 2, 0.66 + 0.11 * k, ink)
+            picture = rectangle(
+                picture, cx - w / 2, 0.60 + 0.11 * k, cx + w / 2, 0.66 + 0.11 * k, ink
+            )
     return picture
 
 
@@ -146,16 +184,32 @@ def notes(seed=87):
         end = 0.55 + 0.35 * rng.random()
         while x < end:
             step = 0.03 + 0.07 * rng.random()
-            picture = stroke(picture, [(x, y), (x + step * 0.4, y - 0.012), (x + step, y)], 0.004, "#3b4a63")
+            picture = stroke(
+                picture, [(x, y), (x + step * 0.4, y - 0.012), (x + step, y)], 0.004, "#3b4a63"
+            )
             x += step + 0.025
-    picture = stroke(picture, [(0.15, 0.92), (0.15, 0.64), (0.55, 0.64), (0.85, 0.78), (0.85, 0.92),
-                               (0.15, 0.92)], 0.008, "#b9694b")
+    picture = stroke(
+        picture,
+        [(0.15, 0.92), (0.15, 0.64), (0.55, 0.64), (0.85, 0.78), (0.85, 0.92), (0.15, 0.92)],
+        0.008,
+        "#b9694b",
+    )
     return picture
 
 
 def hob_plate(seed=88):
     picture = plain(256, 256, "#17181a")
-    for cx, cy, r in ((0.28, 0.28, 0.17), (0.74, 0.28, 0.13), (0.28, 0.72, 0.13), (0.74, 0.70, 0.19)):
-        for scale, text in ((1.0, "#8d8f92"), (0.965, "#17181a"), (0.62, "#4a4c4f"), (0.60, "#17181a")):
+    for cx, cy, r in (
+        (0.28, 0.28, 0.17),
+        (0.74, 0.28, 0.13),
+        (0.28, 0.72, 0.13),
+        (0.74, 0.70, 0.19),
+    ):
+        for scale, text in (
+            (1.0, "#8d8f92"),
+            (0.965, "#17181a"),
+            (0.62, "#4a4c4f"),
+            (0.60, "#17181a"),
+        ):
             picture = ellipse(picture, cx, cy, r * scale, r * scale, text)
     return rectangle(picture, 0.38, 0.94, 0.62, 0.955, "#8d8f92")
