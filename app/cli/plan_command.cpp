@@ -96,6 +96,8 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         }
         planned->result["metrics"] = withoutTimes(planned->metrics);
     }
+    const Result<bool> met = checkRequirements(*requirements, planned->metrics);
+    if (!met) return tl::unexpected<Error>(met.error());
     if (!arguments.out.empty()) {
         io::ProjectFile project;
         project.scene = opened->scene->source;
@@ -120,8 +122,6 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     } else {
         fmt::print("{}", metricsTable(planned->metrics));
     }
-    const Result<bool> met = checkRequirements(*requirements, planned->metrics);
-    if (!met) return tl::unexpected<Error>(met.error());
     return *met ? kDone : kPartial;
 }
 

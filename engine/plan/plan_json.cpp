@@ -124,7 +124,8 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
                             "The pose is not finite or its quaternion not unit.",
                             fmt::format("trajectory frame {}", index));
             }
-            frame.pose.rotation.normalize();
+            // Only what is off: normalising again would change the last bits of our own poses.
+            if (std::abs(norm - 1.0) > 1e-9) frame.pose.rotation.normalize();
             trajectory.frames.push_back(frame);
             ++index;
         }

@@ -1,0 +1,281 @@
+#!/usr/bin/python3
+"""The program as users and CI jobs call it, judged by exit codes and by the files it writes.
+
+Usage: command_line_test.py PROGRAM [unittest arguments]
+"""
+import hashlib
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import cv2
+import numpy
+
+import tiny_room
+
+PROGRAM = sys.argv.pop(1)
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, **options)
+
+
+def hashes(folder):
+    """Relative path -> SHA-256 of every file below a folder."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(pathlib.Path(folder).rglob("*"))
+        if path.is_file()
+    }
+
+
+def decode_rle(counts, height, width):
+    """COCO's compressed run lengths, from its published description."""
+    runs, i = [], 0
+    while i < len(counts):
+        value, shift, more = 0, 0, True
+        while more:
+            c = ord(counts[i]) - 48
+            value |= (c & 0x1F) << shift
+            more = bool(c & 0x20)
+            i += 1
+            shift += 5
+            if not more and c & 0x10:
+                value |= -1 << shift
+        runs.append(value + (runs[-2] if len(runs) > 2 else 0))
+    flat = numpy.zeros(height * width, bool)
+    at, on = 0, False
+    for length in runs:
+        flat[at : at + length] = on
+        at, on = at + length, not on
+    assert at == height * width, "the runs must add up to the image"
+    return flat.reshape(width, height).T
+
+
+class CommandLine(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.room = cls.folder / "room.obj"
+        tiny_room.write(cls.room)
+        cls.project = cls.folder / "room.dolly"
+        cls.planned = run("plan", cls.room, "--json", "-o", cls.project, "--max-frames", 20)
+        cls.dataset = cls.folder / "dataset"
+        cls.exported = run("export", cls.project, "--out", cls.dataset, "--json")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def assertFails(self, result, code, *words):
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, "")
+        message = result.stderr.strip().splitlines()[-1]
+        for word in words:
+            self.assertIn(word, message)
+
+    # --- planning
+
+    def test_plan_prints_the_published_metrics(self):
+        self.assertEqual(self.planned.returncode, 0, self.planned.stderr)
+        metrics = json.loads(self.planned.stdout)
+        for name in """objects capture_rate well_captured_rate small_capture_rate area_share_box
+                       area_share_mask repeat_rate object_pixels corner_collision_rate
+                       frame_collision_rate path_length_m frames map_ms plan_ms stages
+                       uncaptured""".split():
+            self.assertIn(name, metrics)
+        self.assertEqual(metrics["objects"], 5)
+        self.assertEqual(metrics["capture_rate"], 1.0)
+        self.assertLessEqual(metrics["frames"], 20)
+        self.assertEqual(metrics["frame_collision_rate"], 0.0)
+
+    def test_bound_is_no_less_than_what_was_reached(self):
+        metrics = json.loads(run("plan", self.room, "--json", "--bound").stdout)
+        self.assertGreaterEqual(metrics["capturable_rate"], metrics["capture_rate"])
+        self.assertGreaterEqual(metrics["well_capturable_rate"], metrics["well_captured_rate"])
+
+    def test_requirements_decide_the_exit_code(self):
+        self.assertEqual(run("plan", self.room, "--require", "capture_rate>=0.9").returncode, 0)
+        unmet = run("plan", self.room, "--require", "objects>=6")
+        self.assertEqual(unmet.returncode, 3)
+        self.assertIn("objects is 5", unmet.stderr)
+
+    def test_longest_branch_is_another_way(self):
+        branch = run("plan", self.room, "--json", "--set", "path_mode=longest_branch")
+        self.assertEqual(branch.returncode, 0)
+        tour = json.loads(run("plan", self.room, "--json").stdout)
+        self.assertLessEqual(json.loads(branch.stdout)["captured"], tour["captured"])
+
+    def test_info_knows_the_room(self):
+        info = json.loads(run("info", self.room, "--json").stdout)
+        self.assertEqual(len(info["rooms"]), 1)
+        targets = [o["name"] for o in info["objects"] if o["role"] == "target"]
+        self.assertEqual(sorted(targets), ["book", "mug", "picture", "sofa", "table"])
+        self.assertIn("room", run("info", self.room).stdout)
+
+    # --- usage and bad input
+
+    def test_wrong_parameters_are_usage_errors(self):
+        self.assertFails(run("plan", self.room, "--set", "fil=0.5"), 2, "did you mean 'fill'")
+        self.assertFails(run("plan", self.room, "--set", "fill=7"), 2, "fill", "0.1 .. 1")
+        self.assertFails(run("plan", self.room, "--set", "fill=wide"), 2, "not a number")
+        self.assertFails(run("plan", self.room, "--set", "path_mode=round"), 2, "longest_branch")
+        self.assertFails(run("plan", self.room, "--require", "objects"), 2, "--require")
+        self.assertFails(run("plan", self.room, "--require", "objets>=1"), 2, "'objects'")
+        self.assertEqual(run("plan").returncode, 2)
+        self.assertEqual(run("paln", self.room).returncode, 2)
+        self.assertEqual(run("--help").returncode, 0)
+
+    def test_bad_scenes_are_one_sentence_and_exit_code_4(self):
+        def scene(name, content):
+            path = self.folder / name
+            path.write_bytes(content)
+            return path
+
+        self.assertFails(run("plan", self.folder / "none.obj"), 4, "none.obj")
+        self.assertFails(run("plan", scene("empty.obj", b"")), 4, "empty.obj")
+        self.assertFails(run("plan", scene("points.obj", b"v 0 0 0\nv 1 0 0\n")), 4)
+        self.assertFails(run("plan", scene("room.xyz", b"hello")), 4, "xyz")
+        self.assertFails(run("plan", scene("room.c4d", b"QC4DC4D6")), 4, "glTF")
+        pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"
+        self.assertFails(run("plan", scene("lfs.glb", pointer)), 4, "LFS")
+        # A crate with walls as thick as itself: there is no room for the camera anywhere.
+        lines = []
+        tiny_room.box("crate", (0, 0, 0), (0.1, 0.1, 0.1), lines, 0)
+        crate = scene("crate.obj", "\n".join(lines).encode())
+        self.assertFails(run("plan", crate, "--unit", 1), 4, "camera")
+
+    def test_broken_projects_are_bad_input(self):
+        def project(text):
+            path = self.folder / "broken.dolly"
+            path.write_text(text)
+            return run("plan", path)
+
+        self.assertFails(project("{"), 4, "JSON", "broken.dolly:1")
+        self.assertFails(project("[]"), 4, "project")
+        self.assertFails(project('{"dollytrack_project": 99}'), 4, "version 99")
+        self.assertFails(project("[" * 100000), 4, "nested")
+        good = json.loads(self.project.read_text())
+        good["parameters"]["viewpoints"]["fill"] = 9
+        self.assertFails(project(json.dumps(good)), 4, "viewpoints.fill")
+
+    # --- projects and datasets
+
+    def test_a_project_keeps_its_plan_and_what_it_does_not_know(self):
+        project = json.loads(self.project.read_text())
+        self.assertEqual(project["scene"]["path"], "room.obj")
+        self.assertEqual(project["parameters"]["timing"]["max_frames"], 20)
+        project["notes"] = "mine"
+        path = self.folder / "kept.dolly"
+        path.write_text(json.dumps(project))
+        again = self.folder / "again.dolly"
+        self.assertEqual(run("plan", path, "-o", again).returncode, 0)
+        saved = json.loads(again.read_text())
+        self.assertEqual(saved["notes"], "mine")
+        self.assertEqual(saved["result"], project["result"])
+
+    def test_the_same_bytes_from_scene_and_project_and_any_threads(self):
+        self.assertEqual(self.exported.returncode, 0, self.exported.stderr)
+        for threads in (1, 2):
+            out = self.folder / f"threads{threads}"
+            result = run("export", self.room, "--max-frames", 20, "--out", out, "--threads", threads,
+                         env=dict(os.environ, LC_ALL="C", TZ="Asia/Tokyo"))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(hashes(out), hashes(self.dataset))
+
+    def test_planned_and_counted_agree_within_one_object(self):
+        summary = json.loads(self.exported.stdout)
+        for name in ("captured", "well_captured"):
+            self.assertLessEqual(abs(summary["planned"][name] - summary["counted"][name]), 1)
+
+    def test_images_are_what_the_card_says(self):
+        card = json.loads((self.dataset / "dataset.json").read_text())
+        cameras = json.loads((self.dataset / "camera.json").read_text())
+        frames = sorted((self.dataset / "rgb").iterdir())
+        self.assertEqual(len(frames), len(cameras))
+        names = {f"{i:06}.png" for i in range(len(cameras))}
+        for kind, depth, shape in [("rgb", numpy.uint8, (480, 640, 3)),
+                                   ("depth", numpy.uint16, (480, 640)),
+                                   ("instance", numpy.uint16, (480, 640)),
+                                   ("semantic", numpy.uint8, (480, 640))]:
+            self.assertEqual({path.name for path in (self.dataset / kind).iterdir()}, names)
+            image = cv2.imread(str(self.dataset / kind / "000000.png"), cv2.IMREAD_UNCHANGED)
+            self.assertEqual((image.dtype, image.shape), (depth, shape))
+        self.assertTrue(all(5 < cv2.imread(str(path)).mean() < 250 for path in frames))
+        self.assertNotIn("plan_ms", json.dumps(card))  # nothing that differs from run to run
+
+    def test_coco_masks_boxes_and_ids_agree_with_the_images(self):
+        coco = json.loads((self.dataset / "annotations.json").read_text())
+        self.assertTrue(coco["annotations"])
+        files = {image["id"]: image["file_name"] for image in coco["images"]}
+        self.assertGreaterEqual(min(a["id"] for a in coco["annotations"]), 1)
+        for annotation in coco["annotations"]:
+            height, width = annotation["segmentation"]["size"]
+            mask = decode_rle(annotation["segmentation"]["counts"], height, width)
+            self.assertEqual(mask.sum(), annotation["area"])
+            rows, columns = numpy.where(mask)
+            self.assertEqual(annotation["bbox"],
+                             [columns.min(), rows.min(), numpy.ptp(columns) + 1, numpy.ptp(rows) + 1])
+            name = pathlib.Path(files[annotation["image_id"]]).name
+            instance = cv2.imread(str(self.dataset / "instance" / name), cv2.IMREAD_UNCHANGED)
+            self.assertEqual(len(set(instance[mask])), 1)
+
+    def test_depth_lies_on_the_room(self):
+        # Unprojected with camera.json alone (pos, target, fov), the depth must stay in the room.
+        cameras = json.loads((self.dataset / "camera.json").read_text())
+        for index in (0, len(cameras) - 1):
+            camera = cameras[index]
+            depth = cv2.imread(str(self.dataset / "depth" / f"{index:06}.png"),
+                               cv2.IMREAD_UNCHANGED) / 1000.0
+            position = numpy.array(camera["pos"])
+            forward = numpy.array(camera["target"]) - position
+            forward /= numpy.linalg.norm(forward)
+            right = numpy.cross(forward, [0, 1, 0])
+            right /= numpy.linalg.norm(right)
+            down = numpy.cross(forward, right)
+            focal = 320 / numpy.tan(numpy.radians(camera["fov"] / 2))
+            v, u = numpy.mgrid[0:480, 0:640] + 0.5
+            points = (position + depth[..., None] * (forward + ((u - 320) / focal)[..., None] * right
+                                                     + ((v - 240) / focal)[..., None] * down))
+            inside = points[depth > 0]
+            self.assertTrue((inside > [-0.02, -0.02, -0.02]).all())
+            self.assertTrue((inside < [4.02, 2.62, 3.02]).all())
+
+    def test_range_picks_frames(self):
+        out = self.folder / "range"
+        self.assertEqual(run("export", self.project, "--out", out, "--range", "2:9:3").returncode, 0)
+        self.assertEqual(len(list((out / "rgb").iterdir())), 3)
+        self.assertFails(run("export", self.project, "--out", out, "--range", "a"), 2)
+
+    def test_a_folder_that_cannot_be_written_is_exit_code_6(self):
+        in_the_way = self.folder / "file"
+        in_the_way.write_text("x")
+        self.assertFails(run("export", self.project, "--out", in_the_way), 6, "file")
+        self.assertFails(run("export", self.project, "--out", "/proc/nothing"), 6, "/proc/nothing")
+        self.assertFails(run("plan", self.room, "-o", "/proc/none/room.dolly"), 6)
+
+    def test_ctrl_c_stops_cleanly(self):
+        out = self.folder / "stopped"
+        process = subprocess.Popen([PROGRAM, "export", self.room, "--out", out],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.time() + 60
+        while not list(out.glob("rgb/*.png")) and time.time() < deadline:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertFalse((out / "dataset.json").exists())
+        self.assertEqual([p for p in out.rglob("*") if ".tmp." in p.name], [])
+        for image in out.glob("rgb/*.png"):
+            self.assertIsNotNone(cv2.imread(str(image)))
+
+
+if __name__ == "__main__":
+    unittest.main()

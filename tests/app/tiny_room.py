@@ -1,0 +1,33 @@
+"""A small furnished room as an OBJ file, for tests of the whole program."""
+
+
+def box(name, low, high, lines, count):
+    """Appends a closed box (y up, metres) as one named group; returns the new vertex count."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    corners = [(x, y, z) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
+    lines.append(f"o {name}")
+    lines += [f"v {x} {y} {z}" for x, y, z in corners]
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    lines += ["f " + " ".join(str(count + i + 1) for i in face) for face in faces]
+    return count + 8
+
+
+def write(path):
+    """4 x 2.6 x 3 m with a table, a mug and a book on it, a sofa and a picture."""
+    lines, count = [], 0
+    for name, low, high in [
+        ("floor", (0, -0.1, 0), (4, 0, 3)),
+        ("ceiling", (0, 2.6, 0), (4, 2.7, 3)),
+        ("wall_1", (-0.1, 0, 0), (0, 2.6, 3)),
+        ("wall_2", (4, 0, 0), (4.1, 2.6, 3)),
+        ("wall_3", (0, 0, -0.1), (4, 2.6, 0)),
+        ("wall_4", (0, 0, 3), (4, 2.6, 3.1)),
+        ("table", (2.8, 0, 0.8), (3.6, 0.74, 2.2)),
+        ("mug", (3.1, 0.74, 1.2), (3.19, 0.84, 1.29)),
+        ("book", (3.2, 0.74, 1.6), (3.42, 0.78, 1.76)),
+        ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
+        ("picture", (1.5, 1.3, 0.0), (2.1, 1.7, 0.02)),
+    ]:
+        count = box(name, low, high, lines, count)
+    with open(path, "w") as file:
+        file.write("\n".join(lines) + "\n")
