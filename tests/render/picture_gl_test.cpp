@@ -1,0 +1,166 @@
+#include "render/overlays/overlay_painter.h"
+#include "render/overview.h"
+#include "tests/render/gl_fixture.h"
+#include "tests/support/scene_builder.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace dollytrack::render {
+namespace {
+
+using dollytrack::test::furnishedRoom;
+using dollytrack::test::SceneBuilder;
+
+class PictureGl : public test::GlTest {};
+
+CameraParams goldenCamera() {
+    CameraParams camera;
+    camera.width_px = 128;
+    camera.height_px = 96;
+    camera.hfov_deg = 75.0;
+    return camera;
+}
+
+cv::Mat asMat(const FrameRecord& frame) {
+    cv::Mat bgr(frame.height, frame.width, CV_8UC3);
+    for (std::size_t i = 0; i < frame.rgb.size(); ++i)
+        bgr.data[i - i % 3 + 2 - i % 3] = frame.rgb[i];
+    return bgr;
+}
+
+struct Difference {
+    double mean = 0.0;
+    double max = 0.0;
+};
+
+Difference compare(const cv::Mat& a, const cv::Mat& b) {
+    cv::Mat difference;
+    cv::absdiff(a, b, difference);
+    Difference result;
+    cv::minMaxLoc(difference.reshape(1), nullptr, &result.max);
+    const cv::Scalar mean = cv::mean(difference);
+    result.mean = (mean[0] + mean[1] + mean[2]) / 3.0;
+    return result;
+}
+
+// A change of the light, the shaders or the geometry shows here. Run with
+// DOLLYTRACK_UPDATE_GOLDEN=1 to accept a new picture, and say in the commit why it changed.
+TEST_F(PictureGl, LooksLikeTheGoldenImage) {
+    const Scene scene = furnishedRoom();
+    const CameraParams camera = goldenCamera();
+    auto renderer = makeRenderer(scene, camera, /*lit=*/true);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    const auto frame = renderer->render(makeView(camera, lookAt({0.4, 0.3, 1.8}, {3.1, 2.0, 0.7})));
+    ASSERT_TRUE(frame);
+    const cv::Mat actual = asMat(*frame);
+    const std::string path = std::string(DOLLYTRACK_GOLDEN_FOLDER) + "/furnished_room.png";
+    if (std::getenv("DOLLYTRACK_UPDATE_GOLDEN") != nullptr) cv::imwrite(path, actual);
+    const cv::Mat expected = cv::imread(path, cv::IMREAD_COLOR);
+    ASSERT_EQ(expected.size(), actual.size()) << path;
+    const Difference difference = compare(actual, expected);
+    const bool same = difference.mean <= 0.5 && difference.max <= 24.0;
+    EXPECT_TRUE(same) << "mean " << difference.mean << ", max " << difference.max;
+    if (!same) {
+        const auto folder = std::filesystem::temp_directory_path();
+        cv::Mat shown;
+        cv::absdiff(actual, expected, shown);
+        cv::imwrite((folder / "golden_actual.png").string(), actual);
+        cv::imwrite((folder / "golden_expected.png").string(), expected);
+        cv::imwrite((folder / "golden_difference.png").string(), shown);
+    }
+
+    // The tolerance must not be so wide that a wrong picture passes: the camera 2 cm aside, and
+    // the same picture a little darker.
+    const auto moved =
+        renderer->render(makeView(camera, lookAt({0.42, 0.3, 1.8}, {3.12, 2.0, 0.7})));
+    ASSERT_TRUE(moved);
+    const Difference aside = compare(asMat(*moved), expected);
+    EXPECT_TRUE(aside.mean > 0.5 || aside.max > 24.0);
+    cv::Mat darker;
+    expected.convertTo(darker, -1, 0.98);
+    EXPECT_GT(compare(darker, expected).mean, 0.5);
+}
+
+// Glass shows what is behind it and is itself in the labels.
+TEST_F(PictureGl, GlassIsSeenThroughButLabelled) {
+    SceneBuilder builder;
+    builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.1F, 0.1F}})
+        .quad({4, -20, -20}, {0, 40, 0}, {0, 0, 40});
+    builder.object("pane", {kNyuWindow, Role::Structure, {0.1F, 0.1F, 0.8F}})
+        .quad({2, -5, -5}, {0, 10, 0}, {0, 0, 10});
+    Scene scene = builder.build();
+    scene.materials[1].opacity = 0.2F;
+    const CameraParams camera = goldenCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const auto frame = renderer->render(makeView(camera, lookAt({0, 0, 0}, {1, 0, 0})));
+    ASSERT_TRUE(frame);
+    const std::size_t middle = 48UL * 128 + 64;
+    EXPECT_EQ(frame->instance[middle], 2);
+    EXPECT_NEAR(frame->depth_m[middle], 2.0F, 1e-4F);
+    EXPECT_GT(frame->rgb[3 * middle], frame->rgb[3 * middle + 2] + 40);
+}
+
+TEST_F(PictureGl, TheOverviewHoldsTheWholeRoomWithoutItsCeiling) {
+    const Scene scene = furnishedRoom();
+    const RayCaster rays(scene);
+    OverviewSettings settings;
+    settings.width_px = 240;
+    settings.height_px = 150;
+    settings.supersampling = 1;
+    const View view = overviewOf(scene, settings);
+    // The floor's corners are inside the picture.
+    for (const double x : {0.0, 4.0}) {
+        for (const double y : {0.0, 3.0}) {
+            const Eigen::Vector2d at = view.intrinsics.project(view.pose.toCamera({x, y, 0.0}));
+            EXPECT_TRUE(at.x() > 0 && at.x() < 240 && at.y() > 0 && at.y() < 150);
+        }
+    }
+    CameraParams camera;
+    camera.width_px = 240;
+    camera.height_px = 150;
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    const auto frame = renderer->render(view);
+    ASSERT_TRUE(frame);
+    std::vector<int> pixels(scene.objects.size() + 1, 0);
+    for (const std::uint16_t id : frame->instance) ++pixels[id];
+    for (const Object& object : scene.objects) {
+        const int seen = pixels[static_cast<std::size_t>(object.id)];
+        if (object.nyu40 == kNyuCeiling) {
+            EXPECT_EQ(seen, 0);
+        }
+        if (object.role == Role::Target) {
+            EXPECT_GT(seen, 0) << object.name;
+        }
+    }
+}
+
+TEST(OverlayPainter, HiddenLinesAreFaintAndVisibleOnesAreNot) {
+    View view;
+    CameraParams camera;
+    camera.width_px = 64;
+    camera.height_px = 48;
+    view.intrinsics = makeIntrinsics(camera);
+    view.pose = lookAt({0, 0, 0}, {1, 0, 0});
+    Overlay overlay;
+    overlay.lines.push_back({{3, 2, 0}, {3, -2, 0}, {1, 1, 1, 1}, 3.0});
+    // The left half of the picture has a surface before the line, the right half behind it.
+    std::vector<float> depth(64UL * 48, 2.0F);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (i % 64 >= 32) depth[i] = 4.0F;
+    }
+    std::vector<std::uint8_t> rgb(3UL * 64 * 48, 0);
+    paintOverlay(overlay, view, depth, 1.0, rgb);
+    const auto at = [&](std::size_t x, std::size_t y) { return rgb[3 * (y * 64 + x)]; };
+    EXPECT_EQ(at(50, 24), 255);
+    EXPECT_GT(at(14, 24), 20);
+    EXPECT_LT(at(14, 24), 90);
+    EXPECT_EQ(at(50, 10), 0);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
