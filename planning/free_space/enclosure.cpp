@@ -50,6 +50,13 @@ Verdict judge(EnclosureRule rule, bool roofed, std::uint8_t sight) {
     return certain ? Verdict::Certain : possible ? Verdict::Possible : Verdict::Outside;
 }
 
+/// Between floor and ceiling and walls nearly all round: in a bay window, say, whose column of the
+/// plan went to the garden.
+bool isSurrounded(std::uint8_t sight) {
+    constexpr unsigned kBoth = kFloorBelow | kCeilingAbove;
+    return (sight & kSightHitsMask) >= 12 && (sight & kBoth) == kBoth;
+}
+
 /// Votes of one part at one height.
 struct Votes {
     std::int64_t air = 0;
@@ -100,8 +107,8 @@ class Election {
     }
 
     /// For every part whether it is inside, one entry a height.
-    [[nodiscard]] std::vector<std::vector<std::uint8_t>> decide(EnclosureRule rule) const {
-        const bool roofed = isRoofed();
+    [[nodiscard]] std::vector<std::vector<std::uint8_t>> decide(EnclosureRule rule,
+                                                                bool roofed) const {
         const auto heights = static_cast<std::size_t>(grid_.count[2]);
         std::vector<std::vector<Votes>> votes(
             heights, std::vector<Votes>(static_cast<std::size_t>(plan_.parts)));
@@ -242,13 +249,14 @@ std::vector<std::uint8_t> findInside(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& sight, const FloorPlan& plan,
                                      EnclosureRule rule) {
     const Election election(grid, surfaces, sight, plan);
-    const auto inside = election.decide(rule);
+    const bool roofed = election.isRoofed();
+    const auto inside = election.decide(rule, roofed);
     std::vector<std::uint8_t> cells(grid.size(), 0);
     parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
         election.visitAir(static_cast<int>(z), [&](std::size_t i, int part) {
-            cells[i] = part == kNoPart                                  ? kOpen
-                       : inside[static_cast<std::size_t>(part)][z] != 0 ? kIn
-                                                                        : kOut;
+            const bool in = part != kNoPart && inside[static_cast<std::size_t>(part)][z] != 0;
+            const bool bay = roofed && isSurrounded(sight[i]);
+            cells[i] = in ? kIn : part == kNoPart || bay ? kOpen : kOut;
         });
     });
     shareOutWalls(grid, cells);

@@ -313,6 +313,67 @@ TEST(FreeSpaceRooms, AWindowWithoutGlassIsReportedWhereItIs) {
     EXPECT_LT((hole.center_in_world - Vector3d(2.25, 0, 1.5)).norm(), 0.15);
 }
 
+// A yard between two wings, in a house without floor and ceiling, and a low wall before a room.
+TEST(FreeSpaceRooms, AYardWithThreeWallsIsOutsideButTheRoomBehindItsLowWallIsNot) {
+    SceneBuilder builder;
+    addWall(builder, {0, 10, 0}, {16, 10, 0}, 2.5);
+    addWall(builder, {0, 0, 0}, {0, 10, 0}, 2.5);
+    addWall(builder, {16, 0, 0}, {16, 10, 0}, 2.5);
+    addWall(builder, {3, 0, 0}, {3, 10, 0}, 2.5, 7.0, 8.0);
+    addWall(builder, {13, 0, 0}, {13, 10, 0}, 2.5, 7.0, 8.0);
+    addWall(builder, {0, 0, 0}, {3, 0, 0}, 2.5);
+    addWall(builder, {13, 0, 0}, {16, 0, 0}, 2.5);
+    addWall(builder, {3, 5, 0}, {13, 5, 0}, 1.0, 2.5, 3.5, 0.0, 1.0);
+    const FreeSpace space = map(builder.build());
+    ASSERT_EQ(space.rooms().size(), 1U);
+    for (const Vector3d& p : {Vector3d(1.5, 5, 1), {14.5, 5, 1.5}, {6, 8, 0.5}, {6, 8, 2.2}}) {
+        EXPECT_EQ(space.stateAt(p), CellState::Free) << p.transpose();
+    }
+    for (const Vector3d& p : {Vector3d(8, 1, 1), {9, 3, 2.2}, {11, 2, 0.3}}) {
+        EXPECT_NE(space.stateAt(p), CellState::Free) << p.transpose();
+    }
+}
+
+TEST(FreeSpaceRooms, ATerraceIsARoomOnlyWhenFurnitureStandsOnIt) {
+    for (const bool furnished : {true, false}) {
+        SceneBuilder builder;
+        addWall(builder, {0, 0, 0}, {6, 0, 0}, 2.5);
+        addWall(builder, {0, 4, 0}, {6, 4, 0}, 2.5, 2.5, 3.4);
+        addWall(builder, {0, 0, 0}, {0, 9, 0}, 2.5);
+        addWall(builder, {6, 0, 0}, {6, 4, 0}, 2.5);
+        builder.object("post", kWallLook).box({5.95, 8.95, 1.25}, {0.1, 0.1, 2.5});
+        if (furnished) {
+            builder.object("sofa", kSofaLook).box({2, 7, 0.4}, {2.2, 1.0, 0.8});
+            builder.object("table", kSofaLook).box({4, 7, 0.35}, {1.4, 1.0, 0.7});
+        }
+        Scene scene = builder.build();
+        const Eigen::AlignedBox3d bounds = scene.room_bounds;
+        builder.object("ground", kFloorLook).quad({-10, -10, 0}, {26, 0, 0}, {0, 29, 0});
+        scene = builder.build();
+        scene.room_bounds = bounds;
+        const FreeSpace space = map(scene);
+        EXPECT_EQ(space.stateAt({3, 2, 1.2}), CellState::Free);
+        EXPECT_EQ(space.stateAt({3, 6, 1.2}) == CellState::Free, furnished);
+        EXPECT_EQ(space.stateAt({2, 7, 0.4}) == CellState::Free, false);
+    }
+}
+
+TEST(FreeSpaceRooms, AirOverACupboardAtAnOuterWallIsTheRooms) {
+    SceneBuilder builder;
+    builder.object("floor", kFloorLook).quad({-1, -1, 0}, {7, 0, 0}, {0, 7, 0});
+    addWall(builder, {0, 0, 0}, {5, 0, 0}, 2.5);
+    addWall(builder, {5, 0, 0}, {5, 5, 0}, 2.5);
+    addWall(builder, {5, 5, 0}, {0, 5, 0}, 2.5);
+    addWall(builder, {0, 5, 0}, {0, 0, 0}, 2.5);
+    builder.object("ceiling", kWallLook).quad({0, 0, 2.5}, {5, 0, 0}, {0, 5, 0});
+    builder.object("cupboard", kSofaLook).box({2.5, 0.4, 0.9}, {3.0, 0.7, 1.8});
+    const FreeSpace space = map(builder.build());
+    EXPECT_EQ(space.componentAt({2.5, 0.4, 2.1}), 0);
+    EXPECT_EQ(space.stateAt({2.5, 0.4, 0.9}), CellState::Unknown);
+    EXPECT_NE(space.stateAt({2.5, -0.5, 1.0}), CellState::Free);
+    EXPECT_TRUE(space.leaks().isClosed()) << allOpenings(space);
+}
+
 // A scene of one mesh without names: its shell is no piece of furniture.
 TEST(FreeSpaceRooms, ARoomThatIsOneTargetObjectIsStillARoom) {
     SceneBuilder builder;
