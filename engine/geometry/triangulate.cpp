@@ -46,34 +46,30 @@ bool hasArea(const Eigen::Vector3d& newell, std::span<const Eigen::Vector3f> cor
     return std::isfinite(newell.norm()) && newell.norm() > 1e-7 * longest && longest > 0.0;
 }
 
-double smallestAngleCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                           const Eigen::Vector3d& c) {
-    const Eigen::Vector3d ab = (b - a).normalized();
-    const Eigen::Vector3d bc = (c - b).normalized();
-    const Eigen::Vector3d ca = (a - c).normalized();
-    return std::max({-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)});
-}
-
 /// A four-sided face has two diagonals: of those that stay inside, the one with the better
 /// triangles, which is the Delaunay one. False when neither does (it crosses itself).
 bool splitQuad(std::span<const Eigen::Vector3f> corners, const Eigen::Vector3d& normal,
                std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::array<Eigen::Vector3d, 4> p;
     for (std::size_t i = 0; i < 4; ++i) p[i] = corners[i].cast<double>();
-    const auto turn = [&](int a, int b, int c) {
-        return (p[b] - p[a]).cross(p[c] - p[a]).dot(normal);
+    const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return (p[j] - p[i]).cross(p[k] - p[i]).dot(normal);
     };
+    const double at_1 = turn(0, 1, 2);
+    const double at_3 = turn(0, 2, 3);
+    const double at_0 = turn(0, 1, 3);
+    const double at_2 = turn(1, 2, 3);
     const double least = 1e-7 * normal.squaredNorm();
-    const bool first = turn(0, 1, 2) > least && turn(0, 2, 3) > least;
-    const bool second = turn(0, 1, 3) > least && turn(1, 2, 3) > least;
+    const bool first = at_1 > least && at_3 > least;
+    const bool second = at_0 > least && at_2 > least;
     if (!first && !second) return false;
     bool use_first = first;
     if (first && second) {
-        use_first =
-            std::max(smallestAngleCosine(p[0], p[1], p[2]),
-                     smallestAngleCosine(p[0], p[2], p[3])) <=
-            std::max(smallestAngleCosine(p[0], p[1], p[3]), smallestAngleCosine(p[1], p[2], p[3])) +
-                1e-9;
+        // The angles across the diagonal sum to at most 180 degrees when their cotangents sum to
+        // no less than 0; a rectangle, where both diagonals do, keeps the first.
+        const double across =
+            (p[0] - p[1]).dot(p[2] - p[1]) / at_1 + (p[0] - p[3]).dot(p[2] - p[3]) / at_3;
+        use_first = across >= -1e-6 / normal.norm();
     }
     if (use_first) {
         triangles.push_back({0, 1, 2});

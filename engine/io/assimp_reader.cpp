@@ -18,7 +18,9 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string_view>
+#include <thread>
 
 namespace dollytrack {
 namespace {
@@ -61,6 +63,24 @@ class CancelWatch : public Assimp::ProgressHandler {
 
   private:
     JobContext job_;
+};
+
+/// Frees an importer's scene on a thread of its own: with many faces that takes long, and nobody
+/// needs to wait for it. Ends before the program does.
+class BackgroundDisposal {
+  public:
+    ~BackgroundDisposal() {
+        if (worker_.joinable()) worker_.join();
+    }
+    void take(std::unique_ptr<Assimp::Importer> importer) {
+        const std::lock_guard lock(mutex_);
+        if (worker_.joinable()) worker_.join();
+        worker_ = std::thread([done = std::move(importer)]() mutable { done.reset(); });
+    }
+
+  private:
+    std::mutex mutex_;
+    std::thread worker_;
 };
 
 Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
@@ -369,6 +389,8 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
                         where);
         }
         Result<RawScene> raw = convert(*scene, path, job);
+        static BackgroundDisposal disposal;
+        disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         return raw;
     } catch (const std::exception& e) {
