@@ -47,9 +47,21 @@ std::vector<bool> hiddenObjects(const Scene& scene) {
     return hidden;
 }
 
+/// The rooms with the walls around them; balconies, panels behind windows and the like stay out.
+Eigen::AlignedBox3d buildingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
+    constexpr double kWall = 0.25;  // m
+    Eigen::AlignedBox3d building;
+    for (const Eigen::AlignedBox3d& room : rooms) building.extend(room);
+    if (building.isEmpty()) return scene.room_bounds;
+    const Eigen::Vector3d wall(kWall, kWall, kWall);
+    return scene.room_bounds.intersection(
+        Eigen::AlignedBox3d(building.min() - wall, building.max() + wall));
+}
+
 }  // namespace
 
-View overviewOf(const Scene& scene, const OverviewSettings& settings) {
+View overviewOf(const Scene& scene, const OverviewSettings& settings,
+                std::span<const Eigen::AlignedBox3d> rooms) {
     View view;
     CameraParams camera;
     camera.width_px = settings.width_px * settings.supersampling;
@@ -58,9 +70,11 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings) {
     view.intrinsics = makeIntrinsics(camera);
     view.hidden = hiddenObjects(scene);
     view.backdrop = Eigen::Vector3f(0.955F, 0.955F, 0.95F);
-    Eigen::AlignedBox3d bounds = scene.room_bounds;
+    Eigen::AlignedBox3d bounds = buildingOf(scene, rooms);
     if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
-    const double floor = bounds.min().z();
+    // What lies as low as the lowest floor is not cut: a room's box begins just above it.
+    double floor = bounds.min().z();
+    if (!rooms.empty()) floor = bounds.min().z() + 0.25;
     const double height = std::max(bounds.sizes().z(), 0.5);
 
     const double azimuth = settings.azimuth_deg * kDegree;
@@ -119,7 +133,7 @@ Result<Picture> renderOverview(std::unique_ptr<gl::Context> context, const Scene
                                const RayCaster& rays, const Overlay& overlay,
                                const OverviewSettings& settings,
                                std::span<const Eigen::AlignedBox3d> rooms) {
-    const View view = overviewOf(scene, settings);
+    const View view = overviewOf(scene, settings, rooms);
     const LightVolume light = bakeLightVolume(scene, rays, makeLightRig(scene, rays, rooms));
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create(
         std::move(context), scene, light, view.intrinsics.width, view.intrinsics.height);

@@ -20,7 +20,7 @@ namespace dollytrack::render {
 struct OverviewSettings {
     int width_px = 1600;
     int height_px = 1000;
-    double azimuth_deg = 235.0;   // where the viewer stands, from +x towards +y
+    double azimuth_deg = 248.0;   // where the viewer stands, from +x towards +y
     double elevation_deg = 48.0;  // above the horizon
     double hfov_deg = 30.0;
     int supersampling = 2;  // drawn this many times larger each way
@@ -35,7 +35,8 @@ struct Picture {
 
 /// A view from above at an angle that holds the whole building, with the ceilings, everything far
 /// outside and the near walls left away.
-[[nodiscard]] View overviewOf(const Scene& scene, const OverviewSettings& settings = {});
+[[nodiscard]] View overviewOf(const Scene& scene, const OverviewSettings& settings = {},
+                              std::span<const Eigen::AlignedBox3d> rooms = {});
 
 /// The lit scene from outside with an overlay. `rooms` are lit as by makeLightRig().
 [[nodiscard]] Result<Picture> renderOverview(std::unique_ptr<gl::Context> context,
