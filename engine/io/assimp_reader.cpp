@@ -3,6 +3,7 @@
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -52,7 +53,8 @@ void keepOurReaders(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const aiImporterDesc* info = importer.GetImporterInfo(i);
         if (info && isOurs(info->mFileExtensions, info->mName)) continue;
-        importer.UnregisterLoader(importer.GetImporter(i));
+        const std::unique_ptr<Assimp::BaseImporter> not_ours(importer.GetImporter(i));
+        importer.UnregisterLoader(not_ours.get());  // hands it back to us
     }
 }
 
