@@ -234,6 +234,9 @@ Pipeline::Pipeline(Pipeline&&) noexcept = default;
 Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 
 Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const JobContext& job) {
+    if (Status status = validate(params.camera); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     stages_->times.clear();
     return stages_->map(params, job).and_then([&] { return stages_->plan(params, job); }).map([&] {
         return std::make_shared<const Plan>(stages_->collect());

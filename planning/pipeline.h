@@ -25,8 +25,9 @@ class Pipeline {
     Pipeline(Pipeline&&) noexcept;
     Pipeline& operator=(Pipeline&&) noexcept;
 
-    /// Errors: Cancelled; BadInput when the scene has no room for the camera. A scene without
-    /// targets, or of which nothing can be captured, gives an empty trajectory.
+    /// Errors: Cancelled; Usage when parameters contradict each other; BadInput when the scene has
+    /// no room for the camera. A scene without targets, or of which nothing can be captured, gives
+    /// an empty trajectory.
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const JobContext& job);
 
     /// Free space of the last run, or null before one came that far.

@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/scene_arguments.h"
 #include "engine/geometry/ray_caster.h"
@@ -89,7 +90,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     origin.seed = static_cast<std::uint64_t>(planned->params.seed);
     planning::PlanParams params = planned->params;
     origin.parameters_json = toJson(planning::listFields(params)).dump();
-    origin.planned_metrics_json = withoutTimes(planned->metrics).dump();
+    origin.planned_metrics_json = jsonText(withoutTimes(planned->metrics));
     origin.rooms = planned->rooms;
     const RayCaster rays(*planned->scene);
     const Result<render::DatasetSummary> summary = render::exportDataset(
@@ -97,7 +98,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         settings, std::move(origin), job.stage(0.06, 1.0, "rendering"));
     if (!summary) return tl::unexpected<Error>(summary.error());
     if (arguments.as_json) {
-        fmt::print("{}\n", summaryJson(*summary, arguments, planned->metrics).dump(1));
+        fmt::print("{}\n", jsonText(summaryJson(*summary, arguments, planned->metrics)));
     } else {
         printSummary(*summary, arguments, planned->metrics);
     }

@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/metrics_table.h"
 #include "app/cli/scene_arguments.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene_report.h"
@@ -65,7 +66,7 @@ Result<ExitCode> runInfo(const SceneArguments& arguments, bool as_json, const Se
         nlohmann::json report = toJson(*opened->scene);
         report["rooms"] = map ? roomsJson(*map) : nlohmann::json::array();
         if (!map) report["warnings"].push_back(describe(map.error()));
-        fmt::print("{}\n", report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", jsonText(report));
         return kDone;
     }
     fmt::print("{}", describeScene(*opened->scene));

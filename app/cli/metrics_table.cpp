@@ -18,6 +18,10 @@ std::string row(std::string_view what, const std::string& value) {
 
 }  // namespace
 
+std::string jsonText(const nlohmann::json& json) {
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::string metricsTable(const nlohmann::json& m) {
     const int objects = m.value("objects", 0);
     std::string text = row("objects", fmt::format("{}", objects));
@@ -34,7 +38,7 @@ std::string metricsTable(const nlohmann::json& m) {
         row("area share", fmt::format("{} of the image (box), {} (mask)",
                                       percent(m, "area_share_box"), percent(m, "area_share_mask")));
     text += row("collisions",
-                fmt::format("{} of pieces, {} of frames", percent(m, "corner_collision_rate"),
+                fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
                             percent(m, "frame_collision_rate")));
     text += row("smallest clearance", fmt::format("{:.3f} m", m.value("min_clearance_m", 0.0)));
     text +=

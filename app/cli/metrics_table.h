@@ -9,4 +9,7 @@ namespace dollytrack::cli {
 /// The metrics of a plan for a person: rates in %, and what was not captured, with the reasons.
 std::string metricsTable(const nlohmann::json& metrics);
 
+/// JSON for stdout. Never throws: bytes that are no UTF-8 are replaced.
+std::string jsonText(const nlohmann::json& json);
+
 }  // namespace dollytrack::cli

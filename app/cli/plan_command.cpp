@@ -76,9 +76,19 @@ Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts)
     return requirements;
 }
 
+/// Told before the work, not after it: a misspelt metric must not cost minutes.
+Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
+    nlohmann::json metrics = metricsJson(Scene{}, Plan{});
+    if (with_bound) addBound(metrics, {}, 0.0);
+    return checkNames(requirements, metrics);
+}
+
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
     const auto requirements = parseAll(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
+    if (Status status = knowsMetrics(*requirements, arguments.bound); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
@@ -87,21 +97,18 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         planScene(*opened, pipeline, job.stage(0.3, arguments.bound ? 0.5 : 1.0, "planning"));
     if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
     if (arguments.bound) {
-        const auto plan = pipeline.run(opened->params, JobContext{});
-        if (!plan) return tl::unexpected<Error>(plan.error());
-        if (Status status = addDenseSearch(*opened, pipeline, **plan, planned->metrics,
+        if (Status status = addDenseSearch(*opened, pipeline, *planned->plan, planned->metrics,
                                            job.stage(0.5, 1.0, "dense search"));
             !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
         planned->result["metrics"] = withoutTimes(planned->metrics);
     }
-    const Result<bool> met = checkRequirements(*requirements, planned->metrics);
-    if (!met) return tl::unexpected<Error>(met.error());
     if (!arguments.out.empty()) {
         io::ProjectFile project;
         project.scene = opened->scene->source;
         project.scene_sha256 = opened->scene->source_sha256;
+        project.import = opened->import;
         planning::PlanParams params = opened->params;
         project.parameters = toJson(planning::listFields(params));
         project.result = planned->result;
@@ -111,18 +118,17 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         }
     }
     if (!arguments.picture.empty()) {
-        const auto plan = pipeline.run(opened->params, JobContext{});
-        if (!plan) return tl::unexpected<Error>(plan.error());
-        if (Status status = savePicture(*opened, pipeline, **plan, arguments.picture); !status) {
+        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments.picture);
+            !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
     if (arguments.as_json) {
-        fmt::print("{}\n", planned->metrics.dump(1));
+        fmt::print("{}\n", jsonText(planned->metrics));
     } else {
         fmt::print("{}", metricsTable(planned->metrics));
     }
-    return *met ? kDone : kPartial;
+    return areMet(*requirements, planned->metrics) ? kDone : kPartial;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     PlannedScene planned;
     planned.scene = opened.scene;
     planned.params = opened.params;
+    planned.plan = *plan;
     planned.trajectory = (*plan)->trajectory;
     planned.rooms = (*plan)->rooms;
     planned.metrics = metricsJson(*opened.scene, **plan);

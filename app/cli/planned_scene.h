@@ -14,13 +14,14 @@ namespace dollytrack::cli {
 struct PlannedScene {
     std::shared_ptr<const Scene> scene;
     planning::PlanParams params;
+    std::shared_ptr<const Plan> plan;  // null when the result came from a project
     Trajectory trajectory;
     std::vector<Eigen::AlignedBox3d> rooms;  // by component of free space
     nlohmann::json metrics;                  // see metricsJson()
     nlohmann::json result;                   // for a project file
 };
 
-/// Plans, on a pipeline that the caller may ask further. Errors as Pipeline::run().
+/// Plans, on a pipeline that the caller may ask further. `plan` is set. Errors as Pipeline::run().
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job);
 

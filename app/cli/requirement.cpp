@@ -40,23 +40,27 @@ Result<Requirement> parseRequirement(std::string_view text) {
     return requirement;
 }
 
-Result<bool> checkRequirements(const std::vector<Requirement>& requirements,
-                               const nlohmann::json& metrics) {
-    bool all = true;
+Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
     for (const Requirement& requirement : requirements) {
         const auto found = metrics.find(requirement.metric);
-        if (found == metrics.end() || !found->is_number()) {
-            std::vector<std::string> names;
-            for (const auto& [name, value] : metrics.items()) {
-                if (value.is_number()) names.push_back(name);
-            }
-            const std::string close = closestName(requirement.metric, names);
-            return fail(ErrorCode::Usage,
-                        fmt::format("There is no metric '{}'{}.", requirement.metric,
-                                    close.empty() ? "" : "; did you mean '" + close + "'?"),
-                        "--require");
+        if (found != metrics.end() && found->is_number()) continue;
+        std::vector<std::string> names;
+        for (const auto& [name, value] : metrics.items()) {
+            if (value.is_number()) names.push_back(name);
         }
-        const double measured = found->get<double>();
+        const std::string close = closestName(requirement.metric, names);
+        return fail(ErrorCode::Usage,
+                    fmt::format("There is no metric '{}'{}.", requirement.metric,
+                                close.empty() ? "" : "; did you mean '" + close + "'?"),
+                    "--require");
+    }
+    return {};
+}
+
+bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
+    bool all = true;
+    for (const Requirement& requirement : requirements) {
+        const double measured = metrics.at(requirement.metric).get<double>();
         if (requirement.holds(measured)) continue;
         all = false;
         fmt::print(stderr, "not met: {} is {:.4g}, required {} {:.4g}\n", requirement.metric,

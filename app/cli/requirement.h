@@ -21,9 +21,10 @@ struct Requirement {
 /// Error: Usage when it is not of that form.
 Result<Requirement> parseRequirement(std::string_view text);
 
-/// Whether all hold for the metrics; says on stderr which does not. Error: Usage when there is no
-/// such number among the metrics, with the closest name.
-Result<bool> checkRequirements(const std::vector<Requirement>& requirements,
-                               const nlohmann::json& metrics);
+/// Error: Usage when a requirement names no number of the metrics; says the closest name.
+Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
+
+/// Whether all hold for metrics that have their names; says on stderr which does not.
+bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
 
 }  // namespace dollytrack::cli

@@ -24,13 +24,31 @@ bool isProject(const std::filesystem::path& path) {
     return path.extension() == ".dolly";
 }
 
-ImportOptions importOptions(const SceneArguments& arguments, const planning::PlanParams& params) {
+/// What the command line says of the scene, over what the project says.
+nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json stored) {
+    if (arguments.unit_m) stored["unit_m"] = *arguments.unit_m;
+    if (arguments.up_axis) stored["up_axis"] = *arguments.up_axis;
+    if (arguments.labels) stored["labels"] = std::filesystem::absolute(*arguments.labels).string();
+    return stored;
+}
+
+Result<ImportOptions> importOptions(const nlohmann::json& settings,
+                                    const planning::PlanParams& params) {
     ImportOptions options;
-    options.unit_m = arguments.unit_m;
-    if (arguments.up_axis) options.up_axis = arguments.up_axis->front();
-    if (arguments.labels) options.labels = *arguments.labels;
     options.small_volume_m3 = params.targets.small_volume_m3;
     options.size_ratio = params.targets.size_ratio;
+    try {
+        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
+        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
+        if (settings.contains("up_axis")) {
+            const auto axis = settings["up_axis"].get<std::string>();
+            options.up_axis = axis.empty() ? 'y' : axis.front();
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("The project's import settings are of the wrong type ({}).", e.what()));
+    }
     return options;
 }
 
@@ -69,6 +87,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     OpenedScene opened;
     std::filesystem::path scene_path = arguments.path;
     std::string planned_sha256;
+    nlohmann::json stored_import = nlohmann::json::object();
     planning::PlanParams stored;
     if (isProject(arguments.path)) {
         Result<io::ProjectFile> project = io::loadProject(arguments.path);
@@ -80,6 +99,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         }
         scene_path = project->scene;
         planned_sha256 = project->scene_sha256;
+        stored_import = std::move(project->import);
         opened.stored_result = std::move(project->result);
         opened.project_others = std::move(project->others);
     }
@@ -87,14 +107,17 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (Status status = applyArguments(arguments, opened.params); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    Result<Scene> scene = importScene(scene_path, importOptions(arguments, opened.params), job);
+    opened.import = importSettings(arguments, stored_import);
+    const Result<ImportOptions> options = importOptions(opened.import, opened.params);
+    if (!options) return tl::unexpected<Error>(options.error());
+    Result<Scene> scene = importScene(scene_path, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     opened.scene = std::make_shared<const Scene>(std::move(*scene));
 
     for (const std::string& warning : opened.scene->report.warnings) log::warn("import", warning);
     if (!opened.stored_result.is_null()) {
         const bool other_scene = planned_sha256 != opened.scene->source_sha256;
-        const bool other_params = !(stored == opened.params);
+        const bool other_params = !(stored == opened.params) || opened.import != stored_import;
         if (other_scene || other_params) {
             log::info("project", other_scene ? "the scene file has changed since it was planned: "
                                                "planning again"

@@ -37,6 +37,7 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 struct OpenedScene {
     std::shared_ptr<const Scene> scene;
     planning::PlanParams params;
+    nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, where given
     nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds
     nlohmann::json project_others = nlohmann::json::object();  // what else the project holds
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/fields.h"
+#include "engine/core/result.h"
 
 namespace dollytrack {
 
@@ -14,6 +15,10 @@ struct CameraParams {
 
     bool operator==(const CameraParams&) const = default;
 };
+
+/// Whether the camera's sphere holds its near plane; else frames would look into what the sphere
+/// keeps clear of. Error: Usage, naming the field.
+Status validate(const CameraParams& params);
 
 template <class Params, class Visitor>
 void visitCameraParams(Params& p, Visitor&& visit) {

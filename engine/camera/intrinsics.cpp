@@ -1,5 +1,7 @@
 #include "engine/camera/intrinsics.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +12,17 @@ Intrinsics makeIntrinsics(const CameraParams& params) {
     const double focal = 0.5 * params.width_px / std::tan(half_fov);
     return {params.width_px, params.height_px,      focal,
             focal,           0.5 * params.width_px, 0.5 * params.height_px};
+}
+
+Status validate(const CameraParams& params) {
+    const Intrinsics lens = makeIntrinsics(params);
+    const double corner = params.near_m * lens.unproject(0.0, 0.0).norm();
+    if (corner <= params.camera_radius_m) return {};
+    return fail(ErrorCode::Usage,
+                fmt::format("The near plane's corners are {:.3f} m from the camera, outside its "
+                            "sphere of {:.3f} m; lower near_m or raise camera_radius_m.",
+                            corner, params.camera_radius_m),
+                "near_m");
 }
 
 }  // namespace dollytrack

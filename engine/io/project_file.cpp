@@ -87,6 +87,7 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
         const std::filesystem::path scene = json.at("scene").at("path").get<std::string>();
         project.scene = (std::filesystem::absolute(path).parent_path() / scene).lexically_normal();
         project.scene_sha256 = json.at("scene").value("sha256", "");
+        project.import = json.at("scene").value("import", nlohmann::json::object());
         project.parameters = json.value("parameters", nlohmann::json::object());
         if (json.contains("result")) project.result = json["result"];
         for (const char* known : {"dollytrack_project", "scene", "parameters", "result"}) {
@@ -109,6 +110,7 @@ Status saveProject(const ProjectFile& project, const std::filesystem::path& path
     json["dollytrack_project"] = ProjectFile::kVersion;
     json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
                      {"sha256", project.scene_sha256}};
+    if (!project.import.empty()) json["scene"]["import"] = project.import;
     json["parameters"] = project.parameters;
     if (!project.result.is_null()) json["result"] = project.result;
     return writeWhole(path,

@@ -16,6 +16,7 @@ struct ProjectFile {
 
     std::filesystem::path scene;  // absolute after loading; written relative to the project file
     std::string scene_sha256;     // of the scene file when it was planned
+    nlohmann::json import = nlohmann::json::object();  // how to read it, as far as the user said
     nlohmann::json parameters = nlohmann::json::object();  // sections of fields
     nlohmann::json result;                                 // null before planning; see plan_json.h
     nlohmann::json others = nlohmann::json::object();      // what else the file holds

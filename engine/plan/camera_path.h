@@ -46,6 +46,7 @@ struct SmoothPath {
     double length_m = 0.0;
     double min_clearance_m = 0.0;  // between the camera's centre and the nearest surface
     int collisions = 0;            // pieces that could not be proven free
+    int corner_collisions = 0;     // those of them that are curves
 
     [[nodiscard]] Eigen::Vector3d at(double arc_m) const;
 };

@@ -4,6 +4,7 @@
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dollytrack::planning {
 namespace {
@@ -39,6 +40,8 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
                           const Eigen::Vector3d& end) const {
     // |B'(t)| never exceeds this, so t may grow by (free distance) / speed.
     const double speed = 2.0 * std::max((control - start).norm(), (end - control).norm());
+    // Both ends of a straight move in one free leaf of the octree: all between is free space.
+    const bool inside = control == 0.5 * (start + end) && free_space_->inOneFreeLeaf(start, end);
     Sweep sweep;
     sweep.min_clearance_m = std::numeric_limits<double>::infinity();
     double t = 0.0;
@@ -57,7 +60,7 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
                 return sweep;
             }
         }
-        if (free_space_->stateAt(position) != CellState::Free) {
+        if (!inside && free_space_->stateAt(position) != CellState::Free) {
             sweep.collision = position;
             return sweep;
         }

@@ -122,6 +122,7 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 RrtStarProblem problem;
                 problem.start = a.pose.position;
                 problem.goal = b.pose.position;
+                problem.is_cancelled = [&] { return job.cancelled(); };
                 problem.max_iterations = params.link_iterations;
                 auto sampler = std::make_shared<ChainSampler>(
                     free_space, a.component, problem.start, problem.goal, params.sample_sigma_m);
@@ -139,6 +140,10 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 edge.via = shortened(way.corners, problem.start, problem.goal, sphere);
                 edge.length_m = wayLength(edge.via, problem.start, problem.goal);
                 roadmap.edges.push_back(std::move(edge));
+                // The joined part has new ends, whatever was tried for its halves.
+                given_up.erase(name);
+                given_up.erase(smallest[static_cast<std::size_t>(
+                    roadmap.group[static_cast<std::size_t>(pair.b)])]);
                 joined = true;
                 break;
             }

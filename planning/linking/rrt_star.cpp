@@ -104,6 +104,10 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
     double best_cost = std::numeric_limits<double>::infinity();
     const auto tryGoal = [&](int node) {
         const double rest = (tree.at(node).position - problem.goal).norm();
+        // Rewiring may have shortened the way to the best end since it was found.
+        if (best_end >= 0) {
+            best_cost = tree.at(best_end).cost + (tree.at(best_end).position - problem.goal).norm();
+        }
         if (tree.at(node).cost + rest >= best_cost) return;
         if (!problem.is_move_free(tree.at(node).position, problem.goal)) return;
         best_cost = tree.at(node).cost + rest;
@@ -112,6 +116,7 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
     tryGoal(0);
     int stop = problem.max_iterations;
     for (int i = 0; i < stop; ++i) {
+        if (problem.is_cancelled && problem.is_cancelled()) break;
         const Eigen::Vector3d wish = problem.sample(random);
         const Eigen::Vector3d& from = tree.at(tree.nearest(wish)).position;
         const double distance = (wish - from).norm();

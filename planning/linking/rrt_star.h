@@ -16,6 +16,7 @@ struct RrtStarProblem {
     std::function<Eigen::Vector3d(Random&)> sample;  // places that may or may not be free
     std::function<bool(const Eigen::Vector3d&)> is_free;
     std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)> is_move_free;
+    std::function<bool()> is_cancelled = {};  // ends the search early
     int max_iterations = 1500;
 };
 

@@ -26,11 +26,12 @@ struct Reach {
 
 class DenseSearch {
   public:
-    DenseSearch(const Surroundings& around, int object_id, Random random)
+    DenseSearch(const Surroundings& around, int object_id, Random random, const JobContext& job)
         : around_(around),
           object_id_(object_id),
           subject_(makeSubject(around.views, {object_id})),
-          random_(random) {}
+          random_(random),
+          job_(job) {}
 
     Reach run(const Plan& plan) {
         for (const ObjectCapture& capture : plan.captures) {
@@ -62,7 +63,7 @@ class DenseSearch {
     };
 
     void consider(const Eigen::Vector3d& position) {
-        if (!around_.sphere.fits(position)) return;
+        if (job_.cancelled() || !around_.sphere.fits(position)) return;
         const Pose pose = lookAt(position, subject_.center);
         Place place{position, around_.views.estimate(pose, object_id_, kCoarseGrid)};
         if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
@@ -84,7 +85,7 @@ class DenseSearch {
         };
         const CaptureRules rules;
         look([](const ViewEstimator::Estimate& e) {
-            return e.visible_fraction + (e.visible_px >= 120.0 ? 1.0 : 0.0);
+            return e.visible_fraction + (e.visible_px >= CaptureRules{}.min_visible_px ? 1.0 : 0.0);
         });
         look([&](const ViewEstimator::Estimate& e) {
             return std::min(e.visible_fraction / rules.min_visible_fraction, 1.1) +
@@ -97,6 +98,7 @@ class DenseSearch {
     int object_id_;
     Subject subject_;
     Random random_;
+    const JobContext& job_;
     std::vector<Place> places_;
     Reach reach_;
 };
@@ -111,7 +113,8 @@ Result<CaptureBound> boundCaptures(const Surroundings& around, const Plan& plan,
         const int id = plan.captures[i].object_id;
         reaches[i] = DenseSearch(around, id,
                                  Random(static_cast<std::uint64_t>(seed),
-                                        static_cast<std::uint64_t>(id) + 100'000U))
+                                        static_cast<std::uint64_t>(id) + 100'000U),
+                                 job)
                          .run(plan);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");

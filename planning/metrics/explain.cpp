@@ -49,11 +49,11 @@ std::string explainUncaptured(const Scene& scene, const Plan& plan, int object_i
             }
         }
     }
+    bool had_a_view = false;
     for (std::size_t p = 0; p < plan.position_points.size(); ++p) {
         if (!has(plan.position_points[p].captured, object_id)) continue;
-        if (!has(plan.key_frames, static_cast<int>(p))) {
-            return "dropped to keep to max_frames";
-        }
+        had_a_view = true;
+        if (!has(plan.key_frames, static_cast<int>(p))) continue;
         const bool on_path = std::any_of(
             plan.smooth_paths.begin(), plan.smooth_paths.end(), [&](const SmoothPath& path) {
                 return std::any_of(path.keys.begin(), path.keys.end(), [&](const auto& key) {
@@ -63,6 +63,8 @@ std::string explainUncaptured(const Scene& scene, const Plan& plan, int object_i
         return on_path ? "its key frame shows it just below the limit"
                        : "its key frame is not on the path";
     }
+    // Key frames are chosen to keep every capture; only a budget drops some.
+    if (had_a_view) return "dropped to keep to max_frames";
     return counts.empty() ? "no place could be tried" : mostCommon(scene, counts);
 }
 

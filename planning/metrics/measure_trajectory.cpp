@@ -57,15 +57,17 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const JobContext& job) {
     TrajectoryMetrics metrics;
     metrics.min_clearance_m = std::numeric_limits<double>::infinity();
-    int pieces = 0;
+    int corners = 0;
     int collisions = 0;
     for (const SmoothPath& path : paths) {
         metrics.path_length_m += path.length_m;
         metrics.min_clearance_m = std::min(metrics.min_clearance_m, path.min_clearance_m);
-        pieces += static_cast<int>(path.pieces.size());
-        collisions += path.collisions;
+        corners += static_cast<int>(
+            std::count_if(path.pieces.begin(), path.pieces.end(),
+                          [](const SmoothPath::Piece& piece) { return piece.curved; }));
+        collisions += path.corner_collisions;
     }
-    if (pieces > 0) metrics.corner_collision_rate = static_cast<double>(collisions) / pieces;
+    if (corners > 0) metrics.corner_collision_rate = static_cast<double>(collisions) / corners;
     if (!std::isfinite(metrics.min_clearance_m)) metrics.min_clearance_m = 0.0;
 
     const std::size_t count = trajectory.frames.size();

@@ -60,7 +60,6 @@ class Part {
 void dropCycleEdges(const Part& part) {
     std::vector<bool> reached(part.keys.size(), false);
     std::vector<int> stack = {0};
-    std::vector<bool> seen_edge;
     for (const auto& at : part.edges) {
         for (const int e : at) part.edge(e).in_tree = false;
     }
@@ -164,7 +163,7 @@ std::vector<PathVertex> longestBranch(const Part& part) {
 }
 
 std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
-                             const RoadmapParams& weights) {
+                             const RoadmapParams& weights, const JobContext& job) {
     const auto count = part.keys.size();
     std::vector<Ways> ways(count);
     parallelFor(count,
@@ -178,7 +177,7 @@ std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
                 weights.distance_weight * std::min(ways[i].cost[j], ways[j].cost[i]) + turn;
         }
     }
-    const std::vector<int> order = shortTour(cost);
+    const std::vector<int> order = shortTour(cost, job);
     std::vector<std::vector<Eigen::Vector3d>> legs(order.size());
     parallelFor(order.size(), [&](std::size_t i) {
         if (i == 0) return;
@@ -219,8 +218,9 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         dropCycleEdges(part);
         CameraPath path;
         path.component = part.point(0).component;
-        path.vertices = params.path_mode == PathMode::LongestBranch ? longestBranch(part)
-                                                                    : tour(part, sphere, weights);
+        path.vertices = params.path_mode == PathMode::LongestBranch
+                            ? longestBranch(part)
+                            : tour(part, sphere, weights, job);
         paths.push_back(std::move(path));
     }
     return paths;

@@ -1,5 +1,7 @@
 #include "planning/path/tour.h"
 
+#include "engine/jobs/parallel.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -30,8 +32,8 @@ class Tour {
         }
     }
 
-    std::vector<int> improved() && {
-        for (int round = 0; round < kRounds; ++round) {
+    std::vector<int> improved(const JobContext& job) && {
+        for (int round = 0; round < kRounds && !job.cancelled(); ++round) {
             const bool reversed = reverseStretches();
             const bool moved = moveStretches();
             if (!reversed && !moved) break;
@@ -128,12 +130,15 @@ double tourCost(const CostMatrix& cost, const std::vector<int>& tour) {
     return sum;
 }
 
-std::vector<int> shortTour(const CostMatrix& cost) {
+std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job) {
+    const std::size_t starts = std::min(kStarts, cost.size());
+    std::vector<std::vector<int>> tours(starts);
+    parallelFor(starts, [&](std::size_t s) {
+        tours[s] = Tour(cost, s * cost.size() / starts).improved(job);
+    });
     std::vector<int> best;
     double least = std::numeric_limits<double>::infinity();
-    const std::size_t starts = std::min(kStarts, cost.size());
-    for (std::size_t s = 0; s < starts; ++s) {
-        std::vector<int> tour = Tour(cost, s * cost.size() / starts).improved();
+    for (std::vector<int>& tour : tours) {
         const double length = tourCost(cost, tour);
         if (length >= least) continue;
         least = length;

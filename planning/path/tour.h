@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/jobs/job.h"
+
 #include <vector>
 
 namespace dollytrack::planning {
@@ -9,8 +11,8 @@ using CostMatrix = std::vector<std::vector<double>>;
 
 /// A short open tour through all stops: nearest neighbour from several starts, each improved by
 /// reversing stretches (2-opt) and moving short stretches (Or-opt) until neither helps.
-/// Deterministic. Costs must be symmetric and finite.
-std::vector<int> shortTour(const CostMatrix& cost);
+/// Deterministic. Costs must be symmetric and finite. A cancelled job ends it early.
+std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job = {});
 
 double tourCost(const CostMatrix& cost, const std::vector<int>& tour);
 

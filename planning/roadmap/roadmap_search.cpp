@@ -11,6 +11,9 @@
 namespace dollytrack::planning {
 namespace {
 
+// A few edges a sample make the tour's ways short; more would only cost time.
+constexpr int kEdgesPerSample = 4;
+
 /// The search itself is sequential by nature (each pick depends on what is joined), but its one
 /// costly question is not: whether a pair is collision-free. So the pairs that the search can ask
 /// about, the few with the best priority for each sample, are answered beforehand in parallel.
@@ -70,12 +73,11 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
     const auto position = [&](int i) -> const Eigen::Vector3d& {
         return position_points[static_cast<std::size_t>(i)].pose.position;
     };
-    // Each sample may try its best `refusal_limit` partners: those it would be joined to until it
-    // has that many refusals or as many edges.
+    // No sample gets further than this in its order: it has as many edges or refusals by then.
     std::vector<std::vector<int>> partners(key_frames.size());
     parallelFor(key_frames.size(), [&](std::size_t i) {
         partners[i] = byPriority(position_points, key_frames, sizes, key_frames[i], params);
-        const auto tried = static_cast<std::size_t>(params.refusal_limit);
+        const auto tried = static_cast<std::size_t>(params.refusal_limit + kEdgesPerSample);
         if (partners[i].size() > tried) partners[i].resize(tried);
     });
     std::vector<Pair> pairs;
@@ -106,7 +108,10 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
     Roadmap roadmap;
     std::vector<bool> used(pairs.size(), false);
     for (const std::size_t i : order) {
+        int refusals = 0;
+        int joined = 0;
         for (const int near : partners[i]) {
+            if (refusals >= params.refusal_limit || joined >= kEdgesPerSample) break;
             const std::pair wanted(std::min(key_frames[i], near), std::max(key_frames[i], near));
             const auto found =
                 std::lower_bound(pairs.begin(), pairs.end(), wanted,
@@ -115,6 +120,7 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
             if (used[index]) continue;
             used[index] = true;
             const Pair& pair = *found;
+            ++(pair.sweep.free ? joined : refusals);
             if (pair.sweep.free) {
                 roadmap.edges.push_back(
                     {pair.a, pair.b, {}, (position(pair.a) - position(pair.b)).norm(), true});

@@ -165,8 +165,10 @@ Result<SmoothPath> smoothPath(const CameraPath& path,
     });
     const double limit = 1.0;
     smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, limit);
-    for (const Sweep& sweep : sweeps) {
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+        const Sweep& sweep = sweeps[i];
         smooth.collisions += sweep.free ? 0 : 1;
+        smooth.corner_collisions += !sweep.free && smooth.pieces[i].curved ? 1 : 0;
         smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);
     }
     return smooth;

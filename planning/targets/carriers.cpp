@@ -17,8 +17,7 @@ constexpr double kTouch = 0.06;
 
 /// First hit that is not on the object itself.
 std::optional<RayHit> castPast(const RayCaster& rays, int self, const Eigen::Vector3d& origin,
-                               const Eigen::Vector3d& direction, double reach) {
-    double begin = 0.0;
+                               const Eigen::Vector3d& direction, double reach, double begin = 0.0) {
     for (int i = 0; i < 16; ++i) {
         const RayHit hit = rays.cast(origin, direction, reach, begin);
         if (hit.object_id == 0) return std::nullopt;
@@ -85,7 +84,10 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
         const double angle = object.box.yaw + i * 0.5 * std::numbers::pi;
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
         const double half = object.box.half_size[i % 2];
-        const auto hit = castPast(rays, object.id, object.box.center, direction, half + kTouch);
+        // Only what lies about the object's side: something inside its box, like the thing in a
+        // cupboard, holds nothing up.
+        const auto hit = castPast(rays, object.id, object.box.center, direction, half + kTouch,
+                                  std::max(0.0, half - kTouch));
         if (!hit || hit->distance - half >= nearest) continue;
         nearest = hit->distance - half;
         best = {hit->object_id, -direction};
@@ -108,6 +110,7 @@ Carriage findCarrier(const Scene& scene, const RayCaster& rays, const TargetPara
         if (carriage.kind == TargetKind::Shelf) carriage.outward = openSide(rays, object, carrier);
         return carriage;
     }
+    if (!carriage.small) return carriage;
     if (const auto side = hangsAt(rays, object)) {
         carriage.kind = TargetKind::Suspension;
         carriage.carrier = side->first;

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -60,11 +61,12 @@ class Grouping {
             points.push_back(std::move(point));
             return;
         }
-        std::sort(objects.begin(), objects.end(), [&](int a, int b) {
-            return alongSpread(a, objects) != alongSpread(b, objects)
-                       ? alongSpread(a, objects) < alongSpread(b, objects)
-                       : a < b;
-        });
+        const Eigen::Index axis = longerSpread(objects);
+        const auto place = [&](int id) {
+            return std::pair(views_.scene().object(id).box.center[axis], id);
+        };
+        std::sort(objects.begin(), objects.end(),
+                  [&](int a, int b) { return place(a) < place(b); });
         const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(objects.size() / 2);
         std::vector<int> rest(middle, objects.end());
         objects.erase(middle, objects.end());
@@ -98,13 +100,11 @@ class Grouping {
         });
     }
 
-    /// Position of an object along the longer horizontal spread of the group.
-    [[nodiscard]] double alongSpread(int id, const std::vector<int>& objects) const {
+    /// The horizontal axis (0: x, 1: y) along which the objects are spread out more.
+    [[nodiscard]] Eigen::Index longerSpread(const std::vector<int>& objects) const {
         Eigen::AlignedBox3d box;
-        for (const int other : objects) box.extend(views_.scene().object(other).box.center);
-        Eigen::Index axis = 0;
-        box.sizes().maxCoeff(&axis);
-        return views_.scene().object(id).box.center[axis];
+        for (const int id : objects) box.extend(views_.scene().object(id).box.center);
+        return box.sizes().x() >= box.sizes().y() ? 0 : 1;
     }
 
     const ViewEstimator& views_;
@@ -120,16 +120,22 @@ std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
     const Scene& scene = views.scene();
     const std::vector<Carriage> carriages = findCarriers(scene, views.rays(), targets);
 
-    // Members of a group share carrier, kind and, for shelves, side and board.
-    std::map<std::tuple<int, TargetKind, int, int>, std::vector<int>> groups;
+    // Members of a group share carrier and kind; in a shelf also the open side and the board.
+    std::map<std::tuple<int, TargetKind, int, int, int>, std::vector<int>> groups;
     for (const Object& object : scene.objects) {
         if (object.role != Role::Target) continue;
         const Carriage& carriage = carriages[static_cast<std::size_t>(object.id) - 1];
+        int side = 0;
+        int board = 0;
+        if (carriage.kind == TargetKind::Shelf) {
+            const double angle = std::atan2(carriage.outward.y(), carriage.outward.x());
+            side = static_cast<int>(std::lround(angle / (0.5 * std::numbers::pi)));
+            const double bottom = object.box.center.z() - object.box.half_size.z();
+            board = static_cast<int>(std::lround(bottom / 0.1));
+        }
         const bool shares =
             carriage.kind == TargetKind::Support || carriage.kind == TargetKind::Shelf;
-        const double bottom = object.box.center.z() - object.box.half_size.z();
-        const int board = shares ? static_cast<int>(std::lround(bottom / 0.1)) : 0;
-        groups[{carriage.carrier, carriage.kind, shares ? 0 : object.id, board}].push_back(
+        groups[{carriage.carrier, carriage.kind, shares ? 0 : object.id, side, board}].push_back(
             object.id);
     }
     Grouping grouping(views, carriages, viewpoints);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace {
 // Slerp may rise this much above its ends before heading and elevation are interpolated instead.
 constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
 constexpr int kTurnSamples = 64;
+constexpr std::int64_t kMostFrames = 1'000'000;
 
 double heading(const Eigen::Vector3d& forward) {
     return std::atan2(forward.y(), forward.x());
@@ -32,8 +34,9 @@ struct Stretch {
     Eigen::Vector3d from_target, to_target;
     double least_time_s = 0.0;  // by the limits
 
-    [[nodiscard]] int frames(double interval) const {
-        return std::max(1, static_cast<int>(std::ceil(least_time_s / interval - 1e-9)));
+    [[nodiscard]] std::int64_t frames(double interval) const {
+        return std::max<std::int64_t>(
+            1, static_cast<std::int64_t>(std::ceil(least_time_s / interval - 1e-9)));
     }
 };
 
@@ -65,7 +68,9 @@ class Timer {
         frame.component = s.path->component;
         frame.pose.position =
             share >= 1.0 ? s.to->position
-                         : s.path->at(s.from->arc_m + share * (s.to->arc_m - s.from->arc_m));
+            : s.to->arc_m <= s.from->arc_m
+                ? s.from->position  // two keys at one place
+                : s.path->at(s.from->arc_m + share * (s.to->arc_m - s.from->arc_m));
         frame.pose.rotation = betweenOrientations(s.from_rotation, s.to_rotation, share);
         const double distance = (1.0 - share) * (s.from_target - s.from->position).norm() +
                                 share * (s.to_target - s.to->position).norm();
@@ -111,8 +116,9 @@ class Timer {
     const TimingParams& params_;
 };
 
-int countFrames(const std::vector<Stretch>& stretches, std::size_t path_count, double interval) {
-    int count = static_cast<int>(path_count);
+std::int64_t countFrames(const std::vector<Stretch>& stretches, std::size_t path_count,
+                         double interval) {
+    auto count = static_cast<std::int64_t>(path_count);
     for (const Stretch& s : stretches) count += s.frames(interval);
     return count;
 }
@@ -177,14 +183,22 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
         trajectory.frame_interval_s =
             intervalWithin(stretches, keyed_paths, trajectory.frame_interval_s, params.max_frames);
     }
+    const std::int64_t total = countFrames(stretches, keyed_paths, trajectory.frame_interval_s);
+    if (total > kMostFrames) {
+        return fail(ErrorCode::Usage,
+                    "At these limits the trajectory would have more than a million frames; lower "
+                    "frame_rate, raise max_speed_mps or max_turn_dps, or set max_frames.",
+                    "frame_rate");
+    }
     auto stretch = stretches.begin();
     for (std::size_t p = 0; p < paths.size(); ++p) {
         if (paths[p].keys.empty()) continue;
         trajectory.frames.push_back(timer.first(paths[p], p));
         for (; stretch != stretches.end() && stretch->path_index == p; ++stretch) {
-            const int count = stretch->frames(trajectory.frame_interval_s);
-            for (int i = 1; i <= count; ++i) {
-                trajectory.frames.push_back(timer.frame(*stretch, static_cast<double>(i) / count));
+            const std::int64_t count = stretch->frames(trajectory.frame_interval_s);
+            for (std::int64_t i = 1; i <= count; ++i) {
+                trajectory.frames.push_back(
+                    timer.frame(*stretch, static_cast<double>(i) / static_cast<double>(count)));
             }
         }
     }

@@ -13,6 +13,7 @@ namespace dollytrack::planning {
 struct Judged {
     Candidate candidate;
     double quality = -1.0;  // below 0: not legal
+    int order = 0;          // among candidates of equal quality the first is taken
     bool all_well = false;  // every object is captured well, with a margin
 };
 

@@ -51,7 +51,8 @@ class Search {
         const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
         tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
                       {1.0, 0.8, 1.25});
-        // A group whose cone holds no good view is split; only single objects are worth more search.
+        // A group whose cone holds no good view is split; only single objects are worth more
+        // search.
         if (!refineBest() && point_.objects.size() == 1) {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
@@ -90,6 +91,7 @@ class Search {
         Judged judged = judge_.judge(place, Look::Coarse);
         candidates_.push_back(judged.candidate);
         if (judged.quality < 0.0) return;
+        judged.order = static_cast<int>(pending_.size());
         pending_.push_back(std::move(judged));
     }
 
@@ -97,8 +99,9 @@ class Search {
     bool refineBest() {
         const auto count = std::min<std::size_t>(kRefined, pending_.size());
         std::partial_sort(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(count),
-                          pending_.end(),
-                          [](const Judged& a, const Judged& b) { return a.quality > b.quality; });
+                          pending_.end(), [](const Judged& a, const Judged& b) {
+                              return std::pair(a.quality, b.order) > std::pair(b.quality, a.order);
+                          });
         for (std::size_t i = 0; i < count; ++i) {
             Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
             if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);

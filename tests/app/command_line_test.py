@@ -181,6 +181,20 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(saved["notes"], "mine")
         self.assertEqual(saved["result"], project["result"])
 
+    def test_a_project_remembers_how_to_read_its_scene(self):
+        path = self.folder / "centimetres.dolly"
+        lines = [line if not line.startswith("v ") else
+                 "v " + " ".join(str(100 * float(x)) for x in line.split()[1:])
+                 for line in self.room.read_text().splitlines()]
+        scene = self.folder / "room_cm.obj"
+        scene.write_text("\n".join(lines))
+        planned = run("plan", scene, "--unit", 0.01, "-o", path, "--json", "--max-frames", 5)
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        again = run("plan", path, "--json")
+        self.assertEqual(json.loads(again.stdout)["path_length_m"],
+                         json.loads(planned.stdout)["path_length_m"])
+        self.assertEqual(json.loads(path.read_text())["scene"]["import"], {"unit_m": 0.01})
+
     def test_the_same_bytes_from_scene_and_project_and_any_threads(self):
         self.assertEqual(self.exported.returncode, 0, self.exported.stderr)
         for threads in (1, 2):

@@ -52,7 +52,7 @@ TEST(Pipeline, CapturesEverythingInASimpleRoom) {
 }
 
 TEST(Pipeline, NeverComesCloserThanTheCameraRadius) {
-    for (const double radius : {0.05, 0.1, 0.2}) {
+    for (const double radius : {0.07, 0.1, 0.2}) {
         PlanParams params;
         params.camera.camera_radius_m = radius;
         const Scene scene = test::twoRoomsWithDoor(0.7);
@@ -164,6 +164,26 @@ TEST(Pipeline, RepeatsOnlyWhatDependsOnAChange) {
     const auto fresh = planOf(test::furnishedRoom(), params);
     EXPECT_EQ(trajectoryJson((*reused)->trajectory).dump(),
               trajectoryJson(fresh->trajectory).dump());
+}
+
+TEST(Pipeline, RefusesACameraWhoseNearPlaneLeavesItsSphere) {
+    PlanParams params;
+    params.camera.near_m = 0.5;
+    Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
+    const auto result = pipeline.run(params, JobContext{});
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::Usage);
+    EXPECT_EQ(result.error().where, "near_m");
+}
+
+TEST(Pipeline, RefusesMoreFramesThanAnyoneWants) {
+    PlanParams params;
+    params.timing.frame_rate = 1000.0;
+    params.timing.max_turn_dps = 0.1;
+    Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
+    const auto result = pipeline.run(params, JobContext{});
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().where, "frame_rate");
 }
 
 TEST(Pipeline, CancelsAtOnceAndSaysSo) {
