@@ -1,5 +1,6 @@
 #include "engine/io/assimp_reader.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
@@ -202,7 +203,7 @@ class TextureList {
 Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textures) {
     Material material;
     aiString name;
-    if (source.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = name.C_Str();
+    if (source.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = cleanText(name.C_Str());
 
     aiString alpha_mode("OPAQUE");
     if (!is_gltf) alpha_mode.Set("BLEND");
@@ -271,7 +272,7 @@ std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affi
         const Visit visit = stack.back();
         stack.pop_back();
         const auto index = static_cast<int>(raw.nodes.size());
-        raw.nodes.push_back({visit.node->mName.C_Str(), visit.parent, 0});
+        raw.nodes.push_back({cleanText(visit.node->mName.C_Str()), visit.parent, 0});
         if (visit.parent >= 0) ++raw.nodes[static_cast<std::size_t>(visit.parent)].children;
         const Eigen::Affine3d here =
             visit.source_from_parent * toAffine(visit.node->mTransformation);
@@ -294,7 +295,7 @@ std::span<const Eigen::Vector3f> vectors(const aiVector3D* data, unsigned count)
 
 RepairCounts readMesh(const Placement& placement, std::uint32_t material_count, MeshPart& part) {
     const aiMesh& mesh = *placement.mesh;
-    part.name = mesh.mName.C_Str();
+    part.name = cleanText(mesh.mName.C_Str());
     part.node = placement.node;
     part.material = std::min(mesh.mMaterialIndex, material_count - 1);
     std::vector<std::uint32_t> sizes;
@@ -385,6 +386,7 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
         if (!scene || !scene->mRootNode) {
             std::string reason = importer->GetErrorString();
             std::replace(reason.begin(), reason.end(), '\n', ' ');
+            reason = cleanText(reason);
             return fail(ErrorCode::BadInput,
                         "the file cannot be read as a 3D scene (" + reason +
                             "); export it again, preferably as glTF",

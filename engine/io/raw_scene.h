@@ -17,7 +17,7 @@ namespace dollytrack {
 /// One mesh under one node: one material, checked (every index valid, every number finite, no
 /// triangle without area) and placed, in the source's own axes and unit.
 struct MeshPart {
-    std::string name;  // the mesh's own name
+    std::string name;  // the mesh's own name, clean text
     int node = 0;      // index into RawScene::nodes
     std::uint32_t material = 0;
     std::vector<Eigen::Vector3f> positions;
@@ -31,14 +31,14 @@ struct MeshPart {
 };
 
 struct SourceNode {
-    std::string name;
+    std::string name;  // clean text
     int parent = -1;
     int children = 0;
 };
 
 /// A picture a material asks for: a path as the file writes it, or bytes inside the file.
 struct TextureRequest {
-    std::string name;
+    std::string name;                    // byte for byte, as it has to be found on disk
     std::vector<std::uint8_t> embedded;  // an encoded file, or width x height RGBA
     int embedded_width = 0;              // of raw RGBA; 0: encoded, or not embedded
     int embedded_height = 0;

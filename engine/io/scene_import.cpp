@@ -1,5 +1,6 @@
 #include "engine/io/scene_import.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/assimp_reader.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/input_check.h"
@@ -137,7 +138,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     RawScene& raw = *read;
 
     Scene scene;
-    scene.name = path.stem().string();
+    scene.name = cleanText(path.stem().string());
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
     std::vector<ObjectDraft> drafts = groupByNodes(raw, *labels);

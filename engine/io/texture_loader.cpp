@@ -1,5 +1,6 @@
 #include "engine/io/texture_loader.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/jobs/parallel.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -189,7 +190,7 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
     parallelFor(requests.size(), [&](std::size_t i) {
         const TextureRequest& request = requests[i];
         Texture& texture = set.textures[i];
-        texture.name = request.name;
+        texture.name = cleanText(request.name);
         if (job.cancelled()) return;
         if (request.embedded_width > 0) {
             texture.width = request.embedded_width;
@@ -208,8 +209,8 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
     });
     for (std::size_t i = 0; i < requests.size(); ++i) {
         if (states[i] == State::Found) ++set.found;
-        if (states[i] == State::Missing) set.missing.push_back(requests[i].name);
-        if (states[i] == State::Broken) set.broken.push_back(requests[i].name);
+        if (states[i] == State::Missing) set.missing.push_back(set.textures[i].name);
+        if (states[i] == State::Broken) set.broken.push_back(set.textures[i].name);
     }
     return set;
 }

@@ -10,7 +10,7 @@ namespace dollytrack {
 
 /// An 8-bit RGBA picture, rows from the top, sRGB encoded.
 struct Texture {
-    std::string name;  // as the scene names it
+    std::string name;  // as the scene names it, clean text (core/clean_text.h)
     int width = 0;     // 0 when the file was not found or not readable
     int height = 0;
     std::vector<std::uint8_t> rgba;

@@ -1,5 +1,6 @@
 #include "engine/scene/scene_report.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/scene/labels.h"
 
 #include <nlohmann/json.hpp>
@@ -106,7 +107,7 @@ json toJson(const Scene& scene) {
         objects.push_back(objectJson(object));
     }
     return {{"name", scene.name},
-            {"source", scene.source.string()},
+            {"source", cleanText(scene.source.string())},
             {"source_sha256", scene.source_sha256},
             {"unit_m", scene.report.unit_m},
             {"unit_source", scene.report.unit_source},

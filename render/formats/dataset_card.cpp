@@ -1,6 +1,7 @@
 #include "render/formats/dataset_card.h"
 
 #include "engine/camera/intrinsics.h"
+#include "engine/core/clean_text.h"
 #include "engine/io/sha256.h"
 #include "engine/scene/labels.h"
 #include "render/formats/camera_json.h"
@@ -172,7 +173,7 @@ std::string datasetCardText(const Scene& scene, const DatasetCard& card) {
     root["product_version"] = card.product_version;
     root["conventions"] = conventions(card);
     root["scene"] = {{"name", scene.name},
-                     {"file", scene.source.filename().string()},
+                     {"file", cleanText(scene.source.filename().string())},
                      {"sha256", scene.source_sha256},
                      {"geometry_sha256", geometryHash(scene)},
                      {"source_from_world", toJson(scene.source_from_world)}};

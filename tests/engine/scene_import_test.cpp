@@ -327,6 +327,32 @@ TEST(SceneImport, CountsTexturesFoundAndMissing) {
     EXPECT_EQ(texture.rgba, (std::vector<std::uint8_t>{0x10, 0x20, 0x30, 0xFF}));
 }
 
+TEST(SceneImport, MakesEveryNameValidText) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("h\xF6lz.ppm", "P6\n1 1\n255\n\x10\x20\x30"));
+    static_cast<void>(folder.write("room.mtl",
+                                   "newmtl h\xF6lz\nmap_Kd h\xF6lz.ppm\nnewmtl fort\n"
+                                   "map_Kd f\xFCr.png\nnewmtl kaputt\nmap_Kd b\xF6s.ppm\n"));
+    static_cast<void>(folder.write("b\xF6s.ppm", "P6"));
+    ObjWriter obj;
+    obj.room({4, 3, 2.6}, true);
+    obj.object("B\xFCro_table\x1B").material("h\xF6lz").box({1, 1, 0}, {2, 2, 0.7});
+    obj.object("chair").material("fort").box({3, 1, 0}, {3.4, 1.4, 0.9});
+    obj.object("bed").material("kaputt").box({0.1, 2, 0}, {2, 2.9, 0.4});
+    const Scene scene = imported(folder.write("r\xE4um.obj", "mtllib room.mtl\n" + obj.text()));
+    const std::string bad = "\xEF\xBF\xBD";
+    const Object* table = find(scene, "B" + bad + "ro_table");
+    ASSERT_NE(table, nullptr);
+    EXPECT_EQ(scene.name, "r" + bad + "um");
+    const Material& wood = scene.materials[scene.triangle_material[table->first_triangle]];
+    EXPECT_EQ(wood.name, "h" + bad + "lz");
+    // Found on disk by its own bytes, shown as text.
+    EXPECT_EQ(scene.report.textures_found, 1);
+    EXPECT_EQ(scene.textures[static_cast<std::size_t>(wood.texture)].name, "h" + bad + "lz.ppm");
+    EXPECT_EQ(scene.report.textures_missing, std::vector<std::string>{"f" + bad + "r.png"});
+    EXPECT_NO_THROW(static_cast<void>(toJson(scene).dump()));
+}
+
 TEST(SceneReport, HoldsWhatInfoShows) {
     const TempFolder folder;
     const Scene scene = imported(folder.write("room.obj", bedroom(1.0, true)));

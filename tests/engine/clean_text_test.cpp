@@ -1,0 +1,39 @@
+#include "engine/core/clean_text.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dollytrack {
+namespace {
+
+TEST(CleanText, KeepsWhatIsValid) {
+    for (const std::string text : {"", "bed_1", "B\xC3\xBCro", "\xE6\xA4\x85\xE5\xAD\x90",
+                                   "\xF0\x9F\x9B\x8B", "\xEF\xBF\xBD"}) {
+        EXPECT_EQ(cleanText(text), text);
+    }
+}
+
+TEST(CleanText, ReplacesBadBytes) {
+    const std::string bad = "\xEF\xBF\xBD";
+    EXPECT_EQ(cleanText("B\xFCro"), "B" + bad + "ro");                // Latin-1
+    EXPECT_EQ(cleanText("\xE6\xA4"), bad);                            // cut off
+    EXPECT_EQ(cleanText("\xE6\xA4x"), bad + "x");                     // cut off in the middle
+    EXPECT_EQ(cleanText("\xC0\xAF"), bad + bad);                      // overlong
+    EXPECT_EQ(cleanText("\xED\xA0\x80"), bad + bad + bad);            // surrogate
+    EXPECT_EQ(cleanText("\xF4\x90\x80\x80"), bad + bad + bad + bad);  // beyond U+10FFFF
+}
+
+TEST(CleanText, DropsControlCharacters) {
+    EXPECT_EQ(cleanText("a\x1B[31m\tb\r\n\x7F\xC2\x85"), "a[31mb");
+    EXPECT_EQ(cleanText(std::string_view("a\0b", 3)), "ab");
+}
+
+TEST(CleanText, AnyTwoBytesMakeJson) {
+    for (int i = 0; i < 65536; ++i) {
+        const std::string text = {static_cast<char>(i >> 8), static_cast<char>(i & 255), 'x'};
+        EXPECT_NO_THROW(static_cast<void>(nlohmann::json(cleanText(text)).dump())) << i;
+    }
+}
+
+}  // namespace
+}  // namespace dollytrack
