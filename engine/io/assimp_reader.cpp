@@ -1,6 +1,7 @@
 #include "engine/io/assimp_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
@@ -96,37 +97,15 @@ Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
     return result;
 }
 
-/// What a Collada file says about itself, from the <asset> at its head; assimp has already
-/// applied it, so this also tells how to get back to the file's own numbers.
-struct ColladaAsset {
-    double unit_m = 1.0;
-    char up_axis = 'y';
-};
-
 ColladaAsset readColladaAsset(const Path& path) {
-    ColladaAsset asset;
     std::string head(65536, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));
-    if (const auto up = head.find("<up_axis>"); up != std::string::npos) {
-        const auto letter = head.find_first_of("XYZ", up);
-        if (letter != std::string::npos && letter < up + 24) {
-            asset.up_axis = static_cast<char>(std::tolower(head[letter]));
-        }
-    }
-    if (const auto unit = head.find("<unit"); unit != std::string::npos) {
-        const auto end = head.find('>', unit);
-        const auto meter = head.find("meter=", unit);
-        if (meter != std::string::npos && meter < end) {
-            const double value = std::strtod(head.c_str() + meter + 7, nullptr);
-            if (std::isfinite(value) && value > 0.0) asset.unit_m = value;
-        }
-    }
-    return asset;
+    return parseColladaAsset(head);
 }
 
-/// assimp turns every Collada scene to y up and metres; this turns it back.
+/// assimp turns every Collada scene to y up and metres; this gets back to the file's own numbers.
 Eigen::Affine3d undoCollada(const ColladaAsset& asset) {
     Eigen::Matrix3d assimp_from_file = Eigen::Matrix3d::Identity();
     if (asset.up_axis == 'z') assimp_from_file << 1, 0, 0, 0, 0, 1, 0, -1, 0;
