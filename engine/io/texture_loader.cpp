@@ -99,22 +99,29 @@ std::optional<fs::path> locate(const std::string& name, const fs::path& folder,
     return std::nullopt;
 }
 
-/// Width x height as the file's head tells, without decoding; 0 when OpenCV has to find out.
-/// PNG and JPEG alone can blow up from a small file, and both say their size early.
+/// Width x height as the file's head tells (beyond kMostPixels only roughly), without decoding; 0
+/// when OpenCV has to find out. PNG and JPEG alone can blow up from a small file, and both say
+/// their size early.
 std::int64_t declaredPixels(const std::vector<std::uint8_t>& bytes) {
     const auto big = [&](std::size_t at, int count) {
         std::int64_t value = 0;
         for (int i = 0; i < count; ++i) value = value * 256 + bytes[at + static_cast<unsigned>(i)];
         return value;
     };
-    if (bytes.size() > 24 && bytes[0] == 0x89 && bytes[1] == 'P') return big(16, 4) * big(20, 4);
+    // Each side first: the product of two 32-bit numbers need not fit.
+    const auto area = [](std::int64_t width, std::int64_t height) {
+        return std::min(width, kMostPixels + 1) * std::min(height, kMostPixels + 1);
+    };
+    if (bytes.size() > 24 && bytes[0] == 0x89 && bytes[1] == 'P') {
+        return area(big(16, 4), big(20, 4));
+    }
     if (bytes.size() > 4 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
         for (std::size_t at = 2; at + 9 < bytes.size();) {
             if (bytes[at] != 0xFF) return 0;
             const int marker = bytes[at + 1];
             if (marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 &&
                 marker != 0xCC) {
-                return big(at + 5, 2) * big(at + 7, 2);
+                return area(big(at + 5, 2), big(at + 7, 2));
             }
             at += 2 + static_cast<std::size_t>(big(at + 2, 2));
         }

@@ -327,6 +327,26 @@ TEST(SceneImport, CountsTexturesFoundAndMissing) {
     EXPECT_EQ(texture.rgba, (std::vector<std::uint8_t>{0x10, 0x20, 0x30, 0xFF}));
 }
 
+TEST(SceneImport, RefusesPicturesOfAnySize) {
+    const TempFolder folder;
+    const std::string signature("\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR", 16);
+    const std::string rest("\x08\x06\0\0\0\0\0\0\0", 9);
+    // The product of the sides overflows, is 0 when cut to 64 bits, and is merely too large.
+    for (const std::string& sides :
+         {std::string("\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF"), std::string("\x80\0\0\0\x80\0\0\0", 8),
+          std::string("\0\0\x40\0\0\0\x40\0", 8)}) {
+        static_cast<void>(folder.write("huge.png", signature + sides + rest));
+        static_cast<void>(folder.write("room.mtl", "newmtl huge\nmap_Kd huge.png\n"));
+        ObjWriter obj;
+        obj.room({4, 3, 2.6}, true);
+        obj.object("table").material("huge").box({1, 1, 0}, {2, 2, 0.7});
+        const Scene scene = imported(folder.write("room.obj", "mtllib room.mtl\n" + obj.text()));
+        ASSERT_EQ(scene.textures.size(), 1U);
+        EXPECT_EQ(scene.textures[0].width, 0);
+        EXPECT_EQ(scene.report.warnings.back(), "the texture huge.png cannot be decoded");
+    }
+}
+
 TEST(SceneImport, MakesEveryNameValidText) {
     const TempFolder folder;
     static_cast<void>(folder.write("h\xF6lz.ppm", "P6\n1 1\n255\n\x10\x20\x30"));
