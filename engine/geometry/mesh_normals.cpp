@@ -19,35 +19,41 @@ std::vector<Eigen::Vector3f> cornerNormals(std::span<const Eigen::Vector3f> posi
         const auto& p = positions[i];
         place[i] = places.insert({p.x(), p.y(), p.z()});
     }
-    std::vector<Eigen::Vector3f> area_normal(triangles.size());
+    // The corners at each place, in the order of the triangles.
     std::vector<std::uint32_t> first(places.size() + 1, 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const auto& [a, b, c] = triangles[t];
-        area_normal[t] = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-        for (const std::uint32_t v : triangles[t]) ++first[place[v] + 1];
+    for (const auto& triangle : triangles) {
+        for (const std::uint32_t v : triangle) ++first[place[v] + 1];
     }
     for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    std::vector<std::uint32_t> around(3 * triangles.size());
+    struct Corner {
+        Eigen::Vector3f area_normal;
+        Eigen::Vector3f unit;
+        std::size_t index;  // 3 * triangle + corner
+    };
+    std::vector<Corner> corners(3 * triangles.size());
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (const std::uint32_t v : triangles[t]) around[next[place[v]]++] = t;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto& [a, b, c] = triangles[t];
+        const Eigen::Vector3f area_normal =
+            (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+        const Eigen::Vector3f unit = area_normal.normalized();
+        for (std::size_t i = 0; i < 3; ++i) {
+            corners[next[place[triangles[t][i]]]++] = {area_normal, unit, 3 * t + i};
+        }
     }
 
     const auto least_cosine =
         static_cast<float>(std::cos(crease_deg * std::numbers::pi / 180.0) - 1e-6);
-    std::vector<Eigen::Vector3f> unit(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) unit[t] = area_normal[t].normalized();
     std::vector<Eigen::Vector3f> normals(3 * triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t at = place[triangles[t][corner]];
+    for (std::size_t at = 0; at + 1 < first.size(); ++at) {
+        const std::span around(corners.data() + first[at], first[at + 1] - first[at]);
+        for (const Corner& corner : around) {
             Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-            for (std::uint32_t k = first[at]; k < first[at + 1]; ++k) {
-                const std::uint32_t other = around[k];
-                if (unit[t].dot(unit[other]) >= least_cosine) sum += area_normal[other];
+            for (const Corner& other : around) {
+                if (corner.unit.dot(other.unit) >= least_cosine) sum += other.area_normal;
             }
             const float length = sum.norm();
-            normals[3 * t + corner] = length > 0.0F ? Eigen::Vector3f(sum / length) : unit[t];
+            normals[corner.index] = length > 0.0F ? Eigen::Vector3f(sum / length) : corner.unit;
         }
     }
     return normals;

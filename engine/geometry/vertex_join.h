@@ -13,7 +13,8 @@ template <std::size_t N>
 class VertexJoin {
   public:
     explicit VertexJoin(std::size_t expected) {
-        slots_.assign(std::bit_ceil(2 * expected + 8), kEmpty);
+        // Files repeat most corners, so a small table that grows beats a large, cold one.
+        slots_.assign(std::bit_ceil(expected / 2 + 8), kEmpty);
         keys_.reserve(expected);
     }
 
@@ -37,15 +38,24 @@ class VertexJoin {
 
     /// Where the key is, or would go.
     [[nodiscard]] std::size_t slotOf(const Bits& bits) const {
-        std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
+        // Each word by an odd factor of its own: the products do not wait for each other.
+        std::uint64_t hash = 0;
+        std::uint64_t factor = 0x9E3779B97F4A7C15ULL;
         for (const std::uint32_t word : bits) {
-            hash = (hash ^ word) * 0xD6E8FEB86659FD93ULL;
-            hash ^= hash >> 32;
+            hash += (word + 0x7F4A7C15ULL) * factor;
+            factor *= 0xD6E8FEB86659FD93ULL;
         }
+        hash = (hash ^ (hash >> 32)) * 0xD6E8FEB86659FD93ULL;
         const std::size_t mask = slots_.size() - 1;
-        std::size_t at = hash & mask;
-        while (slots_[at] != kEmpty && keys_[slots_[at]] != bits) at = (at + 1) & mask;
+        std::size_t at = (hash >> 32) & mask;
+        while (slots_[at] != kEmpty && !equal(keys_[slots_[at]], bits)) at = (at + 1) & mask;
         return at;
+    }
+
+    static bool equal(const Bits& a, const Bits& b) {
+        std::uint32_t difference = 0;
+        for (std::size_t i = 0; i < N; ++i) difference |= a[i] ^ b[i];
+        return difference == 0;
     }
 
     void grow() {

@@ -14,7 +14,7 @@ constexpr float kAlongAxis = 0.99939F;  // cosine of 2 degrees
 /// The faces that can be kept, as triangles into the mesh's own vertices.
 std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
                                        const std::vector<Eigen::Vector3f>& placed,
-                                       const std::vector<bool>& finite, RepairCounts& counts) {
+                                       const std::vector<char>& finite, RepairCounts& counts) {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.face_indices.size() / 2);
     std::vector<Eigen::Vector3f> corners;
@@ -94,7 +94,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
     const bool moves = !source_from_mesh.isApprox(Eigen::Affine3d::Identity(), 0.0);
 
     std::vector<Eigen::Vector3f> placed(mesh.positions.begin(), mesh.positions.end());
-    std::vector<bool> finite(placed.size());
+    std::vector<char> finite(placed.size());
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (moves) placed[i] = (source_from_mesh * placed[i].cast<double>()).cast<float>();
         finite[i] = placed[i].allFinite();
@@ -121,6 +121,10 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
 
     VertexJoin<8> join(std::min(placed.size(), 3 * triangles.size()));
     part.triangles.reserve(triangles.size());
+    const std::size_t likely = triangles.size();  // a closed smooth mesh has half as many
+    part.positions.reserve(likely);
+    part.normals.reserve(likely);
+    part.uvs.reserve(likely);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         Triangle joined;
         for (std::size_t corner = 0; corner < 3; ++corner) {
