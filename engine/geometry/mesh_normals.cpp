@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dollytrack {
 
 std::vector<Eigen::Vector3f> cornerNormals(std::span<const Eigen::Vector3f> positions,
                                            std::span<const std::array<std::uint32_t, 3>> triangles,
-                                           double crease_deg) {
+                                           double crease_deg,
+                                           std::vector<std::uint32_t>* place_out) {
     // Files often repeat a position for every face: what counts is the place, not the index.
     VertexJoin<3> places(positions.size());
     std::vector<std::uint32_t> place(positions.size());
@@ -56,6 +58,7 @@ std::vector<Eigen::Vector3f> cornerNormals(std::span<const Eigen::Vector3f> posi
             normals[corner.index] = length > 0.0F ? Eigen::Vector3f(sum / length) : corner.unit;
         }
     }
+    if (place_out) *place_out = std::move(place);
     return normals;
 }
 

@@ -4,7 +4,11 @@
 #include "engine/geometry/triangulate.h"
 #include "engine/geometry/vertex_join.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <vector>
 
 namespace dollytrack {
 namespace {
@@ -56,6 +60,44 @@ std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
     return triangles;
 }
 
+/// Numbers equal vertices alike, in order of first appearance, where equal places are known: each
+/// place has a short list of the vertices there. -0 and 0 are equal.
+class JoinAtPlaces {
+  public:
+    explicit JoinAtPlaces(std::size_t places) : first_(places, kEnd) { vertices_.reserve(places); }
+
+    std::uint32_t insert(std::uint32_t place, const Eigen::Vector3f& normal,
+                         const Eigen::Vector2f& uv) {
+        const Bits bits = {bitsOf(normal.x()), bitsOf(normal.y()), bitsOf(normal.z()),
+                           bitsOf(uv.x()), bitsOf(uv.y())};
+        std::uint32_t* link = &first_[place];
+        while (*link != kEnd) {
+            if (equal(vertices_[*link].bits, bits)) return *link;
+            link = &vertices_[*link].next;
+        }
+        const auto added = static_cast<std::uint32_t>(vertices_.size());
+        *link = added;
+        vertices_.push_back({bits, kEnd});
+        return added;
+    }
+
+  private:
+    using Bits = std::array<std::uint32_t, 5>;
+    struct Vertex {
+        Bits bits;
+        std::uint32_t next;  // vertex at the same place
+    };
+
+    static std::uint32_t bitsOf(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); }
+    static bool equal(const Bits& a, const Bits& b) {
+        return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3]) | (a[4] ^ b[4])) == 0;
+    }
+
+    static constexpr std::uint32_t kEnd = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> first_;  // by place
+    std::vector<Vertex> vertices_;
+};
+
 void measure(MeshPart& part) {
     for (const Eigen::Vector3f& p : part.positions) part.bounds.extend(p);
     for (const Triangle& t : part.triangles) {
@@ -106,9 +148,10 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
 
     const bool has_normals = mesh.normals.size() == placed.size() && !placed.empty();
     std::vector<Eigen::Vector3f> made;
+    std::vector<std::uint32_t> place;
     if (!has_normals && !triangles.empty()) {
         ++counts.made_normals;
-        made = cornerNormals(placed, triangles);
+        made = cornerNormals(placed, triangles, 45.0, &place);
     }
     // Adjugate transpose: right for any scale, and with the sign that keeps the outside outside.
     Eigen::Matrix3d cofactors;
@@ -119,7 +162,8 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
     const Eigen::Matrix3f turn = cofactors.cast<float>();
     const bool has_uvs = mesh.uvs.size() == placed.size();
 
-    VertexJoin<8> join(std::min(placed.size(), 3 * triangles.size()));
+    VertexJoin<8> join(has_normals ? std::min(placed.size(), 3 * triangles.size()) : 0);
+    JoinAtPlaces join_at_places(place.size());
     part.triangles.reserve(triangles.size());
     const std::size_t likely = triangles.size();  // a closed smooth mesh has half as many
     part.positions.reserve(likely);
@@ -145,8 +189,9 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
             Eigen::Vector2f uv = Eigen::Vector2f::Zero();
             if (has_uvs && mesh.uvs[v].head<2>().allFinite()) uv = mesh.uvs[v].head<2>();
             const Eigen::Vector3f& p = placed[v];
-            joined[corner] = join.insert(
-                {p.x(), p.y(), p.z(), normal.x(), normal.y(), normal.z(), uv.x(), uv.y()});
+            joined[corner] = has_normals ? join.insert({p.x(), p.y(), p.z(), normal.x(), normal.y(),
+                                                        normal.z(), uv.x(), uv.y()})
+                                         : join_at_places.insert(place[v], normal, uv);
             if (joined[corner] == part.positions.size()) {
                 part.positions.push_back(p);
                 part.normals.push_back(normal);
