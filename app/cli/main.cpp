@@ -43,7 +43,6 @@ int main(int argc, char** argv) {
     cancel_flag = session.cancelled.get();
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write error, not a sudden death
 
     CLI::App app(
         "Plans where a camera should go inside an indoor 3D scene so that every object is "
