@@ -1,4 +1,5 @@
 #include "engine/io/scene_import.h"
+#include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/scene_report.h"
 #include "tests/support/obj_writer.h"
@@ -303,6 +304,29 @@ TEST(SceneImport, GivesTheSameSceneEveryTime) {
     EXPECT_EQ(toJson(a).dump(), toJson(b).dump());
     EXPECT_EQ(a.triangles, b.triangles);
     EXPECT_EQ(a.source_sha256.size(), 64U);
+}
+
+TEST(SceneImport, GivesTheSameSceneWithAnyNumberOfThreads) {
+    const TempFolder folder;
+    const auto path = folder.write("room.obj", bedroom(1.0, true));
+    setThreadCount(1);
+    const Scene one = imported(path);
+    setThreadCount(0);
+    const Scene all = imported(path);
+    EXPECT_EQ(toJson(one).dump(), toJson(all).dump());
+    EXPECT_EQ(one.triangles, all.triangles);
+    EXPECT_EQ(one.positions, all.positions);
+    EXPECT_EQ(one.normals, all.normals);
+}
+
+TEST(SceneImport, JoinsCornersThatAgreeAndKeepsTheOthers) {
+    const TempFolder folder;
+    ObjWriter obj;
+    obj.room({4, 3, 2.6}, true);
+    obj.object("cabinet").box({1, 1, 0}, {2, 2, 0.9});
+    const Scene scene = imported(folder.write("room.obj", obj.text()));
+    // Each side of a box has four corners of its own: its edges are sharp.
+    EXPECT_EQ(find(scene, "cabinet")->vertex_count, 24U);
 }
 
 TEST(SceneImport, CountsTexturesFoundAndMissing) {
