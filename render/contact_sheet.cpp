@@ -29,14 +29,18 @@ struct ContactSheet::Impl {
     std::map<int, std::pair<cv::Mat, std::string>> pictures;
 };
 
-ContactSheet::ContactSheet(int frame_count, int width, int height)
+ContactSheet::ContactSheet(const std::vector<bool>& is_key, int width, int height)
     : impl_(std::make_unique<Impl>()) {
     impl_->thumb_height = std::max(1, kThumbWidth * height / std::max(width, 1));
-    const int count = std::min(frame_count, kMaxPictures);
-    for (int i = 0; i < count; ++i) {
+    std::vector<int> frames;
+    const bool enough_keys = std::count(is_key.begin(), is_key.end(), true) >= kMaxPictures / 2;
+    for (std::size_t i = 0; i < is_key.size(); ++i) {
+        if (is_key[i] || !enough_keys) frames.push_back(static_cast<int>(i));
+    }
+    const std::size_t count = std::min<std::size_t>(frames.size(), kMaxPictures);
+    for (std::size_t i = 0; i < count; ++i) {
         // The first and the last are among them.
-        impl_->chosen.push_back(
-            count == 1 ? 0 : static_cast<int>(std::int64_t{i} * (frame_count - 1) / (count - 1)));
+        impl_->chosen.push_back(frames[count == 1 ? 0 : i * (frames.size() - 1) / (count - 1)]);
     }
 }
 ContactSheet::~ContactSheet() = default;

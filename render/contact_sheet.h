@@ -10,12 +10,13 @@
 
 namespace dollytrack::render {
 
-/// A page of small pictures, evenly chosen from a dataset, each with a line of text: the first
-/// look at what was rendered.
+/// A page of small pictures from a dataset, each with a line of text: the first look at what was
+/// rendered. Evenly chosen among the key frames, which show what the trajectory is for; among all
+/// frames where few are key frames.
 class ContactSheet {
   public:
-    /// For a dataset of `frame_count` frames of this size.
-    ContactSheet(int frame_count, int width, int height);
+    /// For a dataset of frames of this size; `is_key` has an entry for each.
+    ContactSheet(const std::vector<bool>& is_key, int width, int height);
     ~ContactSheet();
     ContactSheet(ContactSheet&&) noexcept;
     ContactSheet& operator=(ContactSheet&&) noexcept;

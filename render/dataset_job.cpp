@@ -25,6 +25,14 @@ std::vector<int> framesOf(const FrameRange& range, int available) {
     return frames;
 }
 
+std::vector<bool> areKeys(const Trajectory& trajectory, const std::vector<int>& frames) {
+    std::vector<bool> keys;
+    for (const int frame : frames) {
+        keys.push_back(trajectory.frames[static_cast<std::size_t>(frame)].position_point >= 0);
+    }
+    return keys;
+}
+
 Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
     nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
     if (value.is_discarded()) {
@@ -102,7 +110,7 @@ struct DatasetJob::Impl {
           frames(framesOf(settings.range, static_cast<int>(t.frames.size()))),
           counter(s, settings.rules),
           well_shown(frames.size()),
-          sheet(static_cast<int>(frames.size()), c.width_px, c.height_px) {}
+          sheet(areKeys(t, frames), c.width_px, c.height_px) {}
 
     [[nodiscard]] const TrajectoryFrame& frameAt(int index) const {
         return trajectory.frames[static_cast<std::size_t>(frames[static_cast<std::size_t>(index)])];
