@@ -1,9 +1,10 @@
 #include "engine/geometry/ray_caster.h"
 
+#include "engine/jobs/parallel.h"
+
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <mutex>
 #include <vector>
 
 namespace dollytrack {
@@ -68,8 +69,7 @@ struct ObjectGeometry {
     const float* vertices = nullptr;  // Embree's own copy
     const unsigned* indices = nullptr;
     std::uint32_t first_triangle = 0;
-    RTCScene alone = nullptr;  // built on first use
-    std::unique_ptr<std::once_flag> alone_once = std::make_unique<std::once_flag>();
+    RTCScene alone = nullptr;  // a scene of its own, for castObject()
 
     [[nodiscard]] Eigen::Vector3d corner(unsigned triangle, unsigned k) const {
         const float* v = vertices + 3UL * indices[3UL * triangle + k];
@@ -112,13 +112,16 @@ struct RayCaster::Impl {
         // Robust: no ray slips through the seam between two triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         objects.resize(source.objects.size());
-        for (std::size_t i = 0; i < objects.size(); ++i) addObject(source, i);
+        parallelFor(objects.size(), [&](std::size_t i) { addObject(source, i); });
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            rtcAttachGeometryByID(scene, objects[i].geometry, static_cast<unsigned>(i));
+        }
         rtcCommitScene(scene);
     }
 
     ~Impl() {
         for (ObjectGeometry& object : objects) {
-            if (object.alone) rtcReleaseScene(object.alone);
+            rtcReleaseScene(object.alone);
             rtcReleaseGeometry(object.geometry);
         }
         rtcReleaseScene(scene);
@@ -153,20 +156,12 @@ struct RayCaster::Impl {
         made.indices = indices;
         rtcSetGeometryPointQueryFunction(made.geometry, visitClosest);
         rtcCommitGeometry(made.geometry);
-        rtcAttachGeometryByID(scene, made.geometry, static_cast<unsigned>(index));
-    }
-
-    RTCScene aloneScene(std::size_t index) {
-        ObjectGeometry& object = objects[index];
-        std::call_once(*object.alone_once, [&] {
-            object.alone = rtcNewScene(device);
-            rtcSetSceneFlags(object.alone, RTC_SCENE_FLAG_ROBUST);
-            // Asked far less than the whole scene: quick to build matters more than quick to ask.
-            rtcSetSceneBuildQuality(object.alone, RTC_BUILD_QUALITY_LOW);
-            rtcAttachGeometryByID(object.alone, object.geometry, static_cast<unsigned>(index));
-            rtcCommitScene(object.alone);
-        });
-        return object.alone;
+        made.alone = rtcNewScene(device);
+        rtcSetSceneFlags(made.alone, RTC_SCENE_FLAG_ROBUST);
+        // Asked far less than the whole scene: quick to build matters more than quick to ask.
+        rtcSetSceneBuildQuality(made.alone, RTC_BUILD_QUALITY_LOW);
+        rtcAttachGeometryByID(made.alone, made.geometry, static_cast<unsigned>(index));
+        rtcCommitScene(made.alone);
     }
 
     [[nodiscard]] RayHit trace(RTCScene target, const RTCRay& ray) const {
@@ -235,7 +230,7 @@ void RayCaster::castBundle(const Eigen::Vector3d& origin,
 RayHit RayCaster::castObject(int object_id, const Eigen::Vector3d& origin,
                              const Eigen::Vector3d& direction, double max_distance) const {
     const auto index = static_cast<std::size_t>(object_id) - 1;
-    return impl_->trace(impl_->aloneScene(index), makeRay(origin, direction, 0.0, max_distance));
+    return impl_->trace(impl_->objects[index].alone, makeRay(origin, direction, 0.0, max_distance));
 }
 
 bool RayCaster::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
