@@ -1,13 +1,17 @@
 #include "render/dataset_folder.h"
 
 #include "engine/io/durable_file.h"
+#include "render/formats/dataset_card.h"
 
 #include <sys/statvfs.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
+#include <fstream>
 #include <system_error>
 
 namespace dollytrack::render {
@@ -28,11 +32,30 @@ bool isFrameFile(const std::string& name) {
            (name.size() == digits + 4 || name.compare(digits + 4, 5, ".tmp.") == 0);
 }
 
-bool isForeign(const fs::path& folder, std::error_code& error) {
-    if (fs::exists(folder / kMarker, error) || fs::exists(folder / "dataset.json", error)) {
+/// Many datasets have a dataset.json; ours says so in it.
+bool isOurCard(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return false;
+    using Json = nlohmann::json;
+    // Somebody else's may be huge: nothing but its `format` is kept.
+    const auto keep = [](int depth, Json::parse_event_t event, Json& parsed) {
+        return depth != 1 || event != Json::parse_event_t::key || parsed == "format";
+    };
+    try {
+        std::ifstream file(path, std::ios::binary);
+        const Json card = Json::parse(file, keep, false);
+        return card.is_object() && card.contains("format") && card["format"] == kDatasetFormat;
+    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
         return false;
     }
-    return !fs::is_empty(folder, error);
+}
+
+bool isOurs(const fs::path& folder, std::error_code& error) {
+    return fs::exists(folder / kMarker, error) || isOurCard(folder / "dataset.json");
+}
+
+bool isForeign(const fs::path& folder, std::error_code& error) {
+    return !isOurs(folder, error) && !fs::is_empty(folder, error);
 }
 
 Error asError(const std::error_code& error, const fs::path& path) {
@@ -82,8 +105,6 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
         fs::create_directories(folder / subfolder, error);
         if (error) return tl::unexpected<Error>(asError(error, folder / subfolder));
     }
-    if (Status status = removeOldDataset(folder); !status) return status;
-
     struct statvfs space {};
     if (::statvfs(folder.c_str(), &space) == 0 && space.f_blocks > 0) {
         const std::uint64_t free = std::uint64_t{space.f_bavail} * space.f_frsize;
@@ -95,7 +116,8 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
                         folder.string());
         }
     }
-    return {};
+    // Last: whatever was refused above must not have cost anyone a dataset.
+    return removeOldDataset(folder);
 }
 
 Status releaseDatasetFolder(const fs::path& folder) {

@@ -9,9 +9,10 @@
 namespace dollytrack::render {
 
 /// Takes possession of an output folder before anything is drawn: creates it and its subfolders,
-/// tries a write, and removes what an earlier dataset left there, dataset.json first. A folder that
-/// holds other things is refused unless `overwrite`; they are never removed. `bytes_needed` is
-/// compared with the free space.
+/// tries a write, and removes what an earlier dataset left there, dataset.json first. A folder with
+/// anything in it, but neither a dataset.json of ours nor our mark, is refused unless `overwrite`;
+/// then only files named like a dataset's are removed. `bytes_needed` is compared with the free
+/// space.
 [[nodiscard]] Status prepareDatasetFolder(const std::filesystem::path& folder, bool overwrite,
                                           std::uint64_t bytes_needed);
 

@@ -21,7 +21,9 @@ namespace {
 std::vector<int> framesOf(const FrameRange& range, int available) {
     std::vector<int> frames;
     const int end = std::min(range.end.value_or(available), available);
-    for (int i = range.begin; i < end; i += range.step) frames.push_back(i);
+    for (std::int64_t i = range.begin; i < end; i += range.step) {
+        frames.push_back(static_cast<int>(i));
+    }
     return frames;
 }
 
@@ -128,10 +130,8 @@ struct DatasetJob::Impl {
         return *targets[static_cast<std::size_t>(index % 2)];
     }
 
-    [[nodiscard]] std::string roomOf(const TrajectoryFrame& frame) const {
-        const auto component = static_cast<std::size_t>(std::max(frame.component, 0));
-        return component < origin.room_names.size() ? origin.room_names[component]
-                                                    : "room " + std::to_string(component + 1);
+    [[nodiscard]] static std::string roomOf(const TrajectoryFrame& frame) {
+        return "room " + std::to_string(std::max(frame.component, 0) + 1);
     }
 
     Status start(int index) { return renderer->draw(viewAt(index), target(index)); }
@@ -183,6 +183,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     if (done != static_cast<int>(frames.size())) {
         return fail(ErrorCode::Failed, "finish() came before the last frame");
     }
+    if (Status current = context->makeCurrent(); !current) return tl::unexpected(current.error());
     takeSilhouettes(done - 1);
     Result<std::vector<WrittenFrame>> written = writer->finish();
     if (!written) return tl::unexpected(written.error());
@@ -269,13 +270,6 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
                         std::to_string(trajectory.frames.size()) + " frames",
                     "--range");
     }
-    const int count = static_cast<int>(impl->frames.size());
-    if (Status status =
-            prepareDatasetFolder(impl->settings.folder, impl->settings.overwrite,
-                                 estimateBytes(count, camera.width_px, camera.height_px));
-        !status) {
-        return tl::unexpected(status.error());
-    }
     Result<nlohmann::json> parameters = parseJson(impl->origin.parameters_json, "the parameters");
     if (!parameters) return tl::unexpected(parameters.error());
     impl->parameters = std::move(*parameters);
@@ -293,6 +287,14 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         Result<RenderTarget> created = RenderTarget::create(camera.width_px, camera.height_px);
         if (!created) return tl::unexpected(created.error());
         target.emplace(std::move(*created));
+    }
+    // An earlier dataset in the folder goes only when nothing is left that could fail early.
+    const int count = static_cast<int>(impl->frames.size());
+    if (Status status =
+            prepareDatasetFolder(impl->settings.folder, impl->settings.overwrite,
+                                 estimateBytes(count, camera.width_px, camera.height_px));
+        !status) {
+        return tl::unexpected(status.error());
     }
     impl->writer.emplace(impl->settings.folder, scene, count);
     return DatasetJob(std::move(impl));

@@ -45,7 +45,6 @@ struct DatasetOrigin {
     std::string parameters_json = "{}";         // of planning, by section and name
     std::string planned_metrics_json = "null";  // as `plan --json` prints them
     std::vector<Eigen::AlignedBox3d> rooms;     // by free-space component; may be empty
-    std::vector<std::string> room_names;        // the same; "room 1" .. where missing
 };
 
 struct DatasetSummary {

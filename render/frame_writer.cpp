@@ -40,8 +40,13 @@ struct FrameWriter::Impl {
     Impl(std::filesystem::path out, const Scene& of, int frame_count)
         : folder(std::move(out)), scene(of), written(static_cast<std::size_t>(frame_count)) {
         const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
-        for (unsigned i = 0; i < std::clamp(cores, 1U, 8U); ++i) {
-            threads.emplace_back([this] { work(); });
+        try {
+            for (unsigned i = 0; i < std::clamp(cores, 1U, 8U); ++i) {
+                threads.emplace_back([this] { work(); });
+            }
+        } catch (...) {
+            close();  // those already running
+            throw;
         }
     }
 
@@ -76,13 +81,23 @@ struct FrameWriter::Impl {
                 waiting.pop_front();
             }
             changed.notify_all();
-            const Status status = writeFrame(frame);
+            const Status status = tryWriting(frame);
             if (status) continue;
             const std::lock_guard lock(mutex);
             if (!error || frame.index < error_frame) {
                 error = status.error();
                 error_frame = frame.index;
             }
+        }
+    }
+
+    /// An exception must not leave a thread: it would end the program.
+    Status tryWriting(FrameRecord& frame) {
+        try {
+            return writeFrame(frame);
+        } catch (const std::exception& e) {
+            return fail(ErrorCode::Failed, std::string("writing a frame failed (") + e.what() + ")",
+                        "frame " + std::to_string(frame.index));
         }
     }
 

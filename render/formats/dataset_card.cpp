@@ -61,8 +61,8 @@ Json conventions(const DatasetCard& card) {
         {"length_unit", "m"},
         {"world", {{"handedness", "right"}, {"up", "z"}}},
         {"camera_axes", "x right, y down, z forward (OpenCV)"},
-        {"pose", "world_from_camera: p_world = R(quaternion) * p_camera + position"},
-        {"quaternion_order", "w x y z"},
+        {"pose", "world_from_camera: p_world = R(quaternion_xyzw) * p_camera + position"},
+        {"quaternion_order", "x y z w"},
         {"matrix_order", "rows, applied to column vectors"},
         {"pixel_origin",
          "top left corner of the top left pixel; pixel (0, 0) has its centre at (0.5, 0.5)"},
@@ -134,7 +134,7 @@ Json frameTable(const DatasetCard& card) {
                          {"trajectory_frame", card.source_frames[i]},
                          {"time_s", frame.time_s},
                          {"position", toJson(frame.pose.position)},
-                         {"quaternion", {q.w(), q.x(), q.y(), q.z()}},
+                         {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}},
                          {"component", frame.component}});
     }
     return table;
@@ -168,7 +168,7 @@ Json countedMetrics(const DatasetCard& card) {
 std::string datasetCardText(const Scene& scene, const DatasetCard& card) {
     const Json frames = frameTable(card);
     Json root;
-    root["format"] = "dollytrack dataset";
+    root["format"] = kDatasetFormat;
     root["format_version"] = 1;
     root["product_version"] = card.product_version;
     root["conventions"] = conventions(card);

@@ -14,6 +14,9 @@
 
 namespace dollytrack::render {
 
+/// What dataset.json calls itself, under `format`.
+inline constexpr const char* kDatasetFormat = "dollytrack dataset";
+
 /// Everything dataset.json says that is not in the scene itself.
 struct DatasetCard {
     std::string product_version;

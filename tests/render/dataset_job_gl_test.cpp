@@ -138,8 +138,9 @@ TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
     // A pixel taken back into the world by the card's own conventions lies on its object.
     const auto& lens = card.at("conventions").at("intrinsics");
     const auto& row = card.at("frames").at(3);
-    const Eigen::Quaterniond rotation(row.at("quaternion").at(0), row.at("quaternion").at(1),
-                                      row.at("quaternion").at(2), row.at("quaternion").at(3));
+    const Eigen::Quaterniond rotation(
+        row.at("quaternion_xyzw").at(3), row.at("quaternion_xyzw").at(0),
+        row.at("quaternion_xyzw").at(1), row.at("quaternion_xyzw").at(2));
     const Eigen::Vector3d position(row.at("position").at(0), row.at("position").at(1),
                                    row.at("position").at(2));
     const cv::Mat depth = cv::imread((out / "depth/000003.png").string(), cv::IMREAD_UNCHANGED);
