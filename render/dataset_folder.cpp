@@ -93,7 +93,7 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
     if (!overwrite && isForeign(folder, error)) {
         return fail(ErrorCode::CannotWrite,
                     "the folder holds files that are not a Dollytrack dataset; choose an empty "
-                    "folder, or allow to overwrite",
+                    "folder, or give --overwrite",
                     folder.string());
     }
     if (error) return tl::unexpected<Error>(asError(error, folder));

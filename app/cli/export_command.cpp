@@ -59,6 +59,10 @@ void printSummary(const render::DatasetSummary& summary, const ExportArguments& 
     rate("capture rate", "capture_rate", counted.capture_rate);
     rate("well captured rate", "well_captured_rate", counted.well_captured_rate);
     rate("area share (box)", "area_share_box", counted.area_share_box);
+    if (summary.frames < planned.value("frames", 0)) {
+        fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
+                   planned.value("frames", 0), summary.frames);
+    }
     fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
 }
 
@@ -124,7 +128,8 @@ void addExportCommand(CLI::App& app, Session& session) {
                       "Write into a folder that holds other files; they stay");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "A scene is planned first; a project's own plan is used as it is.\n"
+        "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"
+        "changed here or its scene file has changed: then it is planned again, with a warning.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runExport(*arguments, session); };

@@ -26,6 +26,11 @@ int runAction(const dollytrack::cli::Session& session) {
     using namespace dollytrack;
     const Result<cli::ExitCode> result = session.action();
     log::flush();
+    // What was printed may still be in the buffer of a full disk.
+    if (result && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+        std::cerr << "dollytrack: the results cannot be written to the standard output.\n";
+        return cli::kCannotWrite;
+    }
     if (result) return *result;
     if (caught_signal != 0) {
         std::cerr << "dollytrack: stopped.\n";
@@ -59,7 +64,8 @@ int main(int argc, char** argv) {
         "5 no OpenGL, 6 cannot write, 130/143 interrupted.");
     bool verbose = false;
     int threads = 0;
-    app.add_flag("-q,--quiet", session.quiet, "No progress and no notes, only warnings and errors");
+    app.add_flag("-q,--quiet", session.quiet,
+                 "No progress and no notes on stderr, only warnings and errors");
     app.add_flag("-v,--verbose", verbose, "Say more on stderr");
     app.add_option("--threads", threads, "Worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
@@ -74,6 +80,7 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;
+        if (!asked_for_help) std::cerr << "dollytrack: ";
         app.exit(error);
         return asked_for_help ? cli::kDone : cli::kUsage;
     }

@@ -23,6 +23,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 namespace dollytrack::cli {
 namespace {
@@ -86,6 +87,14 @@ Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_boun
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
     const auto requirements = parseAll(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
+    // Said before the work: a file that cannot be opened again is of no use.
+    if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
+        return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
+    }
+    if (!arguments.picture.empty() &&
+        std::filesystem::path(arguments.picture).extension() != ".png") {
+        return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
+    }
     if (Status status = knowsMetrics(*requirements, arguments.bound); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }

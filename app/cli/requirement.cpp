@@ -46,12 +46,12 @@ Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::
         if (found != metrics.end() && found->is_number()) continue;
         std::vector<std::string> names;
         for (const auto& [name, value] : metrics.items()) {
-            if (value.is_number()) names.push_back(name);
+            if (value.is_number()) names.push_back(name);  // rates and counts alike
         }
         const std::string close = closestName(requirement.metric, names);
         return fail(ErrorCode::Usage,
-                    fmt::format("There is no metric '{}'{}.", requirement.metric,
-                                close.empty() ? "" : "; did you mean '" + close + "'?"),
+                    fmt::format("There is no metric '{}'{}", requirement.metric,
+                                close.empty() ? "." : "; did you mean '" + close + "'?"),
                     "--require");
     }
     return {};

@@ -61,7 +61,7 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
         ->required()
         ->type_name("SCENE");
     command.add_option("--unit", arguments.unit_m, "Metres per unit of the scene; else found out")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1e-6, 1e6).description("1e-6 .. 1e6"))
         ->type_name("METRES");
     command.add_option("--up", arguments.up_axis, "The scene's upward axis; else found out")
         ->check(CLI::IsMember({"x", "y", "z"}))
@@ -98,6 +98,13 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
             return tl::unexpected<Error>(std::move(status.error()));
         }
         scene_path = project->scene;
+        std::error_code error;
+        if (!std::filesystem::exists(scene_path, error)) {
+            return fail(ErrorCode::BadInput,
+                        "The project's scene " + scene_path.string() +
+                            " is gone; put it back, or correct scene.path in the project.",
+                        arguments.path);
+        }
         planned_sha256 = project->scene_sha256;
         stored_import = std::move(project->import);
         opened.stored_result = std::move(project->result);
@@ -119,7 +126,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         const bool other_scene = planned_sha256 != opened.scene->source_sha256;
         const bool other_params = !(stored == opened.params) || opened.import != stored_import;
         if (other_scene || other_params) {
-            log::info("project", other_scene ? "the scene file has changed since it was planned: "
+            log::warn("project", other_scene ? "the scene file has changed since it was planned: "
                                                "planning again"
                                              : "parameters were changed: planning again");
             opened.stored_result = nullptr;

@@ -30,10 +30,12 @@ std::string join(const std::vector<std::string_view>& names) {
 }
 
 Status outOfRange(const Field& field, std::string_view value) {
-    return fail(ErrorCode::Usage,
-                fmt::format("'{}' is out of range; it must be {}{}{}.", value, field.rangeText(),
-                            field.unit().empty() ? "" : " ", field.unit()),
-                field.name);
+    return fail(
+        ErrorCode::Usage,
+        fmt::format("'{}' cannot be used; it must be {}{}{}{}.", value,
+                    std::holds_alternative<Field::Integer>(field.value) ? "a whole number in " : "",
+                    field.rangeText(), field.unit().empty() ? "" : " ", field.unit()),
+        field.name);
 }
 
 Status setNumber(const Field& field, double value, std::string_view text) {

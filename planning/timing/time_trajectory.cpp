@@ -13,6 +13,10 @@ namespace {
 
 // Slerp may rise this much above its ends before heading and elevation are interpolated instead.
 constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
+// From steep views the shortest way to what lies behind leads over the top, where the heading
+// flips.
+constexpr double kSteep = 50.0 * std::numbers::pi / 180.0;
+constexpr double kLargeTurn = 0.5 * std::numbers::pi;
 constexpr int kTurnSamples = 64;
 constexpr std::int64_t kMostFrames = 1'000'000;
 
@@ -147,12 +151,13 @@ Eigen::Quaterniond betweenOrientations(const Eigen::Quaterniond& from, const Eig
     const Eigen::Vector3d b = to * Eigen::Vector3d::UnitZ();
     const double highest = std::max(std::abs(elevation(a)), std::abs(elevation(b)));
     double risen = 0.0;
-    for (int i = 1; i < 8; ++i) {
-        const Eigen::Vector3d f = from.slerp(i / 8.0, to) * Eigen::Vector3d::UnitZ();
+    for (int i = 1; i < 16; ++i) {
+        const Eigen::Vector3d f = from.slerp(i / 16.0, to) * Eigen::Vector3d::UnitZ();
         risen = std::max(risen, std::abs(elevation(f)) - highest);
     }
-    if (risen <= kDetour) return withoutRoll(from.slerp(t, to));
     const double turn = std::remainder(heading(b) - heading(a), 2.0 * std::numbers::pi);
+    const bool over_the_top = highest > kSteep && std::abs(turn) > kLargeTurn;
+    if (risen <= kDetour && !over_the_top) return withoutRoll(from.slerp(t, to));
     const double yaw = heading(a) + t * turn;
     const double pitch = elevation(a) + t * (elevation(b) - elevation(a));
     return lookAlong(

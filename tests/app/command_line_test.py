@@ -152,6 +152,17 @@ class CommandLine(unittest.TestCase):
         crate = scene("crate.obj", "\n".join(lines).encode())
         self.assertFails(run("plan", crate, "--unit", 1), 4, "camera")
 
+    def test_names_that_could_not_be_opened_again_are_refused(self):
+        self.assertFails(run("plan", self.room, "-o", "room.txt"), 2, ".dolly")
+        self.assertFails(run("plan", self.room, "--picture", "room.jpg"), 2, ".png")
+
+    def test_a_project_without_its_scene_says_so(self):
+        project = json.loads(self.project.read_text())
+        project["scene"]["path"] = "moved.obj"
+        path = self.folder / "moved.dolly"
+        path.write_text(json.dumps(project))
+        self.assertFails(run("export", path, "--out", self.folder / "x"), 4, "moved.obj", "project")
+
     def test_broken_projects_are_bad_input(self):
         def project(text):
             path = self.folder / "broken.dolly"
@@ -274,6 +285,9 @@ class CommandLine(unittest.TestCase):
         self.assertFails(run("export", self.project, "--out", in_the_way), 6, "file")
         self.assertFails(run("export", self.project, "--out", "/proc/nothing"), 6, "/proc/nothing")
         self.assertFails(run("plan", self.room, "-o", "/proc/none/room.dolly"), 6)
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "params"], stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 6)
 
     def test_ctrl_c_stops_cleanly(self):
         out = self.folder / "stopped"
