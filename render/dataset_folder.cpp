@@ -97,14 +97,6 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
                     folder.string());
     }
     if (error) return tl::unexpected<Error>(asError(error, folder));
-    if (Status status = io::writeWhole(folder / kMarker, "an export is running or was cut off\n");
-        !status) {
-        return status;
-    }
-    for (const char* subfolder : kSubfolders) {
-        fs::create_directories(folder / subfolder, error);
-        if (error) return tl::unexpected<Error>(asError(error, folder / subfolder));
-    }
     struct statvfs space {};
     if (::statvfs(folder.c_str(), &space) == 0 && space.f_blocks > 0) {
         const std::uint64_t free = std::uint64_t{space.f_bavail} * space.f_frsize;
@@ -115,6 +107,15 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
                             " MB are free; free some space or choose another folder",
                         folder.string());
         }
+    }
+    // The mark makes the folder ours, so it comes after everything that may be refused.
+    if (Status status = io::writeWhole(folder / kMarker, "an export is running or was cut off\n");
+        !status) {
+        return status;
+    }
+    for (const char* subfolder : kSubfolders) {
+        fs::create_directories(folder / subfolder, error);
+        if (error) return tl::unexpected<Error>(asError(error, folder / subfolder));
     }
     // Last: whatever was refused above must not have cost anyone a dataset.
     return removeOldDataset(folder);
