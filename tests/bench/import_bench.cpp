@@ -2,6 +2,7 @@
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
+#include <assimp/postprocess.h>
 #include <benchmark/benchmark.h>
 #include <assimp/Importer.hpp>
 
@@ -41,6 +42,18 @@ void assimpAlone(benchmark::State& state) {
     }
 }
 BENCHMARK(assimpAlone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Reading it with what a renderer needs: triangles, joined vertices, normals.
+void assimpWithSteps(benchmark::State& state) {
+    const std::string path = benchScene().string();
+    for (auto _ : state) {
+        Assimp::Importer importer;
+        benchmark::DoNotOptimize(importer.ReadFile(path, aiProcess_Triangulate |
+                                                             aiProcess_JoinIdenticalVertices |
+                                                             aiProcess_GenSmoothNormals));
+    }
+}
+BENCHMARK(assimpWithSteps)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void importWhole(benchmark::State& state) {
     for (auto _ : state) {
