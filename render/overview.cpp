@@ -1,6 +1,6 @@
 #include "render/overview.h"
 
-#include "engine/scene/labels.h"
+#include "render/look_inside.h"
 #include "render/offscreen_renderer.h"
 #include "render/overlays/overlay_painter.h"
 
@@ -34,30 +34,6 @@ Picture shrink(const std::vector<std::uint8_t>& rgb, int width, int height, int 
     return small;
 }
 
-/// Ceilings, and structure much larger than the building: grounds, streets, skies.
-std::vector<bool> hiddenObjects(const Scene& scene) {
-    std::vector<bool> hidden(scene.objects.size() + 1, false);
-    const double building = scene.room_bounds.sizes().head<2>().norm();
-    for (const Object& object : scene.objects) {
-        if (object.role != Role::Structure) continue;
-        const double across = 2.0 * object.box.half_size.head<2>().norm();
-        hidden[static_cast<std::size_t>(object.id)] =
-            object.nyu40 == kNyuCeiling || across > 1.5 * building;
-    }
-    return hidden;
-}
-
-/// The rooms with the walls around them; balconies, panels behind windows and the like stay out.
-Eigen::AlignedBox3d buildingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
-    constexpr double kWall = 0.25;  // m
-    Eigen::AlignedBox3d building;
-    for (const Eigen::AlignedBox3d& room : rooms) building.extend(room);
-    if (building.isEmpty()) return scene.room_bounds;
-    const Eigen::Vector3d wall(kWall, kWall, kWall);
-    return scene.room_bounds.intersection(
-        Eigen::AlignedBox3d(building.min() - wall, building.max() + wall));
-}
-
 }  // namespace
 
 View overviewOf(const Scene& scene, const OverviewSettings& settings,
@@ -68,14 +44,13 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     camera.height_px = settings.height_px * settings.supersampling;
     camera.hfov_deg = settings.hfov_deg;
     view.intrinsics = makeIntrinsics(camera);
-    view.hidden = hiddenObjects(scene);
+    view.hidden = hidesRooms(scene);
     view.backdrop = Eigen::Vector3f(0.955F, 0.955F, 0.95F);
     Eigen::AlignedBox3d bounds = buildingOf(scene, rooms);
     if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
     // What lies as low as the lowest floor is not cut: a room's box begins just above it.
     double floor = bounds.min().z();
     if (!rooms.empty()) floor = bounds.min().z() + 0.25;
-    const double height = std::max(bounds.sizes().z(), 0.5);
 
     const double azimuth = settings.azimuth_deg * kDegree;
     const double elevation = settings.elevation_deg * kDegree;
@@ -114,18 +89,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     view.intrinsics.cx += 0.5 * camera.width_px - off.x();
     view.intrinsics.cy += 0.5 * camera.height_px - off.y();
 
-    // Walls are cut along a plane that falls from the top of the far ones to the foot of the near
-    // ones; floors and skirting stay.
-    const double half_depth =
-        0.5 * (std::abs(aside.x()) * bounds.sizes().x() + std::abs(aside.y()) * bounds.sizes().y());
-    const double slope = 0.95 * height / std::max(0.75 * half_depth, 0.1);
-    StructureCut cut;
-    cut.plane.head<3>() = Eigen::Vector3d(0, 0, 1) + slope * aside;
-    Eigen::Vector3d full_height = bounds.center() - 0.3 * half_depth * aside;
-    full_height.z() = bounds.max().z() - 0.04;
-    cut.plane.w() = cut.plane.head<3>().dot(full_height);
-    cut.keep_below_z = floor + 0.12;
-    view.structure_cut = cut;
+    view.structure_cut = cutTowards(bounds, floor, aside);
     return view;
 }
 

@@ -56,6 +56,14 @@ struct SceneRenderer::Impl {
     std::vector<GLsizei> counts;  // kept between frames
     std::vector<const void*> offsets;
 
+    void setLight(const LightVolume& new_light) {
+        ambient = uploadVolume(new_light, new_light.ambient);
+        lamps = uploadVolume(new_light, new_light.lamps);
+        light = new_light;
+        light.ambient.clear();
+        light.lamps.clear();
+    }
+
     void drawSurfaces(const View& view, RenderTarget& target) {
         glBindFramebuffer(GL_FRAMEBUFFER, target.surfaces_frame_.get());
         glViewport(0, 0, target.width(), target.height());
@@ -165,11 +173,7 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     Result<GpuScene> uploaded = uploadScene(scene);
     if (!uploaded) return tl::unexpected(uploaded.error());
     impl->scene = std::move(*uploaded);
-    impl->ambient = uploadVolume(light, light.ambient);
-    impl->lamps = uploadVolume(light, light.lamps);
-    impl->light = light;
-    impl->light.ambient.clear();
-    impl->light.lamps.clear();
+    impl->setLight(light);
     impl->no_vertices = gl::createVertexArray();
 
     const std::array<std::tuple<gl::Program*, const char*, const char*>, 6> programs = {{
@@ -194,6 +198,10 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
         return tl::unexpected(status.error());
     }
     return SceneRenderer(std::move(impl));
+}
+
+void SceneRenderer::setLight(const LightVolume& light) {
+    impl_->setLight(light);
 }
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target) {

@@ -22,6 +22,9 @@ class SceneRenderer {
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
+    /// Other light on the same scene.
+    void setLight(const LightVolume& light);
+
     /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
     /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
     /// of each triangle are drawn, and each pixel shows what its centre sees.

@@ -1,0 +1,68 @@
+#include "engine/jobs/background_worker.h"
+
+namespace dollytrack {
+
+BackgroundWorker::BackgroundWorker(std::function<void()> on_change)
+    : on_change_(std::move(on_change)), thread_([this] { loop(); }) {}
+
+BackgroundWorker::~BackgroundWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        next_.reset();
+        if (cancel_running_) cancel_running_->store(true);
+    }
+    work_arrived_.notify_one();
+    thread_.join();
+}
+
+void BackgroundWorker::start(Work work) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (cancel_running_) cancel_running_->store(true);
+        next_ = std::move(work);
+        state_.busy = true;
+    }
+    work_arrived_.notify_one();
+}
+
+void BackgroundWorker::cancel() {
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    if (cancel_running_) cancel_running_->store(true);
+    if (!cancel_running_) state_ = {};
+}
+
+BackgroundWorker::State BackgroundWorker::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+void BackgroundWorker::loop() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        work_arrived_.wait(lock, [this] { return stopping_ || next_.has_value(); });
+        if (stopping_) return;
+        const Work work = std::move(*next_);
+        next_.reset();
+        const auto cancelled = std::make_shared<std::atomic<bool>>(false);
+        cancel_running_ = cancelled;
+        state_ = {true, 0.0, {}};
+        lock.unlock();
+        work(JobContext(cancelled, [this, cancelled](double fraction, std::string_view stage) {
+            {
+                const std::lock_guard guard(mutex_);
+                if (cancel_running_ == cancelled) state_ = {true, fraction, std::string(stage)};
+            }
+            if (on_change_) on_change_();
+        }));
+        lock.lock();
+        cancel_running_.reset();
+        if (!next_) state_ = {};
+        lock.unlock();
+        if (on_change_) on_change_();
+        lock.lock();
+    }
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "engine/jobs/job.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace dollytrack {
+
+/// Runs one piece of work at a time on a thread of its own, for a window that must not wait. A
+/// newer piece cancels the one that runs and replaces the one that waits, so a dragged slider never
+/// builds a queue. Work sees copies or constant data and leaves its result in an Outbox.
+class BackgroundWorker {
+  public:
+    using Work = std::function<void(const JobContext&)>;
+
+    struct State {
+        bool busy = false;
+        double fraction = 0.0;  // of the piece that runs
+        std::string stage;
+    };
+
+    /// `on_change` is called from the worker's thread when there is news: to wake a window.
+    explicit BackgroundWorker(std::function<void()> on_change = {});
+    /// Cancels and waits.
+    ~BackgroundWorker();
+    BackgroundWorker(const BackgroundWorker&) = delete;
+    BackgroundWorker& operator=(const BackgroundWorker&) = delete;
+
+    void start(Work work);
+    void cancel();
+    [[nodiscard]] State state() const;
+
+  private:
+    void loop();
+
+    std::function<void()> on_change_;
+    mutable std::mutex mutex_;
+    std::condition_variable work_arrived_;
+    std::optional<Work> next_;
+    std::shared_ptr<std::atomic<bool>> cancel_running_;
+    State state_;
+    bool stopping_ = false;
+    std::thread thread_;
+};
+
+/// Hands the newest value from one thread to another.
+template <class T>
+class Outbox {
+  public:
+    void put(T value) {
+        const std::lock_guard lock(mutex_);
+        value_ = std::move(value);
+    }
+    [[nodiscard]] std::optional<T> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(value_, std::nullopt);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::optional<T> value_;
+};
+
+}  // namespace dollytrack

@@ -1,0 +1,47 @@
+#include "render/look_inside.h"
+
+#include "engine/scene/labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::render {
+
+std::vector<bool> hidesRooms(const Scene& scene) {
+    std::vector<bool> hidden(scene.objects.size() + 1, false);
+    const double building = scene.room_bounds.sizes().head<2>().norm();
+    for (const Object& object : scene.objects) {
+        if (object.role != Role::Structure) continue;
+        const double across = 2.0 * object.box.half_size.head<2>().norm();
+        hidden[static_cast<std::size_t>(object.id)] =
+            object.nyu40 == kNyuCeiling || across > 1.5 * building;
+    }
+    return hidden;
+}
+
+Eigen::AlignedBox3d buildingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
+    constexpr double kWall = 0.25;  // m
+    Eigen::AlignedBox3d building;
+    for (const Eigen::AlignedBox3d& room : rooms) building.extend(room);
+    if (building.isEmpty()) return scene.room_bounds;
+    const Eigen::Vector3d wall(kWall, kWall, kWall);
+    return scene.room_bounds.intersection(
+        Eigen::AlignedBox3d(building.min() - wall, building.max() + wall));
+}
+
+StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
+                        const Eigen::Vector3d& aside) {
+    const double height = std::max(building.sizes().z(), 0.5);
+    const double half_depth = 0.5 * (std::abs(aside.x()) * building.sizes().x() +
+                                     std::abs(aside.y()) * building.sizes().y());
+    const double slope = 0.95 * height / std::max(0.75 * half_depth, 0.1);
+    StructureCut cut;
+    cut.plane.head<3>() = Eigen::Vector3d(0, 0, 1) + slope * aside;
+    Eigen::Vector3d full_height = building.center() - 0.3 * half_depth * aside;
+    full_height.z() = building.max().z() - 0.04;
+    cut.plane.w() = cut.plane.head<3>().dot(full_height);
+    cut.keep_below_z = floor_z + 0.12;
+    return cut;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "render/view.h"
+
+#include <Eigen/Geometry>
+
+#include <span>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// What hides a room from a viewer above it, by object id: ceilings, and structure much larger
+/// than the building (grounds, streets, skies).
+[[nodiscard]] std::vector<bool> hidesRooms(const Scene& scene);
+
+/// The rooms with the walls around them; balconies, panels behind windows and the like stay out.
+[[nodiscard]] Eigen::AlignedBox3d buildingOf(const Scene& scene,
+                                             std::span<const Eigen::AlignedBox3d> rooms);
+
+/// Cuts walls along a plane that falls from the top of the far ones to the foot of those near the
+/// viewer, who stands in the horizontal direction `aside` (at most unit: shorter looks from more
+/// above and cuts less steeply). Floors and skirting stay.
+[[nodiscard]] StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
+                                      const Eigen::Vector3d& aside);
+
+}  // namespace dollytrack::render
