@@ -61,7 +61,7 @@ Vertex makeVertex(const Scene& scene, const Object& object, const Material& mate
     vertex.traits = {
         toByte(material.roughness), toByte(material.metallic),
         emission > 0.0F ? toByte(std::max(emission / 8.0F, 1.0F / 255.0F)) : std::uint8_t{0},
-        object.role == Role::Structure ? std::uint8_t{255} : std::uint8_t{0}};
+        object.structure ? std::uint8_t{255} : std::uint8_t{0}};
     vertex.object_id = static_cast<std::uint32_t>(object.id);
     return vertex;
 }

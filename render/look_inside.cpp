@@ -11,7 +11,7 @@ std::vector<bool> hidesRooms(const Scene& scene) {
     std::vector<bool> hidden(scene.objects.size() + 1, false);
     const double building = scene.room_bounds.sizes().head<2>().norm();
     for (const Object& object : scene.objects) {
-        if (object.role != Role::Structure) continue;
+        if (!object.structure) continue;
         const double across = 2.0 * object.box.half_size.head<2>().norm();
         hidden[static_cast<std::size_t>(object.id)] =
             object.nyu40 == kNyuCeiling || across > 1.5 * building;

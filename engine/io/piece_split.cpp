@@ -1,6 +1,6 @@
 #include "engine/io/piece_split.h"
 
-#include "engine/geometry/vertex_join.h"
+#include "engine/geometry/piece_finder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kWeld = 1e-4F;         // m
 constexpr float kFarApart = 0.5F;      // m between things that are not one
 constexpr std::size_t kFewOthers = 5;  // with more objects beside it a shell is only a shell
 
@@ -28,33 +27,6 @@ bool isMaterialNumber(const std::string& name) {
                                   words[0] == "default" || words[0].size() < 2)) ||
            name == "DefaultMaterial";
 }
-
-class PieceFinder {
-  public:
-    explicit PieceFinder(std::size_t expected) : places_(expected) {}
-
-    std::uint32_t add(const Eigen::Vector3f& p) {
-        // Rounding to a grid parts a few equal points; half-cell shifts are not worth it, as
-        // exporters repeat shared corners exactly.
-        const auto grid = [](float x) { return std::round(x / kWeld); };
-        const std::uint32_t place = places_.insert({grid(p.x()), grid(p.y()), grid(p.z())});
-        if (place == root_.size()) root_.push_back(place);
-        return place;
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t low = std::min(find(a), find(b));
-        const std::uint32_t high = std::max(find(a), find(b));
-        root_[high] = low;
-    }
-
-  private:
-    VertexJoin<3> places_;
-    std::vector<std::uint32_t> root_;
-};
 
 /// The triangles of one part that belong to one piece.
 MeshPart extract(const MeshPart& part, const std::vector<std::size_t>& triangles) {

@@ -1,11 +1,10 @@
 #include "engine/io/scene_assembly.h"
 
-#include "engine/geometry/oriented_box.h"
 #include "engine/jobs/parallel.h"
+#include "engine/scene/object_measure.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace dollytrack {
 namespace {
@@ -20,24 +19,6 @@ void copyPart(const MeshPart& part, std::uint32_t vertex, std::uint32_t triangle
         scene.triangles[triangle + i] = moved;
         scene.triangle_material[triangle + i] = part.material;
     }
-}
-
-void measureObject(const Scene& scene, Object& object) {
-    const std::span<const Eigen::Vector3f> points(scene.positions.data() + object.first_vertex,
-                                                  object.vertex_count);
-    object.box = fitUprightBox(points);
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    double area = 0.0;
-    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
-        const Triangle& t = scene.triangles[object.first_triangle + i];
-        const Eigen::Vector3d a = scene.positions[t[0]].cast<double>();
-        const Eigen::Vector3d b = scene.positions[t[1]].cast<double>();
-        const Eigen::Vector3d c = scene.positions[t[2]].cast<double>();
-        const double weight = (b - a).cross(c - a).norm();
-        moment += weight * (a + b + c) / 3.0;
-        area += weight;
-    }
-    object.centroid = area > 0.0 ? Eigen::Vector3d(moment / area) : object.box.center;
 }
 
 }  // namespace
@@ -74,7 +55,8 @@ void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft
         object.id = static_cast<int>(scene.objects.size()) + 1;
         object.name = draft.name;
         object.nyu40 = draft.label.nyu40;
-        if (draft.label.kind == LabelKind::Structure) object.role = Role::Structure;
+        object.structure = draft.label.kind == LabelKind::Structure;
+        if (object.structure) object.role = Role::Structure;
         object.first_vertex = vertex;
         object.first_triangle = triangle;
         for (const std::size_t index : draft.parts) {

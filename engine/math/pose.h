@@ -18,6 +18,7 @@ struct Pose {
         return rotation.conjugate() * (in_world - position);
     }
     [[nodiscard]] Eigen::Isometry3d worldFromCamera() const;
+    bool operator==(const Pose&) const = default;
 };
 
 /// Rotation of a camera that looks along `forward` (need not be unit) with roll 0. Straight up or

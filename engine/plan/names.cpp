@@ -33,6 +33,10 @@ std::string_view name(Verdict verdict) {
             return "cropped";
         case Verdict::TooSmall:
             return "too_small";
+        case Verdict::NoGo:
+            return "no_go";
+        case Verdict::HeightBand:
+            return "height_band";
     }
     return {};
 }

@@ -18,6 +18,15 @@ struct UncapturedObject {
     std::string reason;
 };
 
+/// A pinned point that planning could not keep, and the reason in words.
+struct RefusedPin {
+    int pin = -1;  // index in PlanEdits::pinned
+    std::string name;
+    Verdict verdict = Verdict::InObstacle;
+    int object_id = 0;  // what is in the way; 0: none
+    std::string reason;
+};
+
 struct StageTime {
     std::string name;
     double milliseconds = 0.0;
@@ -59,6 +68,7 @@ struct Plan {
     CaptureMetrics capture_metrics;
     TrajectoryMetrics trajectory_metrics;
     std::vector<UncapturedObject> uncaptured;
+    std::vector<RefusedPin> refused_pins;
 
     std::vector<StageTime> stages;
     double map_ms = 0.0;

@@ -8,7 +8,17 @@
 namespace dollytrack {
 
 /// Why a candidate position was not taken, or that it could be.
-enum class Verdict { Legal, InObstacle, OutsideRoom, OccludedBy, TooClose, Cropped, TooSmall };
+enum class Verdict {
+    Legal,
+    InObstacle,
+    OutsideRoom,
+    OccludedBy,
+    TooClose,
+    Cropped,
+    TooSmall,
+    NoGo,        // the camera's sphere would enter a no-go box
+    HeightBand,  // lower or higher above the floor than the camera may be
+};
 
 std::string_view name(Verdict verdict);
 
@@ -25,10 +35,12 @@ struct Candidate {
 struct PositionPoint {
     int observation_point = 0;  // index
     Pose pose;                  // world_from_camera, roll 0, looks at the observation point
+                                // unless it is pinned
     int component = 0;          // of free space
     double fill = 0.0;
     std::vector<int> well_captured;  // ids of every object this frame captures well
     std::vector<int> captured;       // ids of every object it captures, the above included
+    int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
 };
 
 /// The outcome of the search for one observation point.

@@ -27,7 +27,7 @@ struct WallLine {
 std::vector<WallLine> collectWalls(const Scene& scene) {
     std::vector<WallLine> walls;
     for (const Object& object : scene.objects) {
-        if (object.role != Role::Structure || object.nyu40 == kNyuFloor ||
+        if (!object.structure || object.nyu40 == kNyuFloor ||
             object.nyu40 == kNyuCeiling) {
             continue;
         }

@@ -26,4 +26,8 @@ bool OrientedBox::contains(const Eigen::Vector3d& in_world, double margin_m) con
     return (toBox(in_world).cwiseAbs().array() <= half_size.array() + margin_m).all();
 }
 
+double OrientedBox::distance(const Eigen::Vector3d& in_world) const {
+    return (toBox(in_world).cwiseAbs() - half_size).cwiseMax(0.0).norm();
+}
+
 }  // namespace dollytrack

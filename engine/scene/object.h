@@ -20,6 +20,9 @@ struct OrientedBox {
     [[nodiscard]] Eigen::Vector3d toBox(const Eigen::Vector3d& in_world) const;
     [[nodiscard]] Eigen::Vector3d toWorld(const Eigen::Vector3d& in_box) const;
     [[nodiscard]] bool contains(const Eigen::Vector3d& in_world, double margin_m = 0.0) const;
+    /// Distance from a point to the box, m; 0 inside.
+    [[nodiscard]] double distance(const Eigen::Vector3d& in_world) const;
+    bool operator==(const OrientedBox&) const = default;
 };
 
 /// Why an object is no target, or that it is one.
@@ -43,11 +46,13 @@ struct Object {
     std::string name;
     int nyu40 = 0;  // 1..40, 0 when unknown
     Role role = Role::Target;
+    bool structure = false;  // part of the building, whatever its role: says what is inside
     OrientedBox box;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // area-weighted, m
     Eigen::Vector3d front = Eigen::Vector3d::UnitX();    // horizontal unit vector
     FrontSource front_source = FrontSource::RoomCentre;
     bool large = true;
+    bool size_given = false;  // `large` is the user's word, not measured
     std::uint32_t first_triangle = 0;
     std::uint32_t triangle_count = 0;
     std::uint32_t first_vertex = 0;

@@ -22,11 +22,12 @@ bool isCarriedBy(const Object& thing, const Object& carrier) {
 
 void sortBySize(std::vector<Object>& objects, double small_volume_m3, double size_ratio) {
     for (Object& object : objects) {
+        if (object.size_given) continue;
         const double volume = object.box.volume();
         object.large = volume >= small_volume_m3;
-        if (!object.large || object.role == Role::Structure) continue;
+        if (!object.large || object.structure) continue;
         object.large = std::none_of(objects.begin(), objects.end(), [&](const Object& other) {
-            return other.id != object.id && other.role != Role::Structure &&
+            return other.id != object.id && !other.structure &&
                    other.box.volume() >= size_ratio * volume && isCarriedBy(object, other);
         });
     }

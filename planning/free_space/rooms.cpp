@@ -124,7 +124,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
         for (const Eigen::Vector3d& corner : object.box.corners()) box.extend(corner);
         // What goes through the whole scene is no piece of furniture, whatever its role.
         const bool shell = (box.sizes().array() >= 0.8 * scene.room_bounds.sizes().array()).all();
-        if (shell || object.role == Role::Structure) {
+        if (shell || object.structure) {
             ++structure;
         } else {
             ++hits[static_cast<std::size_t>(hit.object_id)];

@@ -120,7 +120,7 @@ std::uint8_t surfaceKind(const Object& object, const Eigen::AlignedBox3d& room) 
     const bool spans = (shared.array() >= 0.8 * room.sizes().array()).all();
     unsigned kind = kSurface;
     if (!beyond) kind |= kBuilding;
-    if (beyond || spans || object.role == Role::Structure) kind |= kStructure;
+    if (beyond || spans || object.structure) kind |= kStructure;
     return static_cast<std::uint8_t>(kind);
 }
 

@@ -27,6 +27,10 @@ std::string mostCommon(const Scene& scene, const std::map<std::pair<Verdict, int
             return "does not fit into the image from any free place";
         case Verdict::TooSmall:
             return "too small at any legal distance";
+        case Verdict::NoGo:
+            return "no free pose: most places are in a no-go box";
+        case Verdict::HeightBand:
+            return "no free pose: most places are outside the height band";
         case Verdict::Legal:
             break;
     }

@@ -98,11 +98,13 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
 Carriage findCarrier(const Scene& scene, const RayCaster& rays, const TargetParams& params,
                      const Object& object) {
     Carriage carriage;
-    carriage.small = object.box.volume() < params.small_volume_m3;
+    carriage.small =
+        object.size_given ? !object.large : object.box.volume() < params.small_volume_m3;
     if (const int below = restsOn(rays, object); below != 0) {
         const Object& carrier = scene.object(below);
-        if (carrier.role == Role::Structure) return carriage;  // stands on the floor
-        const bool much_smaller = carrier.box.volume() > params.size_ratio * object.box.volume();
+        if (carrier.structure) return carriage;  // stands on the floor
+        const bool much_smaller =
+            !object.size_given && carrier.box.volume() > params.size_ratio * object.box.volume();
         if (!carriage.small && !much_smaller) return carriage;
         carriage.small = true;
         carriage.carrier = below;

@@ -69,6 +69,7 @@ Scene SceneBuilder::build() const {
         object.name = part.name;
         object.nyu40 = part.look.nyu40;
         object.role = part.look.role;
+        object.structure = part.look.role == Role::Structure;
         object.first_vertex = static_cast<std::uint32_t>(scene.positions.size());
         object.vertex_count = static_cast<std::uint32_t>(part.positions.size());
         object.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());

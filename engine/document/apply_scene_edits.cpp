@@ -1,0 +1,138 @@
+#include "engine/document/apply_scene_edits.h"
+
+#include "engine/document/regroup.h"
+#include "engine/scene/facing.h"
+#include "engine/scene/object_size.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack {
+namespace {
+
+// Instance images hold ids in 16 bits.
+constexpr std::size_t kMostObjects = 65'535;
+
+/// The object's number in this scene; 0 when it is gone, or its name no longer says which it is.
+int find(const Scene& scene, const ObjectRef& wanted) {
+    const auto count = static_cast<int>(scene.objects.size());
+    if (wanted.id >= 1 && wanted.id <= count && scene.object(wanted.id).name == wanted.name) {
+        return wanted.id;
+    }
+    int found = 0;
+    for (const Object& object : scene.objects) {
+        if (object.name != wanted.name) continue;
+        if (found != 0) return 0;
+        found = object.id;
+    }
+    return found;
+}
+
+/// Sorted numbers of all the objects; empty, with a warning, when one of them is not found.
+std::vector<int> findAll(const Scene& scene, const std::vector<ObjectRef>& wanted,
+                         const std::string& what, std::vector<std::string>& warnings) {
+    std::vector<int> ids;
+    for (const ObjectRef& ref : wanted) {
+        const int id = find(scene, ref);
+        if (id == 0) {
+            warnings.push_back(
+                fmt::format("{} was left out: the scene has no object \"{}\" any more, or several",
+                            what, ref.name));
+            return {};
+        }
+        ids.push_back(id);
+    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    return ids;
+}
+
+void define(Scene& scene, const ObjectDefinition& definition) {
+    const bool merges = definition.kind == ObjectDefinition::Kind::Merge;
+    const std::string what =
+        fmt::format("{} \"{}\"", merges ? "the new object" : "the split of", definition.name);
+    std::vector<std::string>& warnings = scene.report.warnings;
+    const std::vector<int> ids = findAll(scene, definition.objects, what, warnings);
+    if (ids.empty()) return;
+    if (merges) {
+        if (ids.size() > 1) mergeObjects(scene, ids, definition.name, definition.nyu40);
+        return;
+    }
+    const std::vector<TriangleList> pieces = findPieces(scene, scene.object(ids.front()));
+    if (pieces.size() < 2) {
+        warnings.push_back(what + " was left out: it is one connected piece now");
+        return;
+    }
+    splitObject(scene, ids.front(), pieces, pieceNames(scene, definition.name, pieces.size()));
+}
+
+void change(Scene& scene, const ObjectChange& wanted) {
+    const std::vector<int> ids =
+        findAll(scene, {wanted.object}, fmt::format("the change of \"{}\"", wanted.object.name),
+                scene.report.warnings);
+    if (ids.empty()) return;
+    Object& object = scene.objects[static_cast<std::size_t>(ids.front()) - 1];
+    if (wanted.role) object.role = *wanted.role;
+    if (wanted.nyu40) object.nyu40 = *wanted.nyu40;
+    if (wanted.front) {
+        object.front = *wanted.front;
+        object.front_source = FrontSource::Annotation;
+    }
+    if (wanted.large) {
+        object.large = *wanted.large;
+        object.size_given = true;
+    }
+}
+
+/// The numbers of an edit's objects brought up to date; false when one is gone.
+bool update(std::vector<ObjectRef>& objects, const Scene& scene, const std::string& what,
+            std::vector<std::string>& warnings) {
+    if (objects.empty()) return true;
+    const std::vector<int> ids = findAll(scene, objects, what, warnings);
+    if (ids.empty()) return false;
+    objects.clear();
+    for (const int id : ids) objects.push_back({id, scene.object(id).name});
+    return true;
+}
+
+}  // namespace
+
+Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
+                              const SizeRules& rules) {
+    Scene scene = imported;
+    for (const ObjectDefinition& definition : edits.definitions) define(scene, definition);
+    if (scene.objects.size() > kMostObjects) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("Taken apart, the scene has {} objects, more than the {} that "
+                                "images can number; split fewer.",
+                                scene.objects.size(), kMostObjects),
+                    imported.name);
+    }
+    if (!edits.definitions.empty()) {
+        findFronts(scene);
+        sortBySize(scene.objects, rules.small_volume_m3, rules.size_ratio);
+    }
+    for (const ObjectChange& wanted : edits.changes) change(scene, wanted);
+    return scene;
+}
+
+PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,
+                      std::vector<std::string>& warnings) {
+    PlanEdits found = edits;
+    for (PinnedPoint& pin : found.pinned) {
+        // The pose is still wanted; it then stands for what it captures.
+        const std::string what = fmt::format("what \"{}\" stands for", pin.name);
+        if (!update(pin.objects, edited, what, warnings)) pin.objects.clear();
+    }
+    std::erase_if(found.removed, [&](RemovedPoint& removed) {
+        return !update(removed.objects, edited, "a removed point", warnings);
+    });
+    return found;
+}
+
+bool sameGeometry(const SceneEdits& a, const SceneEdits& b) {
+    return a.definitions == b.definitions;
+}
+
+}  // namespace dollytrack

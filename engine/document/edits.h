@@ -1,0 +1,90 @@
+#pragma once
+
+#include "engine/math/pose.h"
+#include "engine/scene/object.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+/// An object as an edit names it. The name finds it again when the scene file has changed and its
+/// number with it.
+struct ObjectRef {
+    int id = 0;  // in the scene that the edit was made in
+    std::string name;
+    bool operator==(const ObjectRef&) const = default;
+};
+
+/// A new object made of others, or an object taken apart.
+struct ObjectDefinition {
+    enum class Kind {
+        Merge,  // all objects become one, at the place of the first
+        Split,  // the one object becomes its connected pieces, at its place
+    };
+    Kind kind = Kind::Merge;
+    std::vector<ObjectRef> objects;  // by rising id, as the definitions before this one number them
+    std::string name;                // of the new object; of pieces: followed by a number
+    int nyu40 = 0;                   // of the merged object; 0: that of its largest part
+    bool operator==(const ObjectDefinition&) const = default;
+};
+
+/// What a person says of one object; what they do not say stays as import found it.
+struct ObjectChange {
+    ObjectRef object;                      // in the scene with all definitions applied
+    std::optional<Role> role;              // Target or Excluded
+    std::optional<int> nyu40;              // 0..40
+    std::optional<Eigen::Vector3d> front;  // horizontal, unit
+    std::optional<bool> large;
+    bool operator==(const ObjectChange&) const = default;
+
+    [[nodiscard]] bool saysNothing() const { return !role && !nyu40 && !front && !large; }
+};
+
+/// Everything changed by hand in a scene. Definitions come first, in order, then the changes.
+struct SceneEdits {
+    std::vector<ObjectDefinition> definitions;
+    std::vector<ObjectChange> changes;  // by rising id, one an object
+    bool operator==(const SceneEdits&) const = default;
+};
+
+/// A position point placed, moved, turned or locked by hand. Planning keeps its pose to the last
+/// bit and visits it whenever it is legal.
+struct PinnedPoint {
+    std::string name;                // unique among the pinned points
+    Pose pose;                       // world_from_camera, roll 0
+    std::vector<ObjectRef> objects;  // of the observation point it stands for, by rising id; empty:
+                                     // placed from a view, stands for what it captures
+    bool operator==(const PinnedPoint&) const = default;
+};
+
+/// An observation point that gets no position point of its own.
+struct RemovedPoint {
+    std::vector<ObjectRef> objects;  // by rising id
+    bool operator==(const RemovedPoint&) const = default;
+};
+
+/// A place that no part of the camera's sphere may enter.
+struct NoGoBox {
+    std::string name;  // unique among the boxes
+    OrientedBox box;
+    bool operator==(const NoGoBox&) const = default;
+};
+
+/// Everything changed by hand in a plan. Objects are those of the edited scene.
+struct PlanEdits {
+    std::vector<PinnedPoint> pinned;
+    std::vector<RemovedPoint> removed;
+    std::vector<NoGoBox> no_go;
+    bool operator==(const PlanEdits&) const = default;
+};
+
+/// All that a project keeps of what a person changed by hand.
+struct Edits {
+    SceneEdits scene;
+    PlanEdits plan;
+    bool operator==(const Edits&) const = default;
+};
+
+}  // namespace dollytrack

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/document/edits.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace dollytrack {
+
+/// The section `edits` of a project file. Keys of `loaded`, the section as it was read, that this
+/// version does not know are kept.
+nlohmann::json editsJson(const Edits& edits, const nlohmann::json& loaded);
+nlohmann::json editsJson(const Edits& edits);
+
+/// Reads that section; an absent one (null, or an empty object) gives no edits. Error: BadInput
+/// with the place ("edits.pinned[2].position") for wrong types and values, and for a section of a
+/// later version.
+Result<Edits> editsFromJson(const nlohmann::json& section);
+
+}  // namespace dollytrack
