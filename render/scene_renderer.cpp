@@ -128,7 +128,9 @@ struct SceneRenderer::Impl {
         glBindTextureUnit(2, target.surface_.get());
         setRotation(occlusion.get(), 0, cameraFromWorld(view));
         setUnproject(occlusion.get(), 1, view);
-        glProgramUniform1f(occlusion.get(), 2, static_cast<float>(view.intrinsics.fx));
+        const double scale = view.orthographic ? view.orthographic->px_per_m : view.intrinsics.fx;
+        glProgramUniform1f(occlusion.get(), 2, static_cast<float>(scale));
+        glProgramUniform1i(occlusion.get(), 3, view.orthographic ? 1 : 0);
         drawPicture(target.occlusion_frame_, width, height, occlusion);
         glBindTextureUnit(3, target.occlusion_.get());
         drawPicture(target.soft_frame_, width, height, soften);
@@ -154,6 +156,7 @@ struct SceneRenderer::Impl {
         Eigen::Vector4f backdrop = Eigen::Vector4f::Zero();
         if (view.backdrop) backdrop << *view.backdrop, 1.0F;
         glProgramUniform4fv(name, 8, 1, backdrop.data());
+        glProgramUniform1i(name, 9, view.orthographic ? 1 : 0);
         glBindTextureUnit(0, target.color_.get());
         glBindTextureUnit(4, ambient.get());
         glBindTextureUnit(5, lamps.get());

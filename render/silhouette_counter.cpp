@@ -32,7 +32,7 @@ PixelRect projectBox(const Eigen::AlignedBox3f& box, const View& view, const Pix
             box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)).cast<double>();
         const Eigen::Vector3d in_camera = view.pose.toCamera(in_world);
         if (in_camera.z() < view.near_m) return limits;
-        covered.extend(view.intrinsics.project(in_camera));
+        covered.extend(view.project(in_camera));
     }
     const auto clip = [](double value, int low, int high) {
         return static_cast<int>(std::clamp(value, double(low), double(high)));
@@ -113,6 +113,7 @@ Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
         View moved;
         moved.pose = view.pose;
         moved.near_m = view.near_m;
+        moved.orthographic = view.orthographic;
         moved.intrinsics = view.intrinsics;
         moved.intrinsics.width = rect.width();
         moved.intrinsics.height = rect.height();

@@ -17,7 +17,20 @@ struct StructureCut {
     double keep_below_z = 0.0;
 };
 
-/// One picture to be drawn.
+/// Parallel rays instead of a pinhole, for plans and elevations. The image's middle, the principal
+/// point of the intrinsics, is what lies straight ahead; the focal length has no meaning.
+struct Orthographic {
+    double px_per_m = 100.0;
+    double depth_m = 250.0;  // what lies further behind the near plane is cut
+};
+
+/// A ray through a pixel; lengths along it are planar depths.
+struct ViewRay {
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // world
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+};
+
+/// One picture to be drawn. Depth is always measured along the viewing axis.
 struct View {
     Intrinsics intrinsics;
     Pose pose;
@@ -27,6 +40,13 @@ struct View {
     std::optional<StructureCut> structure_cut;
     /// Colour (sRGB 0..1) where nothing is hit; none: a sky.
     std::optional<Eigen::Vector3f> backdrop;
+    /// None: a pinhole camera.
+    std::optional<Orthographic> orthographic;
+
+    /// Image position (px) of a point in the camera's frame; in a pinhole camera with z > 0.
+    [[nodiscard]] Eigen::Vector2d project(const Eigen::Vector3d& in_camera) const;
+    /// The ray through an image position.
+    [[nodiscard]] ViewRay rayThrough(double x, double y) const;
 };
 
 }  // namespace dollytrack::render

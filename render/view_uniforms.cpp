@@ -19,36 +19,58 @@ void setCamera(unsigned program, const View& view) {
     const Eigen::Vector3f position = view.pose.position.cast<float>();
     setRotation(program, 0, cameraFromWorld(view));
     glProgramUniform3fv(program, 1, 1, position.data());
-    glProgramUniform4f(program, 2, static_cast<float>(2.0 * lens.fx / lens.width),
-                       static_cast<float>(2.0 * lens.fy / lens.height),
+    const double fx = view.orthographic ? view.orthographic->px_per_m : lens.fx;
+    const double fy = view.orthographic ? view.orthographic->px_per_m : lens.fy;
+    glProgramUniform4f(program, 2, static_cast<float>(2.0 * fx / lens.width),
+                       static_cast<float>(2.0 * fy / lens.height),
                        static_cast<float>(2.0 * lens.cx / lens.width - 1.0),
                        static_cast<float>(2.0 * lens.cy / lens.height - 1.0));
-    glProgramUniform1f(program, 3, static_cast<float>(view.near_m));
+    glProgramUniform2f(program, 3, static_cast<float>(view.near_m),
+                       static_cast<float>(view.orthographic ? view.orthographic->depth_m : 0.0));
 }
 
 void setUnproject(unsigned program, int location, const View& view) {
     const Intrinsics& lens = view.intrinsics;
-    glProgramUniform4f(program, location, static_cast<float>(1.0 / lens.fx),
-                       static_cast<float>(1.0 / lens.fy), static_cast<float>(-lens.cx / lens.fx),
-                       static_cast<float>(-lens.cy / lens.fy));
+    const double fx = view.orthographic ? view.orthographic->px_per_m : lens.fx;
+    const double fy = view.orthographic ? view.orthographic->px_per_m : lens.fy;
+    glProgramUniform4f(program, location, static_cast<float>(1.0 / fx),
+                       static_cast<float>(1.0 / fy), static_cast<float>(-lens.cx / fx),
+                       static_cast<float>(-lens.cy / fy));
 }
 
-std::vector<bool> objectsInView(const GpuScene& scene, const View& view) {
+namespace {
+
+using Plane = std::pair<Eigen::Vector3d, double>;  // inside: normal * p + offset >= 0
+
+/// What the view shows, as planes in the camera's frame: the sides of a pyramid or of a block, and
+/// the near plane.
+std::array<Plane, 5> limitsOf(const View& view) {
     const Intrinsics& lens = view.intrinsics;
-    // Inward normals of the pyramid's sides, in the camera's frame; the near plane is z >= near.
-    const std::array<Eigen::Vector3d, 4> sides = {{
-        {lens.fx, 0.0, lens.cx},
-        {-lens.fx, 0.0, lens.width - lens.cx},
-        {0.0, lens.fy, lens.cy},
-        {0.0, -lens.fy, lens.height - lens.cy},
-    }};
-    std::array<std::pair<Eigen::Vector3d, double>, 5> planes;  // normal * p + offset >= 0
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const Eigen::Vector3d normal = view.pose.rotation * sides[i].normalized();
-        planes[i] = {normal, -normal.dot(view.pose.position)};
+    const Plane near = {{0.0, 0.0, 1.0}, -view.near_m};
+    if (view.orthographic) {
+        const double scale = view.orthographic->px_per_m;
+        return {{{{scale, 0.0, 0.0}, lens.cx},
+                 {{-scale, 0.0, 0.0}, lens.width - lens.cx},
+                 {{0.0, scale, 0.0}, lens.cy},
+                 {{0.0, -scale, 0.0}, lens.height - lens.cy},
+                 near}};
     }
-    const Eigen::Vector3d forward = view.pose.forward();
-    planes[4] = {forward, -forward.dot(view.pose.position) - view.near_m};
+    return {{{{lens.fx, 0.0, lens.cx}, 0.0},
+             {{-lens.fx, 0.0, lens.width - lens.cx}, 0.0},
+             {{0.0, lens.fy, lens.cy}, 0.0},
+             {{0.0, -lens.fy, lens.height - lens.cy}, 0.0},
+             near}};
+}
+
+}  // namespace
+
+std::vector<bool> objectsInView(const GpuScene& scene, const View& view) {
+    std::array<Plane, 5> planes = limitsOf(view);
+    for (auto& [normal, offset] : planes) {
+        offset /= normal.norm();
+        normal = view.pose.rotation * normal.normalized();
+        offset -= normal.dot(view.pose.position);
+    }
 
     std::vector<bool> visible(scene.bounds.size(), false);
     for (std::size_t i = 0; i < scene.bounds.size(); ++i) {

@@ -14,10 +14,11 @@ namespace dollytrack::render {
 /// Sets uniforms 0..3 of surface.vert and silhouette.vert.
 void setCamera(unsigned program, const View& view);
 void setRotation(unsigned program, int location, const Eigen::Matrix3f& rotation);
-/// Pixel position to a ray with z = 1: scale and offset of x and y.
+/// Pixel position to a ray with z = 1: scale and offset of x and y. In an orthographic view: to
+/// x and y themselves, m.
 void setUnproject(unsigned program, int location, const View& view);
 
-/// By id - 1: not hidden, and the box reaches into the view's pyramid.
+/// By id - 1: not hidden, and the box reaches into what the view shows.
 [[nodiscard]] std::vector<bool> objectsInView(const GpuScene& scene, const View& view);
 
 }  // namespace dollytrack::render

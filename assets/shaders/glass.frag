@@ -8,6 +8,7 @@ flat in vec4 surface_color;
 flat in vec4 surface_traits;
 flat in uint surface_id;
 
+layout(location = 3) uniform vec2 depth_span;  // see surface.vert
 layout(location = 4) uniform int textured;
 layout(location = 5) uniform float tint;  // 0: only depth and label (the holes of cut-outs)
 layout(location = 6) uniform vec4 cut_plane;
@@ -20,6 +21,11 @@ layout(location = 0) out vec4 out_color;
 layout(location = 3) out float out_depth;
 layout(location = 4) out uint out_id;
 
+float depthHere() {
+    return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
+                              : 1.0 / gl_FragCoord.w;
+}
+
 void main() {
     vec3 p = offset_in_world + eye;
     if (surface_traits.w > 0.5 && dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z) {
@@ -28,6 +34,6 @@ void main() {
     vec4 color = surface_color;
     if (textured != 0) color *= texture(base_texture, texture_uv);
     out_color = vec4(color.rgb, color.a * tint);
-    out_depth = 1.0 / gl_FragCoord.w;
+    out_depth = depthHere();
     out_id = surface_id;
 }

@@ -11,6 +11,7 @@ layout(location = 5) uniform float lift_m;       // off the surface, out of the 
 layout(location = 6) uniform float exposure;
 layout(location = 7) uniform vec3 lamp_color;
 layout(location = 8) uniform vec4 backdrop;      // rgb where nothing is hit; a > 0: a plain colour
+layout(location = 9) uniform int orthographic;
 
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
@@ -35,7 +36,8 @@ vec3 encode(vec3 linear) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float z = texelFetch(surface, pixel, 0).r;
-    vec3 ray = world_from_camera * vec3(gl_FragCoord.xy * unproject.xy + unproject.zw, 1.0);
+    vec2 aside = gl_FragCoord.xy * unproject.xy + unproject.zw;
+    vec3 ray = world_from_camera * (orthographic != 0 ? vec3(0.0, 0.0, 1.0) : vec3(aside, 1.0));
     if (z <= 0.0) {
         float rise = normalize(ray).z;
         vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
@@ -51,7 +53,7 @@ void main() {
     float metallic = color.a < 0.5 ? color.a * 2.0 : 0.0;
     float emission = color.a > 0.5 ? (color.a - 0.5) * 16.0 : 0.0;
 
-    vec3 p = camera_position + ray * z;
+    vec3 p = camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
     vec3 at = (p + n * lift_m - volume_low) * volume_scale;
     vec3 ambient = texture(ambient_volume, at).rgb;
     vec3 lamp = texture(lamp_volume, at).xyz;

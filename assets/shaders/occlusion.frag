@@ -5,7 +5,8 @@
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec4 unproject;  // x scale, y scale, x offset, y offset, full pixels
-layout(location = 2) uniform float pixels_per_radian;
+layout(location = 2) uniform float pixels_per_radian;  // orthographic: pixels per metre
+layout(location = 3) uniform int orthographic;
 
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
@@ -17,7 +18,8 @@ const int kSamples = 8;
 
 vec3 pointAt(ivec2 pixel) {
     float z = texelFetch(surface, pixel, 0).r;
-    return vec3((vec2(pixel) + 0.5) * unproject.xy + unproject.zw, 1.0) * z;
+    vec2 aside = (vec2(pixel) + 0.5) * unproject.xy + unproject.zw;
+    return orthographic != 0 ? vec3(aside, z) : vec3(aside, 1.0) * z;
 }
 
 void main() {
@@ -29,7 +31,7 @@ void main() {
         return;
     }
     vec3 n = camera_from_world * texelFetch(normals, pixel, 0).xyz;
-    float reach = clamp(kRadius * pixels_per_radian / p.z, 4.0, 160.0);
+    float reach = clamp(kRadius * pixels_per_radian / (orthographic != 0 ? 1.0 : p.z), 4.0, 160.0);
     // The pattern turns from pixel to pixel in a 4 x 4 tile, which the blur that follows averages.
     ivec2 tile = ivec2(gl_FragCoord.xy) & 3;
     float turn = float((tile.x * 4 + ((tile.y * 7) & 15)) & 15) * (6.2831853 / 16.0);

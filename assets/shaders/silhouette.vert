@@ -6,9 +6,11 @@ layout(location = 0) in vec3 position;
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
 layout(location = 2) uniform vec4 lens;
-layout(location = 3) uniform float near_m;
+layout(location = 3) uniform vec2 depth_span;  // near plane, m; depth of an orthographic view or 0
 
 void main() {
     vec3 p = camera_from_world * (position - camera_position);
-    gl_Position = vec4(lens.xy * p.xy + lens.zw * p.z, near_m, p.z);
+    gl_Position = depth_span.y > 0.0
+                      ? vec4(lens.xy * p.xy + lens.zw, 1.0 - (p.z - depth_span.x) / depth_span.y, 1.0)
+                      : vec4(lens.xy * p.xy + lens.zw * p.z, depth_span.x, p.z);
 }

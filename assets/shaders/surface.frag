@@ -9,6 +9,8 @@ flat in vec4 surface_color;
 flat in vec4 surface_traits;
 flat in uint surface_id;
 
+layout(location = 0) uniform mat3 camera_from_world;
+layout(location = 3) uniform vec2 depth_span;  // see surface.vert
 layout(location = 4) uniform int textured;
 layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: none
 layout(location = 6) uniform vec4 cut_plane;   // structure above it is left away, see view.h
@@ -22,6 +24,11 @@ layout(location = 1) out vec4 out_normal;    // towards the camera's side; w: ro
 layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
 layout(location = 3) out float out_depth;    // planar depth of the label, m
 layout(location = 4) out uint out_id;
+
+float depthHere() {
+    return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
+                              : 1.0 / gl_FragCoord.w;
+}
 
 void main() {
     vec3 p = offset_in_world + eye;
@@ -38,12 +45,13 @@ void main() {
     }
     vec3 n = normalize(normal_in_world);
     // Walls are often one-sided, and many files wind their faces the wrong way.
-    if (dot(n, offset_in_world) > 0.0) n = -n;
+    vec3 forward = vec3(camera_from_world[0].z, camera_from_world[1].z, camera_from_world[2].z);
+    if (dot(n, depth_span.y > 0.0 ? forward : offset_in_world) > 0.0) n = -n;
     float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * surface_traits.z
                                            : 0.49 * surface_traits.y;
     out_color = vec4(color.rgb, special);
     out_normal = vec4(n, surface_traits.x);
-    float z = 1.0 / gl_FragCoord.w;
+    float z = depthHere();
     out_surface = z;
     out_depth = z;
     out_id = surface_id;

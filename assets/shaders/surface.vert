@@ -1,7 +1,7 @@
 #version 450 core
 // One vertex of the scene. Clip space comes straight from the pinhole camera (x right, y down,
 // z forward), so row 0 of the picture is its top; depth is near / z, which loses no precision far
-// away and needs no far plane.
+// away and needs no far plane. Parallel rays need one: there depth falls evenly from 1 to 0.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -13,7 +13,7 @@ layout(location = 5) in uint object_id;
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
 layout(location = 2) uniform vec4 lens;  // 2 fx / w, 2 fy / h, 2 cx / w - 1, 2 cy / h - 1
-layout(location = 3) uniform float near_m;
+layout(location = 3) uniform vec2 depth_span;  // near plane, m; depth of an orthographic view or 0
 
 out vec3 offset_in_world;
 out vec3 normal_in_world;
@@ -25,7 +25,9 @@ flat out uint surface_id;
 void main() {
     offset_in_world = position - camera_position;
     vec3 p = camera_from_world * offset_in_world;
-    gl_Position = vec4(lens.xy * p.xy + lens.zw * p.z, near_m, p.z);
+    gl_Position = depth_span.y > 0.0
+                      ? vec4(lens.xy * p.xy + lens.zw, 1.0 - (p.z - depth_span.x) / depth_span.y, 1.0)
+                      : vec4(lens.xy * p.xy + lens.zw * p.z, depth_span.x, p.z);
     normal_in_world = normal;
     texture_uv = vec2(uv.x, 1.0 - uv.y);
     surface_color = base_color;

@@ -7,14 +7,16 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr float kThroughSurfaces = 0.22F;  // opacity of what is hidden
-constexpr double kBias = 0.01;             // of the depth: a line on a floor is not in it
+constexpr float kThroughSurfaces = 0.22F;   // opacity of what is hidden
+constexpr double kBias = 0.01;              // of the depth: a line on a floor is not in it
+constexpr double kOrthographicBias = 0.02;  // m: there depth says nothing about nearness
 
-/// A capsule on the screen: its axis and the inverse depth at both ends, which is linear there.
+/// A capsule on the screen: its axis, and at both ends what is linear between them there: the
+/// inverse of the depth, or in an orthographic view the depth itself.
 struct Stroke {
     Eigen::Vector2d a, b;
-    double inverse_z_a = 0.0;
-    double inverse_z_b = 0.0;
+    double depth_a = 0.0;
+    double depth_b = 0.0;
     double radius = 1.0;
     Eigen::Vector4f rgba;
 };
@@ -30,26 +32,31 @@ class Painter {
         if (a.z() < view_.near_m && b.z() < view_.near_m) return;
         if (a.z() < view_.near_m) a = cutNear(b, a);
         if (b.z() < view_.near_m) b = cutNear(a, b);
-        paint({view_.intrinsics.project(a), view_.intrinsics.project(b), 1.0 / a.z(), 1.0 / b.z(),
-               0.5 * width, rgba});
+        paint(
+            {view_.project(a), view_.project(b), linear(a.z()), linear(b.z()), 0.5 * width, rgba});
     }
 
     void mark(const OverlayMark& mark, double scale) {
         const Eigen::Vector3d p = view_.pose.toCamera(mark.at);
         if (p.z() < view_.near_m) return;
-        const Eigen::Vector2d at = view_.intrinsics.project(p);
+        const Eigen::Vector2d at = view_.project(p);
         const double half = 0.5 * mark.size_px * scale;
         if (mark.shape == OverlayMark::Shape::Dot) {
-            paint({at, at, 1.0 / p.z(), 1.0 / p.z(), half, mark.rgba});
+            paint({at, at, linear(p.z()), linear(p.z()), half, mark.rgba});
             return;
         }
         for (const double side : {-1.0, 1.0}) {
             const Eigen::Vector2d arm(half, side * half);
-            paint({at - arm, at + arm, 1.0 / p.z(), 1.0 / p.z(), 0.25 * half, mark.rgba});
+            paint({at - arm, at + arm, linear(p.z()), linear(p.z()), 0.25 * half, mark.rgba});
         }
     }
 
   private:
+    /// Depth to what is linear on the screen, and back.
+    [[nodiscard]] double linear(double depth) const {
+        return view_.orthographic ? depth : 1.0 / depth;
+    }
+
     [[nodiscard]] Eigen::Vector3d cutNear(const Eigen::Vector3d& inside,
                                           const Eigen::Vector3d& outside) const {
         const double share = (inside.z() - view_.near_m) / (inside.z() - outside.z());
@@ -77,16 +84,16 @@ class Painter {
                 const double distance = (p - stroke.a - along * axis).norm();
                 const double cover = std::clamp(stroke.radius + 0.5 - distance, 0.0, 1.0);
                 if (cover <= 0.0) continue;
-                const double z =
-                    1.0 / (stroke.inverse_z_a + along * (stroke.inverse_z_b - stroke.inverse_z_a));
-                blend(static_cast<std::size_t>(y) * width + x, z, cover, stroke.rgba);
+                const double depth = stroke.depth_a + along * (stroke.depth_b - stroke.depth_a);
+                blend(static_cast<std::size_t>(y) * width + x, linear(depth), cover, stroke.rgba);
             }
         }
     }
 
     void blend(std::size_t pixel, double z, double cover, const Eigen::Vector4f& rgba) {
         const double surface = depth_[pixel];
-        const bool hidden = surface > 0.0 && z * (1.0 - kBias) > surface;
+        const double nearer = view_.orthographic ? z - kOrthographicBias : z * (1.0 - kBias);
+        const bool hidden = surface > 0.0 && nearer > surface;
         const float opacity =
             static_cast<float>(cover) * rgba[3] * (hidden ? kThroughSurfaces : 1.0F);
         for (std::size_t c = 0; c < 3; ++c) {

@@ -3,6 +3,8 @@
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 
+#include <limits>
+
 namespace dollytrack::render {
 namespace {
 
@@ -48,6 +50,71 @@ TEST_F(SceneRendererGl, TheNearPlaneCutsWhatIsCloser) {
     ASSERT_TRUE(frame);
     for (const float depth : frame->depth_m) ASSERT_EQ(depth, 0.0F);
     for (const std::uint16_t id : frame->instance) ASSERT_EQ(id, 0);
+}
+
+// Seen from above with 20 px a metre, a box of 2 x 1 x 0.5 m covers 40 x 20 px, wherever it stands
+// and however high it is; its top lies 0.5 m nearer than the floor.
+TEST_F(SceneRendererGl, AnOrthographicViewKeepsSizesAndMeasuresDepthAlongItsAxis) {
+    SceneBuilder builder;
+    builder.object("floor").quad({-10, -10, 0}, {20, 0, 0}, {0, 20, 0});
+    builder.object("box").box({1.0, 0.5, 0.25}, {2.0, 1.0, 0.5});
+    const Scene scene = builder.build();
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    for (const double height : {3.0, 40.0}) {
+        View view = makeView(camera, lookAt({0, 0, height}, {0, 0, 0}));
+        view.orthographic = Orthographic{20.0, 100.0};
+        const auto frame = renderer->render(view);
+        ASSERT_TRUE(frame) << describe(frame.error());
+        int boxes = 0;
+        for (int y = 0; y < camera.height_px; ++y) {
+            for (int x = 0; x < camera.width_px; ++x) {
+                const std::size_t i = static_cast<std::size_t>(y) * camera.width_px + x;
+                // Straight down the camera's x axis is the world's; rows go towards -y.
+                const double east = (x + 0.5 - 80.0) / 20.0;
+                const double north = -(y + 0.5 - 60.0) / 20.0;
+                const bool on_box = east > 0.0 && east < 2.0 && north > 0.0 && north < 1.0;
+                ASSERT_EQ(frame->instance[i], on_box ? 2 : 1) << x << ' ' << y;
+                ASSERT_NEAR(frame->depth_m[i], height - (on_box ? 0.5 : 0.0), 1e-4);
+                boxes += on_box;
+            }
+        }
+        EXPECT_EQ(boxes, 40 * 20);
+        ASSERT_TRUE(renderer->scene().startSilhouettes(view, std::vector<int>{2}));
+        EXPECT_EQ(renderer->scene().finishSilhouettes().at(0), 40U * 20U);
+    }
+}
+
+TEST_F(SceneRendererGl, AnOrthographicViewMeetsTheRayOfEachPixel) {
+    const Scene scene = furnishedRoom();
+    const RayCaster rays(scene);
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    View view = makeView(camera, lookAt({2.0, 1.5, 2.4}, {1.5, 1.0, 0.3}));
+    view.orthographic = Orthographic{60.0, 50.0};
+    view.intrinsics.cx += 12.5;
+    const auto frame = renderer->render(view);
+    ASSERT_TRUE(frame) << describe(frame.error());
+    int wrong = 0;
+    for (int y = 0; y < camera.height_px; ++y) {
+        for (int x = 0; x < camera.width_px; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * camera.width_px + x;
+            const ViewRay ray = view.rayThrough(x + 0.5, y + 0.5);
+            const RayHit hit = rays.cast(ray.origin, ray.direction,
+                                         std::numeric_limits<double>::infinity(), view.near_m);
+            const bool same = frame->instance[i] == hit.object_id &&
+                              std::abs(frame->depth_m[i] - hit.distance) < 1e-3;
+            wrong += hit.object_id != 0 && !same;
+            if (hit.object_id == 0) continue;
+            const Eigen::Vector3d at =
+                view.pose.toCamera(ray.origin + hit.distance * ray.direction);
+            EXPECT_NEAR(at.z(), hit.distance, 1e-9);
+            EXPECT_NEAR((view.project(at) - Eigen::Vector2d(x + 0.5, y + 0.5)).norm(), 0.0, 1e-9);
+        }
+    }
+    EXPECT_LT(wrong, 200);  // along edges, of 19200
 }
 
 /// Of the pixels whose neighbourhood is one object by rays, how many disagree.

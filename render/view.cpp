@@ -1,0 +1,18 @@
+#include "render/view.h"
+
+namespace dollytrack::render {
+
+Eigen::Vector2d View::project(const Eigen::Vector3d& in_camera) const {
+    if (!orthographic) return intrinsics.project(in_camera);
+    return {orthographic->px_per_m * in_camera.x() + intrinsics.cx,
+            orthographic->px_per_m * in_camera.y() + intrinsics.cy};
+}
+
+ViewRay View::rayThrough(double x, double y) const {
+    if (!orthographic) return {pose.position, pose.rotation * intrinsics.unproject(x, y)};
+    const Eigen::Vector3d aside((x - intrinsics.cx) / orthographic->px_per_m,
+                                (y - intrinsics.cy) / orthographic->px_per_m, 0.0);
+    return {pose.toWorld(aside), pose.forward()};
+}
+
+}  // namespace dollytrack::render
