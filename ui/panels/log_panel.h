@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/core/log.h"
+
+#include <deque>
+#include <mutex>
+#include <string>
+
+namespace dollytrack::ui {
+
+/// Keeps what was logged, from any thread; repeats are folded into one line with a count.
+class LogBook {
+  public:
+    void add(const log::Record& record);
+    [[nodiscard]] std::deque<log::Record> records() const;
+    void clear();
+    /// Rises with every record, for badges and for scrolling down.
+    [[nodiscard]] unsigned version() const;
+
+  private:
+    static constexpr std::size_t kKept = 5000;
+    mutable std::mutex mutex_;
+    std::deque<log::Record> records_;
+    unsigned version_ = 0;
+};
+
+struct LogPanelState {
+    std::string filter;
+    int least_level = 1;  // log::Level
+    unsigned seen_version = 0;
+};
+
+/// Messages with filter, level, copy and clear.
+void drawLogPanel(LogBook& book, LogPanelState& state);
+
+}  // namespace dollytrack::ui

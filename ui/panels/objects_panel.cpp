@@ -1,0 +1,188 @@
+#include "ui/panels/objects_panel.h"
+
+#include "engine/scene/labels.h"
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr std::array<const char*, 6> kShown = {
+    "All", "Targets", "Not captured", "Captured small", "Well captured", "No targets"};
+
+const ObjectCapture* captureOf(const ObjectsView& view, int id) {
+    if (view.captures == nullptr) return nullptr;
+    const auto at = std::ranges::lower_bound(*view.captures, id, {}, &ObjectCapture::object_id);
+    return at != view.captures->end() && at->object_id == id ? &*at : nullptr;
+}
+
+bool contains(std::string_view text, const std::string& part) {
+    return std::search(text.begin(), text.end(), part.begin(), part.end(), [](char a, char b) {
+               return std::tolower(static_cast<unsigned char>(a)) ==
+                      std::tolower(static_cast<unsigned char>(b));
+           }) != text.end();
+}
+
+bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Object& object) {
+    const ObjectCapture* capture = captureOf(view, object.id);
+    const bool captured = capture != nullptr && capture->captured;
+    const bool well = capture != nullptr && capture->well_captured;
+    const bool target = object.role == Role::Target;
+    switch (state.shown) {
+        case 1:
+            if (!target) return false;
+            break;
+        case 2:
+            if (!target || captured) return false;
+            break;
+        case 3:
+            if (!captured || well) return false;
+            break;
+        case 4:
+            if (!well) return false;
+            break;
+        case 5:
+            if (target) return false;
+            break;
+        default:
+            break;
+    }
+    return state.filter.empty() || contains(object.name, state.filter) ||
+           contains(nyu40Name(object.nyu40), state.filter);
+}
+
+void drawState(const Object& object, const ObjectCapture* capture) {
+    const char* text = "–";
+    ImVec4 color = palette().text_dim;
+    std::string why = object.role == Role::Structure ? "Part of the building: obstacle and label"
+                                                     : "Excluded: obstacle and label only";
+    if (object.role == Role::Target) {
+        text = "…";
+        why = "Not planned yet";
+        if (capture != nullptr && capture->well_captured) {
+            text = "●";
+            color = palette().good;
+            why = "Well captured: 80 % visible, and its box takes 5 % of the image";
+        } else if (capture != nullptr && capture->captured) {
+            text = "◐";
+            color = palette().warning;
+            why = "Captured, but small in the image";
+        } else if (capture != nullptr) {
+            text = "○";
+            color = palette().bad;
+            why = "Not captured; select it to see why";
+        }
+    }
+    ImGui::TextColored(color, "%s", text);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", why.c_str());
+}
+
+void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& object,
+             ObjectsActions& actions) {
+    ImGui::PushID(object.id);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    drawState(object, captureOf(view, object.id));
+    ImGui::TableNextColumn();
+    const bool selected = view.selected != nullptr &&
+                          std::ranges::find(*view.selected, object.id) != view.selected->end();
+    const std::string name =
+        object.name.empty() ? "object " + std::to_string(object.id) : object.name;
+    if (ImGui::Selectable(name.c_str(), selected,
+                          ImGuiSelectableFlags_SpanAllColumns |
+                              ImGuiSelectableFlags_AllowItemOverlap |
+                              ImGuiSelectableFlags_AllowDoubleClick)) {
+        actions.clicked = object.id;
+        actions.add_to_selection = ImGui::GetIO().KeyCtrl;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
+    }
+    nameItem("objects.row." + std::to_string(object.id));
+    if (state.scroll_to == object.id) {
+        ImGui::SetScrollHereY(0.5F);
+        state.scroll_to = 0;
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextColored(palette().text_dim, "%s", std::string(nyu40Name(object.nyu40)).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextColored(palette().text_dim, "%s", object.large ? "L" : "s");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip(object.large ? "large" : "small");
+    ImGui::TableNextColumn();
+    const bool hidden = view.hidden != nullptr &&
+                        static_cast<std::size_t>(object.id) < view.hidden->size() &&
+                        (*view.hidden)[static_cast<std::size_t>(object.id)];
+    if (ImGui::SmallButton(hidden ? "◌##eye" : "◉##eye")) actions.toggle_hidden = object.id;
+    nameItem("objects.eye." + std::to_string(object.id));
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(hidden ? "Hidden in the viewport; click to show"
+                                 : "Click to hide in the viewport; the plan does not change");
+    }
+    ImGui::TableNextColumn();
+    if (object.role != Role::Structure) {
+        bool target = object.role == Role::Target;
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), 0});
+        if (ImGui::Checkbox("##target", &target)) actions.toggle_target = object.id;
+        ImGui::PopStyleVar();
+        nameItem("objects.target." + std::to_string(object.id));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("A target: the plan shall capture it");
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& state) {
+    ObjectsActions actions;
+    if (view.scene == nullptr) {
+        ImGui::TextDisabled("No scene is open.");
+        return actions;
+    }
+    ImGui::SetNextItemWidth(-scaled(132));
+    ImGui::InputTextWithHint("##filter", "Find an object", &state.filter);
+    nameItem("objects.filter");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::Combo("##shown", &state.shown, kShown.data(), kShown.size());
+    nameItem("objects.shown");
+    std::vector<const Object*> rows;
+    for (const Object& object : view.scene->objects) {
+        if (isShown(view, state, object)) rows.push_back(&object);
+    }
+    ImGui::TextDisabled("%zu of %zu objects", rows.size(), view.scene->objects.size());
+    if (!ImGui::BeginTable(
+            "objects", 6,
+            ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        return actions;
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("Object", ImGuiTableColumnFlags_WidthStretch, 1.3F);
+    ImGui::TableSetupColumn("Class", ImGuiTableColumnFlags_WidthStretch, 1.0F);
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("Target");
+    ImGui::TableHeadersRow();
+    ImGuiListClipper clipper;
+    const auto scroll_row = std::ranges::find_if(
+        rows, [&](const Object* object) { return object->id == state.scroll_to; });
+    clipper.Begin(static_cast<int>(rows.size()));
+    if (scroll_row != rows.end()) {
+        const int at = static_cast<int>(scroll_row - rows.begin());
+        clipper.ForceDisplayRangeByIndices(at, at + 1);
+    }
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(view, state, *rows[static_cast<std::size_t>(i)], actions);
+        }
+    }
+    ImGui::EndTable();
+    return actions;
+}
+
+}  // namespace dollytrack::ui

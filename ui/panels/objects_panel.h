@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/plan/capture.h"
+#include "engine/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack::ui {
+
+/// What the panel may read this frame.
+struct ObjectsView {
+    const Scene* scene = nullptr;
+    const std::vector<ObjectCapture>* captures = nullptr;  // by rising id; null before planning
+    const std::vector<int>* selected = nullptr;            // ids
+    const std::vector<bool>* hidden = nullptr;             // by id
+};
+
+/// What the panel remembers between frames.
+struct ObjectsPanelState {
+    std::string filter;
+    int shown = 0;      // index of the choice "all, targets, not captured, ..."
+    int scroll_to = 0;  // id to be brought into view
+};
+
+/// What the user asked for; ids of objects, 0: nothing.
+struct ObjectsActions {
+    int clicked = 0;
+    bool add_to_selection = false;  // with Ctrl
+    int frame = 0;                  // double click: bring it into the viewport
+    int toggle_hidden = 0;
+    int toggle_target = 0;
+};
+
+/// The scene's objects: searchable, with class, size class, captured state, eye and target switch.
+ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& state);
+
+}  // namespace dollytrack::ui

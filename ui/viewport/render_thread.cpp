@@ -1,0 +1,347 @@
+#include "ui/viewport/render_thread.h"
+
+#include "engine/scene/scene.h"
+#include "render/render_target.h"
+#include "render/scene_renderer.h"
+#include "ui/viewport/false_color.h"
+
+#include <GL/glew.h>
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace dollytrack::ui {
+namespace {
+
+/// Light from everywhere, for the seconds before the room's own light is computed.
+render::LightVolume plainLight(const Scene& scene) {
+    render::LightVolume light;
+    light.low = scene.room_bounds.isEmpty() ? Eigen::Vector3d::Zero().eval()
+                                            : scene.room_bounds.min().eval();
+    light.cell_m =
+        scene.room_bounds.isEmpty() ? 1.0 : std::max(scene.room_bounds.sizes().maxCoeff(), 1.0);
+    light.cells = {1, 1, 1};
+    light.ambient = {Eigen::Vector3f::Constant(0.75F)};
+    light.lamps = {Eigen::Vector3f(0.1F, -0.15F, 0.35F)};
+    return light;
+}
+
+struct SceneRequest {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const render::LightVolume> light;
+    std::uint64_t geometry = 0;
+};
+
+struct PreviewRequest {
+    render::View view;
+    int frame = -1;
+    double time_s = 0.0;
+    Modality modality = Modality::Rgb;
+};
+
+/// Pictures that travel between the threads: one shown, one finished, one being drawn.
+template <class Image>
+struct Relay {
+    std::array<Image, 3> images;
+    int shown = 0;
+    int finished = 1;
+    int drawn = 2;
+    bool news = false;
+};
+
+gl::Texture makePicture(int width, int height) {
+    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(texture.get(), 1, GL_RGBA8, width, height);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+/// Textures that are made again only when the size changes.
+struct PictureSlot {
+    gl::Texture texture;
+    int width = 0;
+    int height = 0;
+
+    unsigned ofSize(int wanted_width, int wanted_height) {
+        if (wanted_width != width || wanted_height != height || texture.get() == 0) {
+            texture = makePicture(wanted_width, wanted_height);
+            width = wanted_width;
+            height = wanted_height;
+        }
+        return texture.get();
+    }
+};
+
+}  // namespace
+
+struct RenderThread::Impl {
+    std::unique_ptr<gl::Context> context;
+    std::function<void()> wake;
+
+    mutable std::mutex mutex;
+    std::condition_variable arrived;
+    std::optional<SceneRequest> next_scene;
+    std::optional<ViewRequest> next_view;
+    std::optional<PreviewRequest> next_preview;
+    Relay<ViewImage> views;
+    Relay<PreviewImage> previews;
+    std::string error;
+    std::string renderer_name;
+    bool stopping = false;
+    bool busy = false;
+    bool is_ready = false;
+    bool final_light = false;
+
+    // The thread's own.
+    std::shared_ptr<const Scene> scene;
+    std::uint64_t geometry = 0;
+    std::optional<render::SceneRenderer> renderer;
+    std::optional<render::RenderTarget> view_target;
+    std::optional<render::RenderTarget> preview_target;
+    std::array<PictureSlot, 3> view_pictures;
+    std::array<PictureSlot, 3> preview_pictures;
+    std::uint64_t serial = 0;
+
+    std::thread thread;
+
+    void loop();
+    void release();
+    Status loadScene(SceneRequest request);
+    Status drawView(ViewRequest request);
+    Status drawPreview(const PreviewRequest& request);
+    void say(const Status& status) {
+        if (status) return;
+        const std::lock_guard lock(mutex);
+        error = status.error().message;
+    }
+};
+
+namespace {
+
+Status fitTarget(std::optional<render::RenderTarget>& target, const Intrinsics& image) {
+    if (target && target->width() == image.width && target->height() == image.height) return {};
+    target.reset();
+    Result<render::RenderTarget> made = render::RenderTarget::create(image.width, image.height);
+    if (!made) return tl::unexpected<Error>(std::move(made.error()));
+    target.emplace(std::move(*made));
+    return {};
+}
+
+}  // namespace
+
+void RenderThread::Impl::loop() {
+    Status current = context->makeCurrent();
+    if (current) current = gl::loadFunctions();
+    say(current);
+    if (current) {
+        const std::lock_guard lock(mutex);
+        renderer_name = gl::rendererName();
+    }
+    std::unique_lock lock(mutex);
+    while (true) {
+        busy = false;
+        arrived.wait(lock, [this] { return stopping || next_scene || next_view || next_preview; });
+        if (stopping) break;
+        busy = true;
+        auto scene_request = std::exchange(next_scene, std::nullopt);
+        auto view_request = std::exchange(next_view, std::nullopt);
+        auto preview_request = std::exchange(next_preview, std::nullopt);
+        lock.unlock();
+        if (current) {
+            if (scene_request) say(loadScene(std::move(*scene_request)));
+            if (view_request && renderer) say(drawView(std::move(*view_request)));
+            if (preview_request && renderer) say(drawPreview(*preview_request));
+        }
+        wake();
+        lock.lock();
+    }
+    lock.unlock();
+    release();
+}
+
+void RenderThread::Impl::release() {
+    renderer.reset();
+    view_target.reset();
+    preview_target.reset();
+    view_pictures = {};
+    preview_pictures = {};
+    context.reset();
+}
+
+Status RenderThread::Impl::loadScene(SceneRequest request) {
+    {
+        const std::lock_guard lock(mutex);
+        is_ready = false;
+        final_light = false;
+    }
+    const bool same = renderer && request.scene && request.geometry == geometry;
+    scene = request.scene;
+    geometry = request.geometry;
+    if (!scene) {
+        renderer.reset();
+        return {};
+    }
+    const render::LightVolume plain = plainLight(*scene);
+    const render::LightVolume& light = request.light ? *request.light : plain;
+    if (same) {
+        renderer->setLight(light);
+    } else {
+        renderer.reset();  // before the new one: both may not fit
+        Result<render::SceneRenderer> made = render::SceneRenderer::create(*scene, light);
+        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        renderer.emplace(std::move(*made));
+    }
+    const std::lock_guard lock(mutex);
+    is_ready = true;
+    final_light = request.light != nullptr;
+    return {};
+}
+
+Status RenderThread::Impl::drawView(ViewRequest request) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (Status status = fitTarget(view_target, request.view.intrinsics); !status) return status;
+    if (Status status = renderer->draw(request.view, *view_target); !status) return status;
+    const int slot = views.drawn;
+    const int width = view_target->width();
+    const int height = view_target->height();
+    const unsigned picture = view_pictures[slot].ofSize(width, height);
+    glCopyImageSubData(view_target->picture(), GL_TEXTURE_2D, 0, 0, 0, 0, picture, GL_TEXTURE_2D, 0,
+                       0, 0, 0, width, height, 1);
+    ViewImage& image = views.images[slot];
+    view_target->readDepth(image.depth_m);
+    view_target->readIds(image.ids);
+    glFinish();  // the window's context may show it from now on
+    image.texture = picture;
+    image.view = std::move(request.view);
+    image.serial = ++serial;
+    image.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    const std::lock_guard lock(mutex);
+    std::swap(views.drawn, views.finished);
+    views.news = true;
+    return {};
+}
+
+Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
+    if (Status status = fitTarget(preview_target, request.view.intrinsics); !status) return status;
+    if (Status status = renderer->draw(request.view, *preview_target); !status) return status;
+    const int slot = previews.drawn;
+    PreviewImage& image = previews.images[slot];
+    render::FrameRecord& record = image.record;
+    record.index = request.frame;
+    record.time_s = request.time_s;
+    record.pose = request.view.pose;
+    record.width = preview_target->width();
+    record.height = preview_target->height();
+    preview_target->readRgb(record.rgb);
+    preview_target->readDepth(record.depth_m);
+    preview_target->readIds(record.instance);
+    record.labelClasses(*scene);
+    const std::vector<std::uint8_t> rgba = falseColor(record, request.view, request.modality);
+    const unsigned picture = preview_pictures[slot].ofSize(record.width, record.height);
+    glTextureSubImage2D(picture, 0, 0, 0, record.width, record.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        rgba.data());
+    glFinish();
+    image.texture = picture;
+    image.modality = request.modality;
+    image.frame = request.frame;
+    image.serial = ++serial;
+    const std::lock_guard lock(mutex);
+    std::swap(previews.drawn, previews.finished);
+    previews.news = true;
+    return gl::checkErrors("drawing the preview");
+}
+
+RenderThread::RenderThread(std::unique_ptr<gl::Context> context, std::function<void()> wake)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->context = std::move(context);
+    impl_->wake = std::move(wake);
+    impl_->thread = std::thread([this] { impl_->loop(); });
+}
+
+RenderThread::~RenderThread() {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->stopping = true;
+    }
+    impl_->arrived.notify_one();
+    impl_->thread.join();
+}
+
+void RenderThread::setScene(std::shared_ptr<const Scene> scene,
+                            std::shared_ptr<const render::LightVolume> light,
+                            std::uint64_t geometry) {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->next_scene = SceneRequest{std::move(scene), std::move(light), geometry};
+        // Pictures asked for of the scene before would mix the two.
+        impl_->next_view.reset();
+        impl_->next_preview.reset();
+    }
+    impl_->arrived.notify_one();
+}
+
+void RenderThread::requestView(ViewRequest request) {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->next_view = std::move(request);
+    }
+    impl_->arrived.notify_one();
+}
+
+void RenderThread::requestPreview(const render::View& view, int frame, double time_s,
+                                  Modality modality) {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->next_preview = PreviewRequest{view, frame, time_s, modality};
+    }
+    impl_->arrived.notify_one();
+}
+
+const ViewImage& RenderThread::view() {
+    const std::lock_guard lock(impl_->mutex);
+    Relay<ViewImage>& relay = impl_->views;
+    if (std::exchange(relay.news, false)) std::swap(relay.shown, relay.finished);
+    return relay.images[static_cast<std::size_t>(relay.shown)];
+}
+
+const PreviewImage& RenderThread::preview() {
+    const std::lock_guard lock(impl_->mutex);
+    Relay<PreviewImage>& relay = impl_->previews;
+    if (std::exchange(relay.news, false)) std::swap(relay.shown, relay.finished);
+    return relay.images[static_cast<std::size_t>(relay.shown)];
+}
+
+bool RenderThread::ready() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->is_ready && !impl_->next_scene;
+}
+
+bool RenderThread::finalLight() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->is_ready && impl_->final_light && !impl_->next_scene;
+}
+
+bool RenderThread::busy() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->busy || impl_->next_scene || impl_->next_view || impl_->next_preview;
+}
+
+std::string RenderThread::takeError() {
+    const std::lock_guard lock(impl_->mutex);
+    return std::exchange(impl_->error, {});
+}
+
+std::string RenderThread::rendererName() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->renderer_name;
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/frame_record.h"
+#include "render/gl/context.h"
+#include "render/light_volume.h"
+#include "render/overlays/overlay.h"
+#include "render/view.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+struct Scene;
+}
+
+namespace dollytrack::ui {
+
+/// A picture of the viewport that is to be drawn. Newer requests replace those that wait.
+struct ViewRequest {
+    render::View view;
+    std::vector<std::shared_ptr<const render::Overlay>> layers;  // drawn in this order
+    int outlined_object = 0;                                     // id; 0: none
+};
+
+/// A finished picture of the viewport.
+struct ViewImage {
+    unsigned texture = 0;  // row 0 at the top; valid until the next call of view()
+    render::View view;     // it was drawn from
+    std::vector<float> depth_m;
+    std::vector<std::uint16_t> ids;
+    double milliseconds = 0.0;
+    std::uint64_t serial = 0;  // rises with every picture; 0: none yet
+};
+
+/// What the preview shows of a frame.
+enum class Modality { Rgb, Depth, Instance, Semantic, Normal };
+
+/// A frame exactly as export would make it, and one of its modalities as a texture.
+struct PreviewImage {
+    unsigned texture = 0;
+    Modality modality = Modality::Rgb;
+    int frame = -1;
+    render::FrameRecord record;
+    std::uint64_t serial = 0;
+};
+
+/// Draws on a thread with an OpenGL context of its own that shares its textures with the window's,
+/// so that neither a large scene nor its upload ever holds up the window.
+class RenderThread {
+  public:
+    /// `context` is not current anywhere; `wake` is called from the thread when there is news.
+    RenderThread(std::unique_ptr<gl::Context> context, std::function<void()> wake);
+    ~RenderThread();
+    RenderThread(const RenderThread&) = delete;
+    RenderThread& operator=(const RenderThread&) = delete;
+
+    /// Null clears. `light` null: plain light, until the right one is there. A scene with the same
+    /// `geometry` number as before is not uploaded again.
+    void setScene(std::shared_ptr<const Scene> scene,
+                  std::shared_ptr<const render::LightVolume> light, std::uint64_t geometry);
+    void requestView(ViewRequest request);
+    void requestPreview(const render::View& view, int frame, double time_s, Modality modality);
+
+    /// The newest picture; the one before may be drawn over from now on. Main thread only.
+    const ViewImage& view();
+    const PreviewImage& preview();
+
+    /// Whether the lit scene is on the card, so that pictures mean something.
+    [[nodiscard]] bool ready() const;
+    [[nodiscard]] bool finalLight() const;
+    [[nodiscard]] bool busy() const;
+    /// What went wrong since the last call; empty when nothing did.
+    std::string takeError();
+    [[nodiscard]] std::string rendererName() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack::ui

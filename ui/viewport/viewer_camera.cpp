@@ -1,0 +1,122 @@
+#include "ui/viewport/viewer_camera.h"
+
+#include "engine/camera/camera_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadiansPerPixel = 0.006;
+
+}  // namespace
+
+Eigen::Vector3d ViewerCamera::towardsViewer() const {
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
+}
+
+Pose ViewerCamera::pose() const {
+    Pose pose;
+    pose.position = pivot + distance * towardsViewer();
+    // Straight from above, right is where it would be just before.
+    const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    pose.rotation = lookAlong(-towardsViewer(), right);
+    return pose;
+}
+
+render::View ViewerCamera::view(int width, int height) const {
+    CameraParams camera;
+    camera.width_px = std::max(width, 16);
+    camera.height_px = std::max(height, 16);
+    camera.hfov_deg = hfov_deg;
+    render::View view;
+    view.intrinsics = makeIntrinsics(camera);
+    view.pose = pose();
+    view.near_m = std::clamp(0.02 * distance, 0.01, 0.05);
+    return view;
+}
+
+void ViewerCamera::orbit(double dx, double dy) {
+    azimuth -= kRadiansPerPixel * dx;
+    elevation = std::clamp(elevation + kRadiansPerPixel * dy, -kPi / 2.0, kPi / 2.0);
+}
+
+void ViewerCamera::pan(double dx, double dy, int width) {
+    const double metres_per_px =
+        2.0 * distance * std::tan(0.5 * hfov_deg * kPi / 180.0) / std::max(width, 1);
+    pivot += pose().rotation * Eigen::Vector3d(-dx * metres_per_px, -dy * metres_per_px, 0.0);
+}
+
+void ViewerCamera::zoom(double factor, const Eigen::Vector3d& at) {
+    constexpr double kNearest = 0.05;
+    constexpr double kFarthest = 2000.0;
+    const double wanted = std::clamp(factor * distance, kNearest, kFarthest);
+    factor = wanted / distance;
+    // Everything shrinks towards the point under the cursor, so that point stays where it is.
+    const Eigen::Vector3d eye = pivot + distance * towardsViewer();
+    const Eigen::Vector3d moved_eye = at + factor * (eye - at);
+    distance = wanted;
+    pivot = moved_eye - distance * towardsViewer();
+}
+
+void ViewerCamera::fly(const Eigen::Vector3d& right_up_forward) {
+    const Pose here = pose();
+    pivot += here.rotation * Eigen::Vector3d(right_up_forward.x(), 0.0, right_up_forward.z());
+    pivot.z() += right_up_forward.y();
+}
+
+void ViewerCamera::look(double dx, double dy) {
+    const Eigen::Vector3d eye = pivot + distance * towardsViewer();
+    azimuth -= 0.5 * kRadiansPerPixel * dx;
+    elevation = std::clamp(elevation + 0.5 * kRadiansPerPixel * dy, -kPi / 2.0, kPi / 2.0);
+    pivot = eye - distance * towardsViewer();
+}
+
+void ViewerCamera::frame(const Eigen::AlignedBox3d& box, double aspect) {
+    if (box.isEmpty()) return;
+    pivot = box.center();
+    const double half_width = std::tan(0.5 * hfov_deg * kPi / 180.0);
+    const double tighter = std::min(half_width, half_width / std::max(aspect, 0.1));
+    const double radius = std::max(0.5 * box.sizes().norm(), 0.1);
+    distance = radius / std::sin(std::atan(tighter));
+}
+
+void ViewerCamera::lookFrom(Axis axis) {
+    elevation = 0.0;
+    switch (axis) {
+        case Axis::Front:
+            azimuth = -kPi / 2.0;
+            break;
+        case Axis::Back:
+            azimuth = kPi / 2.0;
+            break;
+        case Axis::Right:
+            azimuth = 0.0;
+            break;
+        case Axis::Left:
+            azimuth = kPi;
+            break;
+        case Axis::Top:
+            azimuth = -kPi / 2.0;
+            elevation = kPi / 2.0;
+            break;
+        case Axis::Bottom:
+            azimuth = -kPi / 2.0;
+            elevation = -kPi / 2.0;
+            break;
+    }
+}
+
+void ViewerCamera::standAt(const Pose& camera, double pivot_distance) {
+    const Eigen::Vector3d back = -camera.forward();
+    elevation = std::asin(std::clamp(back.z(), -1.0, 1.0));
+    if (back.head<2>().norm() > 1e-6) azimuth = std::atan2(back.y(), back.x());
+    distance = std::max(pivot_distance, 0.05);
+    pivot = camera.position - distance * back;
+}
+
+}  // namespace dollytrack::ui

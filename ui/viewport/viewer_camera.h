@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/math/pose.h"
+#include "render/view.h"
+
+#include <Eigen/Geometry>
+
+namespace dollytrack::ui {
+
+/// From where a person looks at the scene: a turntable around a pivot, up is always up. Angles in
+/// radians, lengths in metres, movements of the mouse in pixels of the viewport.
+struct ViewerCamera {
+    Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
+    double azimuth = 4.3;    // of the viewer as seen from the pivot, from +x towards +y
+    double elevation = 0.8;  // above the horizon, -pi/2 .. pi/2
+    double distance = 8.0;
+    double hfov_deg = 50.0;
+    bool orthographic = false;
+
+    enum class Axis { Front, Back, Right, Left, Top, Bottom };
+
+    [[nodiscard]] Eigen::Vector3d towardsViewer() const;
+    [[nodiscard]] Pose pose() const;
+    [[nodiscard]] render::View view(int width, int height) const;
+
+    void orbit(double dx, double dy);
+    void pan(double dx, double dy, int width);
+    /// Comes nearer (factor < 1) or goes back, keeping `at` under the cursor.
+    void zoom(double factor, const Eigen::Vector3d& at);
+    /// Moves eye and pivot together: right, up and forward in m.
+    void fly(const Eigen::Vector3d& right_up_forward);
+    /// Turns the head: the eye stays.
+    void look(double dx, double dy);
+    void frame(const Eigen::AlignedBox3d& box, double aspect);
+    void lookFrom(Axis axis);
+    /// Takes the place of a camera of the plan.
+    void standAt(const Pose& pose, double pivot_distance);
+};
+
+}  // namespace dollytrack::ui
