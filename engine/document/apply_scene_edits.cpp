@@ -14,27 +14,12 @@ namespace {
 // Instance images hold ids in 16 bits.
 constexpr std::size_t kMostObjects = 65'535;
 
-/// The object's number in this scene; 0 when it is gone, or its name no longer says which it is.
-int find(const Scene& scene, const ObjectRef& wanted) {
-    const auto count = static_cast<int>(scene.objects.size());
-    if (wanted.id >= 1 && wanted.id <= count && scene.object(wanted.id).name == wanted.name) {
-        return wanted.id;
-    }
-    int found = 0;
-    for (const Object& object : scene.objects) {
-        if (object.name != wanted.name) continue;
-        if (found != 0) return 0;
-        found = object.id;
-    }
-    return found;
-}
-
 /// Sorted numbers of all the objects; empty, with a warning, when one of them is not found.
 std::vector<int> findAll(const Scene& scene, const std::vector<ObjectRef>& wanted,
                          const std::string& what, std::vector<std::string>& warnings) {
     std::vector<int> ids;
     for (const ObjectRef& ref : wanted) {
-        const int id = find(scene, ref);
+        const int id = findObject(scene, ref);
         if (id == 0) {
             warnings.push_back(
                 fmt::format("{} was left out: the scene has no object \"{}\" any more, or several",
@@ -97,6 +82,20 @@ bool update(std::vector<ObjectRef>& objects, const Scene& scene, const std::stri
 }
 
 }  // namespace
+
+int findObject(const Scene& scene, const ObjectRef& wanted) {
+    const auto count = static_cast<int>(scene.objects.size());
+    if (wanted.id >= 1 && wanted.id <= count && scene.object(wanted.id).name == wanted.name) {
+        return wanted.id;
+    }
+    int found = 0;
+    for (const Object& object : scene.objects) {
+        if (object.name != wanted.name) continue;
+        if (found != 0) return 0;
+        found = object.id;
+    }
+    return found;
+}
 
 Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
                               const SizeRules& rules) {

@@ -22,6 +22,9 @@ struct SizeRules {
 Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
                               const SizeRules& rules = {});
 
+/// The number that the object has in this scene; 0 when it is gone, or when several have its name.
+int findObject(const Scene& scene, const ObjectRef& wanted);
+
 /// The plan's edits with the numbers that their objects have in this scene. What refers to an
 /// object that is gone is left out, and said in `warnings`.
 PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,

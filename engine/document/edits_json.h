@@ -8,7 +8,7 @@
 namespace dollytrack {
 
 /// The section `edits` of a project file. Keys of `loaded`, the section as it was read, that this
-/// version does not know are kept.
+/// version does not know are kept. No edits give an empty object.
 nlohmann::json editsJson(const Edits& edits, const nlohmann::json& loaded);
 nlohmann::json editsJson(const Edits& edits);
 

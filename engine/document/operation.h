@@ -44,9 +44,17 @@ struct OperationField {
     std::string_view text;
 };
 
+class OperationReader;
+
+/// What applying an operation returns: its name for people. The first thing wrong is in the
+/// reader; the state may then be half changed, and the caller drops it.
+using ApplyOperation = std::string (*)(ProjectState& state, const OperationContext& context,
+                                       const OperationReader& fields);
+
 /// One kind of operation: validation, `dollytrack edit --list` and the manual come from this.
 struct OperationInfo {
     std::string_view op;
+    ApplyOperation apply;
     std::string_view text;
     std::vector<OperationField> fields;
 };

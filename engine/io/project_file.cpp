@@ -89,8 +89,9 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
         project.scene_sha256 = json.at("scene").value("sha256", "");
         project.import = json.at("scene").value("import", nlohmann::json::object());
         project.parameters = json.value("parameters", nlohmann::json::object());
+        project.edits = json.value("edits", nlohmann::json::object());
         if (json.contains("result")) project.result = json["result"];
-        for (const char* known : {"dollytrack_project", "scene", "parameters", "result"}) {
+        for (const char* known : {"dollytrack_project", "scene", "parameters", "edits", "result"}) {
             json.erase(known);
         }
         project.others = std::move(json);
@@ -107,11 +108,13 @@ Status saveProject(const ProjectFile& project, const std::filesystem::path& path
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     const std::filesystem::path scene = std::filesystem::absolute(project.scene);
     const std::filesystem::path relative = scene.lexically_relative(folder);
-    json["dollytrack_project"] = ProjectFile::kVersion;
+    // Without edits an older program reads the file just as well.
+    json["dollytrack_project"] = project.edits.empty() ? 1 : ProjectFile::kVersion;
     json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
                      {"sha256", project.scene_sha256}};
     if (!project.import.empty()) json["scene"]["import"] = project.import;
     json["parameters"] = project.parameters;
+    if (!project.edits.empty()) json["edits"] = project.edits;
     if (!project.result.is_null()) json["result"] = project.result;
     return writeWhole(path,
                       json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -9,15 +9,17 @@
 
 namespace dollytrack::io {
 
-/// A .dolly file: a scene by reference, the parameters, and what planning made of them. JSON, so
-/// that people can read and compare it; sections that this version does not know are kept.
+/// A .dolly file: a scene by reference, the parameters, what was edited by hand, and what planning
+/// made of it all. JSON, so that people can read and compare it; sections that this version does
+/// not know are kept.
 struct ProjectFile {
-    static constexpr int kVersion = 1;
+    static constexpr int kVersion = 2;
 
     std::filesystem::path scene;  // absolute after loading; written relative to the project file
     std::string scene_sha256;     // of the scene file when it was planned
     nlohmann::json import = nlohmann::json::object();  // how to read it, as far as the user said
     nlohmann::json parameters = nlohmann::json::object();  // sections of fields
+    nlohmann::json edits = nlohmann::json::object();       // see document/edits_json.h
     nlohmann::json result;                                 // null before planning; see plan_json.h
     nlohmann::json others = nlohmann::json::object();      // what else the file holds
 };

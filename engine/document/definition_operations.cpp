@@ -1,0 +1,144 @@
+#include "engine/document/operation_table.h"
+#include "engine/document/regroup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack {
+namespace {
+
+/// For each object of the scene before a definition (index id - 1) what it is afterwards: one, or
+/// several when it was taken apart.
+using Successors = std::vector<std::vector<ObjectRef>>;
+
+void follow(std::vector<ObjectRef>& objects, const Scene& before, const Successors& successors) {
+    std::vector<ObjectRef> next;
+    for (const ObjectRef& ref : objects) {
+        const int id = findObject(before, ref);
+        if (id == 0) {
+            next.push_back(ref);  // gone already; kept as it was
+            continue;
+        }
+        const auto& made = successors[static_cast<std::size_t>(id) - 1];
+        next.insert(next.end(), made.begin(), made.end());
+    }
+    std::sort(next.begin(), next.end(),
+              [](const ObjectRef& a, const ObjectRef& b) { return a.id < b.id; });
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    objects = std::move(next);
+}
+
+/// Lets all edits that name objects name them as they are after the definition.
+void followAll(Edits& edits, const Scene& before, const Successors& successors) {
+    std::vector<ObjectChange> changes;
+    for (const ObjectChange& change : edits.scene.changes) {
+        std::vector<ObjectRef> refs = {change.object};
+        follow(refs, before, successors);
+        for (const ObjectRef& ref : refs) {
+            ObjectChange next = change;
+            next.object = ref;
+            // A piece has a shape of its own, and with it front and size.
+            if (refs.size() > 1) next.front.reset();
+            if (refs.size() > 1) next.large.reset();
+            if (!next.saysNothing()) changes.push_back(std::move(next));
+        }
+    }
+    std::stable_sort(changes.begin(), changes.end(),
+                     [](const auto& a, const auto& b) { return a.object.id < b.object.id; });
+    edits.scene.changes = std::move(changes);
+    for (PinnedPoint& pinned : edits.plan.pinned) follow(pinned.objects, before, successors);
+    for (RemovedPoint& removed : edits.plan.removed) follow(removed.objects, before, successors);
+}
+
+bool isTaken(const Scene& scene, const std::string& name, const std::vector<ObjectRef>& but) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+        return object.name == name &&
+               std::none_of(but.begin(), but.end(),
+                            [&](const ObjectRef& ref) { return ref.id == object.id; });
+    });
+}
+
+}  // namespace
+
+std::string merge(ProjectState& state, const OperationContext& context,
+                  const OperationReader& fields) {
+    const Scene& scene = context.scene;
+    ObjectDefinition definition;
+    definition.objects = fields.objects("objects");
+    definition.name = fields.field("name").text();
+    if (fields.has("class")) definition.nyu40 = fields.nyu40("class");
+    if (fields.good() && definition.objects.size() < 2) {
+        fields.field("objects").refuse("It takes two objects or more to make one of them.");
+    }
+    if (fields.good() && definition.name.empty()) {
+        fields.field("name").refuse("The new object needs a name.");
+    }
+    if (fields.good() && isTaken(scene, definition.name, definition.objects)) {
+        fields.field("name").refuse(
+            fmt::format("Another object is called '{}' already.", definition.name));
+    }
+    if (!fields.good()) return {};
+    if (definition.nyu40 == 0) {
+        // As it stands now, changes of class included, which come after the definition.
+        const auto volume = [&](const ObjectRef& ref) { return scene.object(ref.id).box.volume(); };
+        const auto largest = std::max_element(
+            definition.objects.begin(), definition.objects.end(),
+            [&](const ObjectRef& a, const ObjectRef& b) { return volume(a) < volume(b); });
+        definition.nyu40 = scene.object(largest->id).nyu40;
+    }
+    std::vector<ObjectChange>& changes = state.edits.scene.changes;
+    const auto isPart = [&](int id) {
+        return std::any_of(definition.objects.begin(), definition.objects.end(),
+                           [&](const ObjectRef& ref) { return ref.id == id; });
+    };
+    // What was said of the parts was not said of the whole.
+    std::erase_if(changes, [&](const ObjectChange& change) {
+        return isPart(findObject(scene, change.object));
+    });
+    Successors successors;
+    const int first = definition.objects.front().id;
+    int next = 1;
+    for (const Object& object : scene.objects) {
+        const bool part = isPart(object.id);
+        if (part && object.id != first) {
+            successors.push_back({{first, definition.name}});
+            continue;
+        }
+        successors.push_back({{next++, part ? definition.name : object.name}});
+    }
+    followAll(state.edits, scene, successors);
+    std::string name = fmt::format("Make {} of {}", definition.name, inWords(definition.objects));
+    state.edits.scene.definitions.push_back(std::move(definition));
+    return name;
+}
+
+std::string split(ProjectState& state, const OperationContext& context,
+                  const OperationReader& fields) {
+    const Scene& scene = context.scene;
+    const ObjectRef object = fields.object("object");
+    if (!fields.good()) return {};
+    const std::size_t pieces = findPieces(scene, scene.object(object.id)).size();
+    if (pieces < 2) {
+        fields.field("object").refuse(
+            fmt::format("'{}' is one connected piece and cannot be split.", object.name));
+        return {};
+    }
+    const std::vector<std::string> names = pieceNames(scene, object.name, pieces);
+    Successors successors;
+    int next = 1;
+    for (const Object& other : scene.objects) {
+        std::vector<ObjectRef>& made = successors.emplace_back();
+        if (other.id != object.id) {
+            made.push_back({next++, other.name});
+            continue;
+        }
+        for (const std::string& name : names) made.push_back({next++, name});
+    }
+    followAll(state.edits, scene, successors);
+    state.edits.scene.definitions.push_back(
+        {ObjectDefinition::Kind::Split, {object}, object.name, 0});
+    return fmt::format("Split {} into {} pieces", object.name, pieces);
+}
+
+}  // namespace dollytrack

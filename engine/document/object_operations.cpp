@@ -1,0 +1,106 @@
+#include "engine/document/operation_table.h"
+#include "engine/scene/labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack {
+namespace {
+
+/// The change of an object, begun when there is none. A change that says nothing any more goes.
+template <class Alter>
+void alter(ProjectState& state, const OperationContext& context, const ObjectRef& object,
+           Alter&& alter) {
+    std::vector<ObjectChange>& changes = state.edits.scene.changes;
+    auto found = std::find_if(changes.begin(), changes.end(), [&](const ObjectChange& change) {
+        return findObject(context.scene, change.object) == object.id;
+    });
+    if (found == changes.end()) {
+        found = std::find_if(changes.begin(), changes.end(), [&](const ObjectChange& change) {
+            return change.object.id > object.id;
+        });
+        found = changes.insert(found, ObjectChange{});
+        found->object = object;
+    }
+    alter(*found);
+    if (found->saysNothing()) changes.erase(found);
+}
+
+}  // namespace
+
+std::string excludeObject(ProjectState& state, const OperationContext& context,
+                          const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    if (!fields.good()) return {};
+    if (context.scene.object(object.id).role == Role::Structure) {
+        fields.field("object").refuse(
+            fmt::format("'{}' is a part of the building and no target anyway.", object.name));
+        return {};
+    }
+    // A part of the building that was made a target becomes what it was.
+    const bool structure = context.scene.object(object.id).structure;
+    alter(state, context, object, [&](ObjectChange& change) {
+        change.role = structure ? std::nullopt : std::optional(Role::Excluded);
+    });
+    return "Exclude " + object.name;
+}
+
+std::string includeObject(ProjectState& state, const OperationContext& context,
+                          const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    if (!fields.good()) return {};
+    // Import makes everything a target that is no structure; only that needs to be said.
+    const bool structure = context.scene.object(object.id).structure;
+    alter(state, context, object, [&](ObjectChange& change) {
+        change.role = structure ? std::optional(Role::Target) : std::nullopt;
+    });
+    return "Include " + object.name;
+}
+
+std::string setClass(ProjectState& state, const OperationContext& context,
+                     const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    const int nyu40 = fields.nyu40("class");
+    if (!fields.good()) return {};
+    alter(state, context, object, [&](ObjectChange& change) { change.nyu40 = nyu40; });
+    return fmt::format("Make {} a {}", object.name, nyu40Name(nyu40));
+}
+
+std::string setFront(ProjectState& state, const OperationContext& context,
+                     const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    const Eigen::Vector3d front = fields.front("front");
+    if (!fields.good()) return {};
+    alter(state, context, object, [&](ObjectChange& change) { change.front = front; });
+    return "Turn the front of " + object.name;
+}
+
+std::string setSize(ProjectState& state, const OperationContext& context,
+                    const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    const std::string size = fields.field("size").text();
+    if (size != "large" && size != "small" && size != "auto") {
+        fields.field("size").refuse("This must be large, small or auto.");
+    }
+    if (!fields.good()) return {};
+    alter(state, context, object, [&](ObjectChange& change) {
+        change.large = size == "auto" ? std::nullopt : std::optional(size == "large");
+    });
+    return size == "auto" ? fmt::format("Measure the size of {}", object.name)
+                          : fmt::format("Make {} {}", object.name, size);
+}
+
+std::string resetObject(ProjectState& state, const OperationContext& context,
+                        const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    if (!fields.good()) return {};
+    alter(state, context, object, [](ObjectChange& change) {
+        const ObjectRef same = change.object;
+        change = {};
+        change.object = same;
+    });
+    return "Reset " + object.name;
+}
+
+}  // namespace dollytrack

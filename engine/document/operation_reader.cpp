@@ -1,0 +1,184 @@
+#include "engine/document/operation_reader.h"
+
+#include "engine/core/field_list.h"
+#include "engine/scene/labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr double kSteepest_deg = 89.9;  // straight up a camera without roll has no heading
+constexpr double kLargestBox_m = 1e4;
+
+std::string didYouMean(std::string_view wrong, const std::vector<std::string>& names) {
+    const std::string close = closestName(wrong, names);
+    return close.empty() ? "." : fmt::format("; did you mean '{}'?", close);
+}
+
+Eigen::Vector3d direction(double yaw_deg, double pitch_deg) {
+    const double yaw = yaw_deg * kRadians;
+    const double pitch = pitch_deg * kRadians;
+    return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
+}
+
+Eigen::Quaterniond readUpright(const JsonReader& from) {
+    if (from.size() != 4) {
+        from.refuse("This must be a list of four numbers: x, y, z, w.");
+        return Eigen::Quaterniond::Identity();
+    }
+    const auto part = [&](std::size_t i) { return from.at(i).number(-1.01, 1.01); };
+    const Eigen::Quaterniond turn(part(3), part(0), part(1), part(2));
+    if (std::abs(turn.norm() - 1.0) > 1e-6) {
+        from.refuse("A quaternion must have length 1.");
+        return Eigen::Quaterniond::Identity();
+    }
+    const bool upright = std::abs((turn * Eigen::Vector3d::UnitX()).z()) < 1e-6 &&
+                         (turn * Eigen::Vector3d::UnitY()).z() <= 1e-6;
+    // What stands upright keeps its every bit: a locked point must not move.
+    return upright ? turn : withoutRoll(turn.normalized());
+}
+
+}  // namespace
+
+ObjectRef OperationReader::readObject(const JsonReader& from) const {
+    const auto count = static_cast<int>(scene_.objects.size());
+    if (from.json().is_number()) {
+        const int id = from.integer(1, std::max(1, count));
+        return from.good() && id <= count ? ObjectRef{id, scene_.object(id).name} : ObjectRef{};
+    }
+    if (!from.json().is_string()) {
+        from.refuse("This must be the name or the number of an object.");
+        return {};
+    }
+    const std::string name = from.text();
+    std::vector<int> found;
+    std::vector<std::string> names;
+    for (const Object& object : scene_.objects) {
+        names.push_back(object.name);
+        if (object.name == name) found.push_back(object.id);
+    }
+    if (found.empty()) {
+        from.refuse(fmt::format("There is no object '{}'{}", name, didYouMean(name, names)));
+        return {};
+    }
+    if (found.size() > 1) {
+        from.refuse(
+            fmt::format("{} objects are called '{}'; give the number of the one you mean: "
+                        "{}.",
+                        found.size(), name, fmt::join(found, ", ")));
+        return {};
+    }
+    return {found.front(), name};
+}
+
+ObjectRef OperationReader::object(const std::string& name) const {
+    return readObject(field(name));
+}
+
+std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
+    const JsonReader list = field(name);
+    if (!list.json().is_array()) return {readObject(list)};
+    std::vector<ObjectRef> refs;
+    for (std::size_t i = 0; i < list.size(); ++i) refs.push_back(readObject(list.at(i)));
+    if (refs.empty()) list.refuse("This must name at least one object.");
+    std::sort(refs.begin(), refs.end(),
+              [](const ObjectRef& a, const ObjectRef& b) { return a.id < b.id; });
+    if (std::adjacent_find(refs.begin(), refs.end()) != refs.end()) {
+        list.refuse("An object is named twice.");
+    }
+    return refs;
+}
+
+int OperationReader::nyu40(const std::string& name) const {
+    const JsonReader from = field(name);
+    if (from.json().is_number()) return from.integer(1, kNyu40Count);
+    const std::string text = from.text();
+    if (!from.good()) return 0;
+    const int found = nyu40FromName(text);
+    if (found != 0) return found;
+    std::vector<std::string> names;
+    for (int i = 1; i <= kNyu40Count; ++i) names.emplace_back(nyu40Name(i));
+    from.refuse(fmt::format("There is no NYU40 class '{}'{}", text, didYouMean(text, names)));
+    return 0;
+}
+
+Eigen::Vector3d OperationReader::front(const std::string& name) const {
+    const JsonReader from = field(name);
+    if (from.json().is_number()) {
+        const double angle = from.number(-360.0, 360.0) * kRadians;
+        return {std::cos(angle), std::sin(angle), 0.0};
+    }
+    if (from.size() != 2) {
+        from.refuse("This must be degrees (0: along x, 90: along y) or a direction [x, y].");
+        return Eigen::Vector3d::UnitX();
+    }
+    const Eigen::Vector3d front(from.at(0).number(-1e6, 1e6), from.at(1).number(-1e6, 1e6), 0.0);
+    if (from.good() && !(front.norm() > 1e-9)) from.refuse("A direction must have a length.");
+    return from.good() ? front.normalized() : Eigen::Vector3d::UnitX();
+}
+
+Pose OperationReader::pose(const std::optional<Pose>& before) const {
+    Pose pose = before.value_or(Pose{});
+    const int ways = has("target") + (has("yaw_deg") || has("pitch_deg")) + has("quaternion_xyzw");
+    if (ways > 1) {
+        fields_.refuse("Give only one of target, yaw_deg with pitch_deg, and quaternion_xyzw.");
+    } else if (ways == 0 && !(before && has("position"))) {
+        fields_.refuse(before ? "Give a position, or where the camera looks: target, or yaw_deg "
+                                "and pitch_deg."
+                              : "Say where the camera looks: give target, or yaw_deg and "
+                                "pitch_deg.");
+    }
+    if (!before || has("position")) pose.position = field("position").point();
+    if (has("target")) {
+        const Eigen::Vector3d target = field("target").point();
+        if (!((target - pose.position).norm() > 1e-6)) {
+            field("target").refuse("The camera cannot look at where it is itself.");
+        }
+        if (good()) pose.rotation = lookAt(pose.position, target).rotation;
+    } else if (has("quaternion_xyzw")) {
+        pose.rotation = readUpright(field("quaternion_xyzw"));
+    } else if (ways == 1) {
+        // An angle that is not given stays.
+        const Eigen::Vector3d now = pose.forward();
+        const double yaw = has("yaw_deg") ? field("yaw_deg").number(-360.0, 360.0)
+                           : before       ? std::atan2(now.y(), now.x()) / kRadians
+                                          : 0.0;
+        const double pitch = has("pitch_deg")
+                                 ? field("pitch_deg").number(-kSteepest_deg, kSteepest_deg)
+                             : before ? std::asin(std::clamp(now.z(), -1.0, 1.0)) / kRadians
+                                      : 0.0;
+        if (good()) pose.rotation = lookAlong(direction(yaw, pitch));
+    }
+    return pose;
+}
+
+OrientedBox OperationReader::box(const std::optional<OrientedBox>& before) const {
+    OrientedBox box = before.value_or(OrientedBox{});
+    if (before && !has("center") && !has("size") && !has("yaw_deg")) {
+        fields_.refuse("Give a center, a size or yaw_deg.");
+    }
+    if (!before || has("center")) box.center = field("center").point();
+    if (!before || has("size")) {
+        box.half_size = 0.5 * field("size").point();
+        if (!(box.half_size.minCoeff() > 0.0) || box.half_size.maxCoeff() > kLargestBox_m) {
+            field("size").refuse("A box must have a size above 0 m in each direction.");
+        }
+    }
+    if (has("yaw_deg")) box.yaw = field("yaw_deg").number(-360.0, 360.0) * kRadians;
+    return box;
+}
+
+std::string inWords(const std::vector<ObjectRef>& objects) {
+    if (objects.empty()) return {};
+    if (objects.size() == 1) return objects[0].name;
+    if (objects.size() == 2) return objects[0].name + " and " + objects[1].name;
+    return fmt::format("{} and {} more", objects[0].name, objects.size() - 1);
+}
+
+}  // namespace dollytrack

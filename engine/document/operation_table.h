@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/document/operation.h"
+#include "engine/document/operation_reader.h"
+
+namespace dollytrack {
+
+// The functions of the table in operation.cpp; see ApplyOperation.
+
+// Objects: object_operations.cpp
+std::string excludeObject(ProjectState&, const OperationContext&, const OperationReader&);
+std::string includeObject(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setClass(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setFront(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setSize(ProjectState&, const OperationContext&, const OperationReader&);
+std::string resetObject(ProjectState&, const OperationContext&, const OperationReader&);
+
+// New objects: definition_operations.cpp
+std::string merge(ProjectState&, const OperationContext&, const OperationReader&);
+std::string split(ProjectState&, const OperationContext&, const OperationReader&);
+
+// The plan: plan_operations.cpp
+std::string setParameter(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setHeightBand(ProjectState&, const OperationContext&, const OperationReader&);
+std::string pin(ProjectState&, const OperationContext&, const OperationReader&);
+std::string addPoint(ProjectState&, const OperationContext&, const OperationReader&);
+std::string movePoint(ProjectState&, const OperationContext&, const OperationReader&);
+std::string unpin(ProjectState&, const OperationContext&, const OperationReader&);
+std::string removePoint(ProjectState&, const OperationContext&, const OperationReader&);
+std::string restorePoint(ProjectState&, const OperationContext&, const OperationReader&);
+std::string addNoGo(ProjectState&, const OperationContext&, const OperationReader&);
+std::string moveNoGo(ProjectState&, const OperationContext&, const OperationReader&);
+std::string removeNoGo(ProjectState&, const OperationContext&, const OperationReader&);
+
+}  // namespace dollytrack

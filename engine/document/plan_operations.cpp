@@ -1,0 +1,204 @@
+#include "engine/document/operation_table.h"
+
+#include "engine/core/field_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack {
+namespace {
+
+using nlohmann::json;
+
+/// An entry of a list by its name; the end, with the closest name said, when there is none.
+template <class Entry>
+auto findNamed(std::vector<Entry>& entries, const JsonReader& from, std::string_view what) {
+    const std::string name = from.text();
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry& entry) { return entry.name == name; });
+    if (found != entries.end()) return found;
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) names.push_back(entry.name);
+    const std::string close = closestName(name, names);
+    from.refuse(close.empty()
+                    ? fmt::format("There is no {} '{}'.", what, name)
+                    : fmt::format("There is no {} '{}'; did you mean '{}'?", what, name, close));
+    return entries.end();
+}
+
+template <class Entry>
+bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
+    return std::any_of(entries.begin(), entries.end(),
+                       [&](const Entry& entry) { return entry.name == name; });
+}
+
+/// The name given, which must be free, or `base` with a number where it is not.
+template <class Entry>
+std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
+                     const std::string& base) {
+    if (fields.has("name")) {
+        const JsonReader from = fields.field("name");
+        std::string name = from.text();
+        if (from.good() && name.empty()) from.refuse("A name must not be empty.");
+        if (isTaken(entries, name)) {
+            from.refuse(fmt::format("Something else is called '{}' already.", name));
+        }
+        return name;
+    }
+    std::string name = base;
+    for (int number = 2; isTaken(entries, name); ++number) {
+        name = fmt::format("{} {}", base, number);
+    }
+    return name;
+}
+
+/// Whether an edit stands for exactly these objects of the scene.
+bool standsFor(const std::vector<ObjectRef>& objects, const std::vector<ObjectRef>& wanted,
+               const Scene& scene) {
+    return objects.size() == wanted.size() &&
+           std::all_of(objects.begin(), objects.end(), [&](const ObjectRef& ref) {
+               const int id = findObject(scene, ref);
+               return std::any_of(wanted.begin(), wanted.end(),
+                                  [&](const ObjectRef& other) { return other.id == id; });
+           });
+}
+
+}  // namespace
+
+std::string setParameter(ProjectState& state, const OperationContext& context,
+                         const OperationReader& fields) {
+    const JsonReader name = fields.field("name");
+    const std::string text = name.text();
+    if (!fields.good()) return {};
+    const json& value = fields.field("value").json();
+    if (Status set = context.set_parameter(state.parameters, text, value); !set) {
+        fields.field("value").refuse(set.error().message);
+        return {};
+    }
+    return fmt::format("Set {} to {}", text,
+                       value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+std::string setHeightBand(ProjectState& state, const OperationContext& context,
+                          const OperationReader& fields) {
+    constexpr double kHighest = 100.0;
+    const double low = fields.has("min_m") ? fields.field("min_m").number(0.0, kHighest) : 0.0;
+    const double high =
+        fields.has("max_m") ? fields.field("max_m").number(0.0, kHighest) : kHighest;
+    if (fields.good() && !(low < high)) {
+        fields.field("max_m").refuse(
+            fmt::format("The band must end above {:g} m, where it begins.", low));
+    }
+    if (!fields.good()) return {};
+    for (const auto& [name, value] : {std::pair{"min_height_m", low}, {"max_height_m", high}}) {
+        if (Status set = context.set_parameter(state.parameters, name, value); !set) {
+            fields.field(name == std::string("min_height_m") ? "min_m" : "max_m")
+                .refuse(set.error().message);
+        }
+    }
+    if (low == 0.0 && high == kHighest) return "Allow every height";
+    return fmt::format("Keep the camera {:g} to {:g} m above the floor", low, high);
+}
+
+std::string pin(ProjectState& state, const OperationContext& context,
+                const OperationReader& fields) {
+    const std::vector<ObjectRef> objects = fields.objects("objects");
+    if (!fields.good()) return {};
+    std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
+    const auto found = std::find_if(pinned.begin(), pinned.end(), [&](const PinnedPoint& point) {
+        return standsFor(point.objects, objects, context.scene);
+    });
+    // A point that was removed is wanted again.
+    std::erase_if(state.edits.plan.removed, [&](const RemovedPoint& removed) {
+        return standsFor(removed.objects, objects, context.scene);
+    });
+    if (found != pinned.end() && !fields.has("name")) {
+        found->pose = fields.pose(found->pose);
+    } else {
+        const std::string name = freeName(pinned, fields, inWords(objects));
+        pinned.push_back({name, fields.pose({}), objects});
+    }
+    return "Pin the view of " + inWords(objects);
+}
+
+std::string addPoint(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
+    const std::string name = freeName(pinned, fields, "view");
+    pinned.push_back({name, fields.pose({}), {}});
+    return "Add " + name;
+}
+
+std::string movePoint(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
+    const auto found = findNamed(pinned, fields.field("point"), "pinned point");
+    if (!fields.good()) return {};
+    found->pose = fields.pose(found->pose);
+    return fmt::format("{} {}", fields.has("position") ? "Move" : "Turn", found->name);
+}
+
+std::string unpin(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
+    const auto found = findNamed(pinned, fields.field("point"), "pinned point");
+    if (!fields.good()) return {};
+    std::string name = "Unpin " + found->name;
+    pinned.erase(found);
+    return name;
+}
+
+std::string removePoint(ProjectState& state, const OperationContext& context,
+                        const OperationReader& fields) {
+    const std::vector<ObjectRef> objects = fields.objects("objects");
+    if (!fields.good()) return {};
+    PlanEdits& plan = state.edits.plan;
+    std::erase_if(plan.pinned, [&](const PinnedPoint& point) {
+        return !point.objects.empty() && standsFor(point.objects, objects, context.scene);
+    });
+    const bool already =
+        std::any_of(plan.removed.begin(), plan.removed.end(), [&](const RemovedPoint& removed) {
+            return standsFor(removed.objects, objects, context.scene);
+        });
+    if (!already) plan.removed.push_back({objects});
+    return "Remove the view of " + inWords(objects);
+}
+
+std::string restorePoint(ProjectState& state, const OperationContext& context,
+                         const OperationReader& fields) {
+    const std::vector<ObjectRef> objects = fields.objects("objects");
+    if (!fields.good()) return {};
+    const std::size_t erased =
+        std::erase_if(state.edits.plan.removed, [&](const RemovedPoint& removed) {
+            return standsFor(removed.objects, objects, context.scene);
+        });
+    if (erased == 0) {
+        fields.field("objects").refuse(
+            fmt::format("The view of {} was not removed.", inWords(objects)));
+    }
+    return "Restore the view of " + inWords(objects);
+}
+
+std::string addNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    std::vector<NoGoBox>& boxes = state.edits.plan.no_go;
+    const std::string name = freeName(boxes, fields, "no-go box");
+    boxes.push_back({name, fields.box({})});
+    return "Add " + name;
+}
+
+std::string moveNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    const auto found = findNamed(state.edits.plan.no_go, fields.field("name"), "no-go box");
+    if (!fields.good()) return {};
+    found->box = fields.box(found->box);
+    return "Move " + found->name;
+}
+
+std::string removeNoGo(ProjectState& state, const OperationContext&,
+                       const OperationReader& fields) {
+    std::vector<NoGoBox>& boxes = state.edits.plan.no_go;
+    const auto found = findNamed(boxes, fields.field("name"), "no-go box");
+    if (!fields.good()) return {};
+    std::string name = "Remove " + found->name;
+    boxes.erase(found);
+    return name;
+}
+
+}  // namespace dollytrack
