@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numbers>
 
 namespace dollytrack::render {
 namespace {
@@ -26,14 +26,27 @@ class Painter {
     Painter(const View& view, const std::vector<float>& depth_m, std::vector<std::uint8_t>& rgb)
         : view_(view), depth_(depth_m), rgb_(rgb) {}
 
-    void line(Eigen::Vector3d a, Eigen::Vector3d b, const Eigen::Vector4f& rgba, double width) {
-        a = view_.pose.toCamera(a);
-        b = view_.pose.toCamera(b);
+    void line(const OverlayLine& line, double scale) {
+        Eigen::Vector3d a = view_.pose.toCamera(line.a);
+        Eigen::Vector3d b = view_.pose.toCamera(line.b);
         if (a.z() < view_.near_m && b.z() < view_.near_m) return;
         if (a.z() < view_.near_m) a = cutNear(b, a);
         if (b.z() < view_.near_m) b = cutNear(a, b);
-        paint(
-            {view_.project(a), view_.project(b), linear(a.z()), linear(b.z()), 0.5 * width, rgba});
+        const Stroke whole{view_.project(a),
+                           view_.project(b),
+                           linear(a.z()),
+                           linear(b.z()),
+                           0.5 * line.width_px * scale,
+                           line.rgba};
+        const double length = (whole.b - whole.a).norm();
+        const double dash = line.dash_px * scale;
+        if (dash <= 0.0 || length <= 0.0) {
+            paint(whole);
+            return;
+        }
+        for (double begin = 0.0; begin < length; begin += 2.0 * dash) {
+            paint(part(whole, begin / length, std::min(1.0, (begin + dash) / length)));
+        }
     }
 
     void mark(const OverlayMark& mark, double scale) {
@@ -41,13 +54,37 @@ class Painter {
         if (p.z() < view_.near_m) return;
         const Eigen::Vector2d at = view_.project(p);
         const double half = 0.5 * mark.size_px * scale;
-        if (mark.shape == OverlayMark::Shape::Dot) {
-            paint({at, at, linear(p.z()), linear(p.z()), half, mark.rgba});
-            return;
-        }
-        for (const double side : {-1.0, 1.0}) {
-            const Eigen::Vector2d arm(half, side * half);
-            paint({at - arm, at + arm, linear(p.z()), linear(p.z()), 0.25 * half, mark.rgba});
+        const auto stroke = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                double radius) {
+            paint({at + from, at + to, linear(p.z()), linear(p.z()), radius, mark.rgba});
+        };
+        switch (mark.shape) {
+            case OverlayMark::Shape::Dot:
+                stroke({0, 0}, {0, 0}, half);
+                break;
+            case OverlayMark::Shape::Cross:
+                stroke({-half, half}, {half, -half}, 0.25 * half);
+                stroke({-half, -half}, {half, half}, 0.25 * half);
+                break;
+            case OverlayMark::Shape::Square:
+                outline(stroke, 0.75 * half, 4);
+                break;
+            case OverlayMark::Shape::Ring:
+                outline(stroke, 0.85 * half, 16);
+                break;
+            case OverlayMark::Shape::Arrow: {
+                const Eigen::Vector3d ahead = view_.pose.toCamera(mark.at + 1e-3 * mark.direction);
+                Eigen::Vector2d way = view_.project(ahead) - at;
+                if (way.norm() < 1e-9) {
+                    stroke({0, 0}, {0, 0}, half);
+                    break;
+                }
+                way *= half / way.norm();
+                const Eigen::Vector2d aside(-way.y(), way.x());
+                stroke(way, -0.6 * way + 0.7 * aside, 0.2 * half);
+                stroke(way, -0.6 * way - 0.7 * aside, 0.2 * half);
+                break;
+            }
         }
     }
 
@@ -55,6 +92,26 @@ class Painter {
     /// Depth to what is linear on the screen, and back.
     [[nodiscard]] double linear(double depth) const {
         return view_.orthographic ? depth : 1.0 / depth;
+    }
+
+    /// A regular outline of straight strokes; with four, they are level and upright.
+    template <class Draw>
+    static void outline(Draw&& draw, double radius, int corners) {
+        const auto corner = [&](int i) {
+            const double angle = (2.0 * i + 1.0) * std::numbers::pi / corners;
+            const double reach = radius / std::cos(std::numbers::pi / corners);
+            return Eigen::Vector2d(reach * std::cos(angle), reach * std::sin(angle));
+        };
+        for (int i = 0; i < corners; ++i) draw(corner(i), corner(i + 1), 0.2 * radius);
+    }
+
+    [[nodiscard]] static Stroke part(const Stroke& whole, double begin, double end) {
+        Stroke result = whole;
+        result.a = whole.a + begin * (whole.b - whole.a);
+        result.b = whole.a + end * (whole.b - whole.a);
+        result.depth_a = whole.depth_a + begin * (whole.depth_b - whole.depth_a);
+        result.depth_b = whole.depth_a + end * (whole.depth_b - whole.depth_a);
+        return result;
     }
 
     [[nodiscard]] Eigen::Vector3d cutNear(const Eigen::Vector3d& inside,
@@ -113,9 +170,7 @@ class Painter {
 void paintOverlay(const Overlay& overlay, const View& view, const std::vector<float>& depth_m,
                   double pixel_scale, std::vector<std::uint8_t>& rgb) {
     Painter painter(view, depth_m, rgb);
-    for (const OverlayLine& line : overlay.lines) {
-        painter.line(line.a, line.b, line.rgba, line.width_px * pixel_scale);
-    }
+    for (const OverlayLine& line : overlay.lines) painter.line(line, pixel_scale);
     for (const OverlayMark& mark : overlay.marks) painter.mark(mark, pixel_scale);
 }
 

@@ -8,7 +8,8 @@
 
 namespace dollytrack::render {
 
-/// Paints an overlay into a finished picture of a view. What is behind the surfaces of `depth_m`
+/// Paints an overlay's lines and marks without OpenGL (its boxes and triangles are left to
+/// overlay_renderer.h) into a finished picture of a view. What is behind the surfaces of `depth_m`
 /// (planar, 0: nothing there) shows faintly through them. `pixel_scale` multiplies the widths given
 /// in px, for pictures that are made smaller afterwards.
 void paintOverlay(const Overlay& overlay, const View& view, const std::vector<float>& depth_m,

@@ -1,13 +1,16 @@
 // Frames a second of the whole export: drawing, counting, compressing and writing. The room is
 // generated, or DOLLYTRACK_BENCH_SCENE names a scene file.
 
+#include "engine/camera/intrinsics.h"
 #include "engine/core/random.h"
 #include "engine/io/scene_import.h"
 #include "render/dataset_job.h"
 #include "render/gl/osmesa_context.h"
 #include "render/light_volume.h"
+#include "render/overlays/overlay_renderer.h"
 #include "tests/support/scene_builder.h"
 
+#include <GL/glew.h>
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -109,6 +112,54 @@ void bakeLight(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(render::bakeLightVolume(*scene, rays, rig));
 }
 BENCHMARK(bakeLight)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// 20,000 cells of a slice, 5,000 lines and 1,000 signs over a picture of 900 x 560.
+void drawOverlays(benchmark::State& state) {
+    auto context = gl::createOsMesaContext();
+    if (!context) return state.SkipWithError(describe(context.error()).c_str());
+    render::Overlay overlay;
+    for (int i = 0; i < state.range(0); ++i) {
+        render::OverlayBox box;
+        box.center = {0.05 * (i % 200) - 5.0, 0.05 * (i / 200 % 100) - 2.5, -0.05 * (i / 20000)};
+        box.half_size.setConstant(0.025);
+        box.rgba = {i % 3 == 0 ? 1.0F : 0.2F, 0.4F, 0.8F, 0.5F};
+        overlay.boxes.push_back(box);
+    }
+    Random random(5);
+    const auto place = [&] {
+        return Eigen::Vector3d(random.uniform(-5, 5), random.uniform(-2.5, 2.5),
+                               random.uniform(0, 2));
+    };
+    for (int i = 0; i < state.range(1); ++i) {
+        const Eigen::Vector3d a = place();
+        overlay.lines.push_back({a, a + 0.05 * place(), {1, 0.5F, 0, 1}, 3.0});
+        if (i % 5 == 0) overlay.marks.push_back({place()});
+    }
+    CameraParams camera;
+    camera.width_px = 900;
+    camera.height_px = 560;
+    render::View view;
+    view.intrinsics = makeIntrinsics(camera);
+    view.pose = lookAt({2, -7, 7}, {0, 0, 0});
+    auto target = render::RenderTarget::create(camera.width_px, camera.height_px);
+    auto canvas = render::OverlayCanvas::create(camera.width_px, camera.height_px);
+    auto renderer = render::OverlayRenderer::create();
+    if (!target || !canvas || !renderer) return state.SkipWithError("no overlay renderer");
+    render::OverlayBuffers buffers;
+    buffers.upload(overlay);
+    const render::OverlayLayer layer{&buffers};
+    for (auto _ : state) {
+        if (!renderer->draw({&layer, 1}, view, *target, *canvas)) return;
+        glFinish();
+    }
+}
+BENCHMARK(drawOverlays)
+    ->Args({0, 0})
+    ->Args({0, 5000})
+    ->Args({20000, 0})
+    ->Args({20000, 5000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 

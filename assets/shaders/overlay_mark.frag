@@ -1,0 +1,54 @@
+#version 450 core
+// Signs, by their distance functions: soft edges at any size, and a dark rim around each.
+
+in vec2 offset;
+flat in float depth;
+flat in vec4 color;
+flat in vec4 shape;
+
+layout(location = 3) uniform vec2 depth_span;
+layout(location = 5) uniform float pixel_scale;
+layout(location = 6) uniform vec2 opacity;
+layout(location = 7) uniform float bias;
+
+layout(binding = 0) uniform sampler2D surface;
+
+layout(location = 0) out vec4 out_rgba;
+
+float bar(vec2 p, vec2 half_size) {
+    vec2 d = abs(p) - half_size;
+    return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0);
+}
+
+// Signed distance to the sign's outline, px; below 0 inside. Shapes as OverlayMark counts them.
+float outline(vec2 p, float radius) {
+    int kind = int(shape.y + 0.5);
+    float stroke = max(0.16 * radius, 0.75 * pixel_scale);
+    if (kind == 1) {
+        vec2 turned = vec2(p.x + p.y, p.y - p.x) * 0.70710678;
+        float arm = 1.41421356 * radius - stroke;
+        return min(bar(turned, vec2(arm, stroke)), bar(turned, vec2(stroke, arm)));
+    }
+    if (kind == 2) return bar(p, vec2(0.886 * radius));  // of a dot's area
+    if (kind == 3) return abs(length(p) - (radius - stroke)) - stroke;
+    if (kind == 4 && dot(shape.zw, shape.zw) > 0.5) {
+        // A head with its tip ahead.
+        vec2 q = vec2(dot(p, shape.zw), abs(dot(p, vec2(-shape.w, shape.z)))) / radius;
+        float side = dot(q - vec2(1.0, 0.0), vec2(0.4243, 0.9055));
+        return max(side, -q.x - 0.6) * radius;
+    }
+    return length(p) - radius;
+}
+
+void main() {
+    float away = outline(offset, shape.x);
+    float core = clamp(0.5 - away, 0.0, 1.0);
+    float rim = 0.7 * clamp(1.6 - away, 0.0, 1.0);
+    float cover = max(core, rim);
+    if (cover <= 0.0) discard;
+    float nearer = depth_span.y > 0.0 ? depth - bias : depth * (1.0 - bias);
+    float scene = texelFetch(surface, ivec2(gl_FragCoord.xy), 0).r;
+    float share = scene > 0.0 && nearer > scene ? opacity.y : opacity.x;
+    vec3 rgb = mix(vec3(0.08), color.rgb, core / cover);
+    out_rgba = vec4(rgb, color.a * cover * share);
+}

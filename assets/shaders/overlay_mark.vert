@@ -1,0 +1,42 @@
+#version 450 core
+// A sign of an overlay becomes a square on the screen around its point.
+
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec3 direction;
+layout(location = 2) in vec4 rgba;
+layout(location = 3) in vec2 style;  // size, px; shape
+
+layout(location = 0) uniform mat3 camera_from_world;
+layout(location = 1) uniform vec3 camera_position;
+layout(location = 2) uniform vec4 lens;
+layout(location = 3) uniform vec2 depth_span;
+layout(location = 4) uniform vec2 size;
+layout(location = 5) uniform float pixel_scale;
+
+out vec2 offset;           // from the middle, px
+flat out float depth;
+flat out vec4 color;
+flat out vec4 shape;       // radius, px; shape; where an arrow points on the screen
+
+void main() {
+    vec3 p = camera_from_world * (at - camera_position);
+    vec3 ahead = camera_from_world * direction;
+    depth = p.z;
+    color = rgba;
+    offset = vec2(0.0);
+    float radius = 0.5 * style.x * pixel_scale;
+    shape = vec4(radius, style.y, 0.0, 0.0);
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if (p.z < depth_span.x) return;
+    bool parallel = depth_span.y > 0.0;
+    vec2 clip = parallel ? lens.xy * p.xy + lens.zw : (lens.xy * p.xy + lens.zw * p.z) / p.z;
+    // How the point moves on the screen when it goes ahead.
+    vec2 way = (parallel ? lens.xy * ahead.xy
+                         : lens.xy * (ahead.xy * p.z - p.xy * ahead.z) / (p.z * p.z)) * size;
+    float speed = length(way);
+    if (speed > 1e-3) shape.zw = way / speed;
+    int corner = gl_VertexID & 3;
+    vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
+    offset = side * (radius + 2.5);
+    gl_Position = vec4(clip + 2.0 * offset / size, 0.5, 1.0);
+}

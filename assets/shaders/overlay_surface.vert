@@ -1,0 +1,23 @@
+#version 450 core
+// A corner of a block or of a loose triangle of an overlay.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 rgba;
+layout(location = 2) in vec2 corner;  // -1 or 1 on a block's face, 0 on loose triangles
+
+layout(location = 0) uniform mat3 camera_from_world;
+layout(location = 1) uniform vec3 camera_position;
+layout(location = 2) uniform vec4 lens;
+layout(location = 3) uniform vec2 depth_span;  // see surface.vert
+
+flat out vec4 color;
+out vec2 on_face;
+
+void main() {
+    vec3 p = camera_from_world * (position - camera_position);
+    gl_Position = depth_span.y > 0.0
+                      ? vec4(lens.xy * p.xy + lens.zw, 1.0 - (p.z - depth_span.x) / depth_span.y, 1.0)
+                      : vec4(lens.xy * p.xy + lens.zw * p.z, depth_span.x, p.z);
+    color = rgba;
+    on_face = corner;
+}

@@ -1,0 +1,57 @@
+#include "render/overlays/overlay_canvas.h"
+
+#include "render/gl/context.h"
+
+#include <GL/glew.h>
+
+#include <string>
+
+namespace dollytrack::render {
+namespace {
+
+gl::Texture makeImage(unsigned format, int width, int height) {
+    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(texture.get(), 1, format, width, height);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
+}
+
+}  // namespace
+
+Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
+    int largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width < 1 || height < 1 || width > largest || height > largest) {
+        return fail(ErrorCode::Usage, "overlays of " + std::to_string(width) + " x " +
+                                          std::to_string(height) +
+                                          " px cannot be drawn; this driver's limit is " +
+                                          std::to_string(largest) + " px");
+    }
+    OverlayCanvas canvas;
+    canvas.width_ = width;
+    canvas.height_ = height;
+    canvas.picture_ = makeImage(GL_RGBA8, width, height);
+    canvas.frame_ = gl::createFramebuffer();
+    glNamedFramebufferTexture(canvas.frame_.get(), GL_COLOR_ATTACHMENT0, canvas.picture_.get(), 0);
+    canvas.surface_color_ = makeImage(GL_RGBA8, width, height);
+    canvas.surface_z_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
+    canvas.surface_frame_ = gl::createFramebuffer();
+    const unsigned frame = canvas.surface_frame_.get();
+    glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, canvas.surface_color_.get(), 0);
+    glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, canvas.surface_z_.get(), 0);
+    if (Status status = gl::checkErrors("creating the overlays' images"); !status) {
+        return tl::unexpected(status.error());
+    }
+    return canvas;
+}
+
+void OverlayCanvas::readRgb(std::vector<std::uint8_t>& rgb) const {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    rgb.resize(3 * pixels);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture_.get(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgb.size()),
+                      rgb.data());
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/gl/handle.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// The image that overlays are drawn into, over a copy of a picture. Row 0 is the top.
+class OverlayCanvas {
+  public:
+    /// Usage when the driver has no images of that size.
+    [[nodiscard]] static Result<OverlayCanvas> create(int width, int height);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+    /// As an OpenGL texture, to be shown in a window.
+    [[nodiscard]] unsigned picture() const { return picture_.get(); }
+    /// Waits for the drawing and copies it, 3 bytes a pixel, sRGB.
+    void readRgb(std::vector<std::uint8_t>& rgb) const;
+
+  private:
+    friend class OverlayRenderer;
+
+    int width_ = 0;
+    int height_ = 0;
+    gl::Texture picture_;
+    gl::Framebuffer frame_;
+    // The foremost of a layer's boxes and triangles, before they are blended over the picture.
+    gl::Texture surface_color_;
+    gl::Texture surface_z_;
+    gl::Framebuffer surface_frame_;
+};
+
+}  // namespace dollytrack::render
