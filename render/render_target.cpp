@@ -114,8 +114,8 @@ RenderTarget::Pixel RenderTarget::readPixel(int x, int y) const {
     Pixel pixel;
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return pixel;
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureSubImage(surface_.get(), 0, x, y, 0, 1, 1, 1, GL_RED, GL_FLOAT,
-                         sizeof(pixel.surface_depth_m), &pixel.surface_depth_m);
+    glGetTextureSubImage(depth_.get(), 0, x, y, 0, 1, 1, 1, GL_RED, GL_FLOAT, sizeof(pixel.depth_m),
+                         &pixel.depth_m);
     glGetTextureSubImage(ids_.get(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
                          sizeof(pixel.object_id), &pixel.object_id);
     return pixel;

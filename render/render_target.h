@@ -25,14 +25,14 @@ class RenderTarget {
 
     /// The finished picture as an OpenGL texture, to be shown in a window.
     [[nodiscard]] unsigned picture() const { return picture_.get(); }
-    /// Planar depth of what the picture shows, as an OpenGL texture: 32-bit floats, 0 where nothing
-    /// was hit. Unlike the depth that readDepth() gives, it passes through glass.
-    [[nodiscard]] unsigned surfaceDepth() const { return surface_.get(); }
+    /// What readDepth() gives, as an OpenGL texture of 32-bit floats.
+    [[nodiscard]] unsigned depth() const { return depth_.get(); }
+    /// The depth buffer behind it: 1 at the near plane, 0 infinitely far or at the view's far end.
+    [[nodiscard]] unsigned zBuffer() const { return z_buffer_.get(); }
 
-    /// Depth (through glass) and object id of one pixel; waits for the drawing. For what lies under
-    /// the mouse.
+    /// Depth and object id of one pixel; waits for the drawing. For what lies under the mouse.
     struct Pixel {
-        float surface_depth_m = 0.0F;
+        float depth_m = 0.0F;
         std::uint16_t object_id = 0;
     };
     [[nodiscard]] Pixel readPixel(int x, int y) const;

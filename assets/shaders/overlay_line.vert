@@ -12,11 +12,12 @@ layout(location = 2) uniform vec4 lens;
 layout(location = 3) uniform vec2 depth_span;
 layout(location = 4) uniform vec2 size;  // of the picture, px
 layout(location = 5) uniform float pixel_scale;
+// A line on a floor is not in it: share of the depth, in orthographic views metres.
+layout(location = 7) uniform float bias;
 
-flat out vec4 ends;       // px
-flat out vec2 end_depth;  // what is linear on the screen: 1 / depth, orthographic: depth
+noperspective out vec2 place;  // along the line from its beginning and across it, px
 flat out vec4 color;
-flat out vec4 shape;      // radius and dash, px; joined
+flat out vec3 shape;  // length, radius, dash, px
 
 vec2 onScreen(vec3 p) {
     vec2 clip = depth_span.y > 0.0 ? lens.xy * p.xy + lens.zw
@@ -29,24 +30,31 @@ void main() {
     vec3 b = camera_from_world * (to - camera_position);
     float near_m = depth_span.x;
     color = rgba;
-    shape = vec4(0.5 * style.x * pixel_scale, style.y * pixel_scale, style.zw);
-    ends = vec4(0.0);
-    end_depth = vec2(1.0);
+    shape = vec3(0.0, 0.5 * style.x * pixel_scale, style.y * pixel_scale);
+    place = vec2(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside: nothing is drawn
     if (a.z < near_m && b.z < near_m) return;
     if (a.z < near_m) a = mix(b, a, (b.z - near_m) / (b.z - a.z));
     if (b.z < near_m) b = mix(a, b, (a.z - near_m) / (a.z - b.z));
     vec2 p = onScreen(a);
     vec2 q = onScreen(b);
-    ends = vec4(p, q);
-    end_depth = depth_span.y > 0.0 ? vec2(a.z, b.z) : 1.0 / vec2(a.z, b.z);
-
+    // Depth as the scene's: linear on the screen in either kind of view.
+    vec2 depths = depth_span.y > 0.0
+                      ? 1.0 - (vec2(a.z, b.z) - bias - depth_span.x) / depth_span.y
+                      : depth_span.x / ((1.0 - bias) * vec2(a.z, b.z));
     vec2 way = q - p;
     float along = length(way);
     way = along > 1e-4 ? way / along : vec2(1.0, 0.0);
-    float reach = shape.x + 2.0;
+    shape.x = along;
+    // Ends are round; where lines join each pixel belongs to one of them, or translucent ones would
+    // show beads.
+    float reach = max(shape.y, 0.5) + (shape.y > 0.9 ? 1.4 : 0.6);
     int corner = gl_VertexID & 3;
-    vec2 at = ((corner & 1) == 0 ? p - reach * way : q + reach * way) +
-              ((corner & 2) == 0 ? -reach : reach) * vec2(-way.y, way.x);
-    gl_Position = vec4(2.0 * at / size - 1.0, 0.5, 1.0);
+    bool at_end = (corner & 1) != 0;
+    float beyond = (at_end ? style.w : style.z) > 0.5 ? 0.0 : reach;
+    place.x = at_end ? along + beyond : -beyond;
+    place.y = (corner & 2) == 0 ? -reach : reach;
+    float depth = mix(depths.x, depths.y, along > 1e-4 ? place.x / along : 0.0);
+    vec2 at = p + place.x * way + place.y * vec2(-way.y, way.x);
+    gl_Position = vec4(2.0 * at / size - 1.0, clamp(depth, 0.0, 1.0), 1.0);
 }

@@ -2,16 +2,11 @@
 // Signs, by their distance functions: soft edges at any size, and a dark rim around each.
 
 in vec2 offset;
-flat in float depth;
 flat in vec4 color;
 flat in vec4 shape;
 
-layout(location = 3) uniform vec2 depth_span;
 layout(location = 5) uniform float pixel_scale;
-layout(location = 6) uniform vec2 opacity;
-layout(location = 7) uniform float bias;
-
-layout(binding = 0) uniform sampler2D surface;
+layout(location = 6) uniform float opacity;
 
 layout(location = 0) out vec4 out_rgba;
 
@@ -45,10 +40,7 @@ void main() {
     float core = clamp(0.5 - away, 0.0, 1.0);
     float rim = 0.7 * clamp(1.6 - away, 0.0, 1.0);
     float cover = max(core, rim);
-    if (cover <= 0.0) discard;
-    float nearer = depth_span.y > 0.0 ? depth - bias : depth * (1.0 - bias);
-    float scene = texelFetch(surface, ivec2(gl_FragCoord.xy), 0).r;
-    float share = scene > 0.0 && nearer > scene ? opacity.y : opacity.x;
-    vec3 rgb = mix(vec3(0.08), color.rgb, core / cover);
-    out_rgba = vec4(rgb, color.a * cover * share);
+    float body = cover > 0.0 ? core / cover : 0.0;
+    vec3 rgb = mix(vec3(0.08), color.rgb, body);
+    out_rgba = vec4(rgb, color.a * cover * opacity);
 }

@@ -12,16 +12,15 @@ layout(location = 2) uniform vec4 lens;
 layout(location = 3) uniform vec2 depth_span;
 layout(location = 4) uniform vec2 size;
 layout(location = 5) uniform float pixel_scale;
+layout(location = 7) uniform float bias;  // see overlay_line.vert
 
 out vec2 offset;           // from the middle, px
-flat out float depth;
 flat out vec4 color;
 flat out vec4 shape;       // radius, px; shape; where an arrow points on the screen
 
 void main() {
     vec3 p = camera_from_world * (at - camera_position);
     vec3 ahead = camera_from_world * direction;
-    depth = p.z;
     color = rgba;
     offset = vec2(0.0);
     float radius = 0.5 * style.x * pixel_scale;
@@ -37,6 +36,8 @@ void main() {
     if (speed > 1e-3) shape.zw = way / speed;
     int corner = gl_VertexID & 3;
     vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
-    offset = side * (radius + 2.5);
-    gl_Position = vec4(clip + 2.0 * offset / size, 0.5, 1.0);
+    offset = side * (radius + 1.6);
+    float depth = parallel ? 1.0 - (p.z - bias - depth_span.x) / depth_span.y
+                           : depth_span.x / ((1.0 - bias) * p.z);
+    gl_Position = vec4(clip + 2.0 * offset / size, clamp(depth, 0.0, 1.0), 1.0);
 }

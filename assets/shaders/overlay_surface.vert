@@ -3,7 +3,7 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 rgba;
-layout(location = 2) in vec2 corner;  // -1 or 1 on a block's face, 0 on loose triangles
+layout(location = 2) in vec2 cell;  // whole numbers on the edges of blocks
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
@@ -19,5 +19,5 @@ void main() {
                       ? vec4(lens.xy * p.xy + lens.zw, 1.0 - (p.z - depth_span.x) / depth_span.y, 1.0)
                       : vec4(lens.xy * p.xy + lens.zw * p.z, depth_span.x, p.z);
     color = rgba;
-    on_face = corner;
+    on_face = cell;
 }

@@ -1,25 +1,24 @@
 #include "render/overlays/overlay_buffers.h"
 
+#include "render/overlays/box_faces.h"
+
 #include <GL/glew.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
-#include <unordered_map>
 
 namespace dollytrack::render {
 namespace {
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 
-Rgba8 toBytes(const Eigen::Vector4f& rgba, float shade = 1.0F) {
+Rgba8 toBytes(const Eigen::Vector4f& rgba) {
     Rgba8 bytes;
     for (unsigned i = 0; i < 4; ++i) {
-        const float value = rgba[i] * (i < 3 ? shade : 1.0F);
-        bytes[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+        bytes[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(rgba[i], 0.0F, 1.0F)));
     }
     return bytes;
 }
@@ -27,7 +26,7 @@ Rgba8 toBytes(const Eigen::Vector4f& rgba, float shade = 1.0F) {
 struct SurfaceVertex {
     Eigen::Vector3f position;
     Rgba8 rgba;
-    std::array<std::int8_t, 4> corner;  // the last two fill the word
+    std::array<float, 2> cell;  // whole numbers on the edges of a face's cells
 };
 
 struct LineVertex {
@@ -54,83 +53,6 @@ std::vector<std::uint32_t> quadIndices(std::size_t quads) {
         }
     }
     return indices;
-}
-
-/// A face of a block, to find the two that lie on each other. Tenths of a millimetre.
-using FaceKey = std::array<std::int64_t, 6>;
-struct FaceHash {
-    std::size_t operator()(const FaceKey& key) const {
-        std::uint64_t hash = 0xcbf29ce484222325U;
-        for (const std::int64_t part : key) {
-            hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
-            hash ^= hash >> 29U;
-        }
-        return static_cast<std::size_t>(hash);
-    }
-};
-
-FaceKey faceKey(const OverlayBox& box, int axis, int side) {
-    FaceKey key{};
-    key[0] = axis;
-    for (int k = 0; k < 3; ++k) {
-        const double at = box.center[k] + (k == axis ? side * box.half_size[k] : 0.0);
-        key[static_cast<std::size_t>(k) + 1] = std::llround(1e4 * at);
-    }
-    key[4] = std::llround(1e4 * box.half_size[(axis + 1) % 3]);
-    key[5] = std::llround(1e4 * box.half_size[(axis + 2) % 3]);
-    return key;
-}
-
-/// Counts how many blocks have each face. Where two meet, neither can be the foremost.
-class SharedFaces {
-  public:
-    explicit SharedFaces(const std::vector<OverlayBox>& boxes) {
-        count_.reserve(6 * boxes.size());
-        for (const OverlayBox& box : boxes) {
-            if (box.yaw != 0.0) continue;
-            for (int face = 0; face < 6; ++face) {
-                ++count_[faceKey(box, face / 2, face % 2 == 0 ? -1 : 1)];
-            }
-        }
-    }
-    [[nodiscard]] bool holds(const OverlayBox& box, int axis, int side) const {
-        return box.yaw == 0.0 && count_.at(faceKey(box, axis, side)) > 1;
-    }
-
-  private:
-    std::unordered_map<FaceKey, int, FaceHash> count_;
-};
-
-std::vector<SurfaceVertex> boxFaces(const std::vector<OverlayBox>& boxes) {
-    const SharedFaces shared(boxes);
-    std::vector<SurfaceVertex> vertices;
-    for (const OverlayBox& box : boxes) {
-        const Eigen::AngleAxisd turn(box.yaw, Eigen::Vector3d::UnitZ());
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int side : {-1, 1}) {
-                if (shared.holds(box, axis, side)) continue;
-                // Tops are light, bottoms dark: the shape reads without any lamp.
-                const float shade = axis == 2   ? (side > 0 ? 1.0F : 0.62F)
-                                    : axis == 1 ? 0.84F
-                                                : 0.74F;
-                const Rgba8 rgba = toBytes(box.rgba, shade);
-                for (int corner = 0; corner < 4; ++corner) {
-                    // Clockwise or not: seen from outside the corners go round the same way.
-                    const int u = (corner & 1) == 0 ? -side : side;
-                    const int v = (corner & 2) == 0 ? -1 : 1;
-                    Eigen::Vector3d p;
-                    p[axis] = side * box.half_size[axis];
-                    p[(axis + 1) % 3] = u * box.half_size[(axis + 1) % 3];
-                    p[(axis + 2) % 3] = v * box.half_size[(axis + 2) % 3];
-                    vertices.push_back({(box.center + turn * p).cast<float>(),
-                                        rgba,
-                                        {static_cast<std::int8_t>(127 * u),
-                                         static_cast<std::int8_t>(127 * v), 0, 0}});
-                }
-            }
-        }
-    }
-    return vertices;
 }
 
 /// Whether a line goes on where the one before it ended, nearly straight.
@@ -174,7 +96,7 @@ OverlayBuffers::OverlayBuffers() {
     const unsigned surfaces = surfaces_.layout.get();
     setAttribute(surfaces, 0, 3, GL_FLOAT, false, offsetof(SurfaceVertex, position));
     setAttribute(surfaces, 1, 4, GL_UNSIGNED_BYTE, true, offsetof(SurfaceVertex, rgba));
-    setAttribute(surfaces, 2, 2, GL_BYTE, true, offsetof(SurfaceVertex, corner));
+    setAttribute(surfaces, 2, 2, GL_FLOAT, false, offsetof(SurfaceVertex, cell));
     const unsigned lines = strokes_.layout.get();
     setAttribute(lines, 0, 3, GL_FLOAT, false, offsetof(LineVertex, from));
     setAttribute(lines, 1, 3, GL_FLOAT, false, offsetof(LineVertex, to));
@@ -188,13 +110,21 @@ OverlayBuffers::OverlayBuffers() {
 }
 
 void OverlayBuffers::upload(const Overlay& overlay) {
-    std::vector<SurfaceVertex> surfaces = boxFaces(overlay.boxes);
+    std::vector<SurfaceVertex> surfaces;
+    for (const BoxFace& face : visibleFaces(overlay.boxes)) {
+        for (unsigned corner = 0; corner < 4; ++corner) {
+            surfaces.push_back({face.corners[corner],
+                                face.rgba,
+                                {(corner & 1U) != 0 ? static_cast<float>(face.cells[0]) : 0.0F,
+                                 (corner & 2U) != 0 ? static_cast<float>(face.cells[1]) : 0.0F}});
+        }
+    }
     std::vector<std::uint32_t> indices = quadIndices(surfaces.size() / 4);
     box_indices_ = static_cast<int>(indices.size());
     for (const OverlayTriangle& triangle : overlay.triangles) {
         for (const Eigen::Vector3d& corner : {triangle.a, triangle.b, triangle.c}) {
             indices.push_back(static_cast<std::uint32_t>(surfaces.size()));
-            surfaces.push_back({corner.cast<float>(), toBytes(triangle.rgba), {}});
+            surfaces.push_back({corner.cast<float>(), toBytes(triangle.rgba), {0.5F, 0.5F}});
         }
     }
     triangle_indices_ = static_cast<int>(indices.size()) - box_indices_;

@@ -20,10 +20,6 @@ float biasOf(const View& view) {
     return view.orthographic ? kOrthographicBias : kBias;
 }
 
-void setOpacity(unsigned program, int location, const OverlayLayer& layer) {
-    glProgramUniform2f(program, location, layer.opacity, layer.opacity * layer.hidden_opacity);
-}
-
 }  // namespace
 
 Result<OverlayRenderer> OverlayRenderer::create() {
@@ -60,17 +56,25 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
     for (const OverlayLayer& layer : layers) {
         if (layer.buffers->box_indices_ + layer.buffers->triangle_indices_ == 0) continue;
-        glBindTextureUnit(0, target.surfaceDepth());
+        glBindTextureUnit(0, target.depth());
         drawSurfaces(layer, view, canvas);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas.frame_.get());
-    glBindTextureUnit(0, target.surfaceDepth());
+    // The scene's own depth tells what is hidden: once for what it lets through, once for the rest.
+    // Far cheaper than looking the depth up at every pixel.
+    const unsigned frame = canvas.frame_.get();
+    glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.zBuffer(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
     glEnable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
     for (const OverlayLayer& layer : layers) {
         const OverlayBuffers& buffers = *layer.buffers;
         drawSigns(lines_, buffers.strokes_, buffers.line_count_, layer, view, pixel_scale);
         drawSigns(marks_, buffers.marks_, buffers.mark_count_, layer, view, pixel_scale);
     }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+    glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, 0, 0);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -89,7 +93,7 @@ void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
     glDepthFunc(GL_GREATER);
     glUseProgram(surfaces_.get());
     setCamera(surfaces_.get(), view);
-    setOpacity(surfaces_.get(), 4, layer);
+    glProgramUniform2f(surfaces_.get(), 4, layer.opacity, layer.opacity * layer.hidden_opacity);
     glProgramUniform1f(surfaces_.get(), 5, biasOf(view));
     const OverlayBuffers& buffers = *layer.buffers;
     glBindVertexArray(buffers.surfaces_.layout.get());
@@ -125,9 +129,15 @@ void OverlayRenderer::drawSigns(const gl::Program& program, const OverlayBuffers
     glProgramUniform2f(program.get(), 4, static_cast<float>(view.intrinsics.width),
                        static_cast<float>(view.intrinsics.height));
     glProgramUniform1f(program.get(), 5, static_cast<float>(pixel_scale));
-    setOpacity(program.get(), 6, layer);
     glProgramUniform1f(program.get(), 7, biasOf(view));
     glBindVertexArray(part.layout.get());
+    if (layer.hidden_opacity > 0.0F) {
+        glDepthFunc(GL_LESS);
+        glProgramUniform1f(program.get(), 6, layer.opacity * layer.hidden_opacity);
+        glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, nullptr);
+    }
+    glDepthFunc(GL_GEQUAL);
+    glProgramUniform1f(program.get(), 6, layer.opacity);
     glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, nullptr);
 }
 

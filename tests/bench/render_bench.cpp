@@ -156,6 +156,7 @@ void drawOverlays(benchmark::State& state) {
 BENCHMARK(drawOverlays)
     ->Args({0, 0})
     ->Args({0, 5000})
+    ->Args({1, 0})
     ->Args({20000, 0})
     ->Args({20000, 5000})
     ->Unit(benchmark::kMillisecond)

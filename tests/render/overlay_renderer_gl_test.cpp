@@ -293,7 +293,7 @@ TEST_F(OverlayRendererGl, RefusesACanvasOfAnotherSize) {
 TEST_F(OverlayRendererGl, TheTargetTellsWhatLiesUnderThePointer) {
     draw({});
     const RenderTarget::Pixel pixel = renderer_->target().readPixel(20, 30);
-    EXPECT_NEAR(pixel.surface_depth_m, 4.0F, 1e-4F);
+    EXPECT_NEAR(pixel.depth_m, 4.0F, 1e-4F);
     EXPECT_EQ(pixel.object_id, 1);
     EXPECT_EQ(renderer_->target().readPixel(-1, 30).object_id, 0);
 }
