@@ -1,12 +1,14 @@
 #include "ui/viewport/render_thread.h"
 
 #include "engine/scene/scene.h"
+#include "render/overlays/overlay_renderer.h"
 #include "render/render_target.h"
 #include "render/scene_renderer.h"
 #include "ui/viewport/false_color.h"
 
 #include <GL/glew.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <condition_variable>
@@ -79,6 +81,52 @@ struct PictureSlot {
     }
 };
 
+/// Whether two views show the same of an unchanged scene.
+bool samePicture(const render::View& a, const render::View& b) {
+    const auto lens = [](const render::View& view) {
+        const Intrinsics& i = view.intrinsics;
+        return std::tuple(i.width, i.height, i.fx, i.fy, i.cx, i.cy, view.near_m,
+                          view.orthographic ? view.orthographic->px_per_m : 0.0);
+    };
+    const auto cut = [](const render::View& view) {
+        const render::StructureCut c = view.structure_cut.value_or(render::StructureCut{});
+        return std::tuple(view.structure_cut.has_value(), c.plane.x(), c.plane.y(), c.plane.z(),
+                          c.plane.w(), c.keep_below_z);
+    };
+    return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
+           a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
+           a.backdrop == b.backdrop;
+}
+
+/// Overlays on the card, by the pointer they came as.
+struct LayerCache {
+    struct Entry {
+        std::shared_ptr<const render::Overlay> overlay;  // keeps the address from being used again
+        render::OverlayBuffers buffers;
+    };
+    std::vector<Entry> entries;
+
+    /// Forgets what is not drawn any more and sends what is new.
+    std::vector<render::OverlayLayer> prepare(const std::vector<ViewLayer>& layers) {
+        std::erase_if(entries, [&](const Entry& entry) {
+            return std::ranges::find(layers, entry.overlay, &ViewLayer::overlay) == layers.end();
+        });
+        for (const ViewLayer& layer : layers) {
+            if (std::ranges::find(entries, layer.overlay, &Entry::overlay) != entries.end()) {
+                continue;
+            }
+            entries.push_back({layer.overlay, {}});
+            entries.back().buffers.upload(*layer.overlay);
+        }
+        std::vector<render::OverlayLayer> prepared;
+        for (const ViewLayer& layer : layers) {
+            const auto entry = std::ranges::find(entries, layer.overlay, &Entry::overlay);
+            prepared.push_back({&entry->buffers, layer.opacity, layer.hidden_opacity});
+        }
+        return prepared;
+    }
+};
+
 }  // namespace
 
 struct RenderThread::Impl {
@@ -105,7 +153,10 @@ struct RenderThread::Impl {
     std::optional<render::SceneRenderer> renderer;
     std::optional<render::RenderTarget> view_target;
     std::optional<render::RenderTarget> preview_target;
-    std::array<PictureSlot, 3> view_pictures;
+    std::optional<render::View> drawn_view;  // what view_target holds
+    std::optional<render::OverlayRenderer> overlays;
+    LayerCache layers;
+    std::array<std::optional<render::OverlayCanvas>, 3> canvases;
     std::array<PictureSlot, 3> preview_pictures;
     std::uint64_t serial = 0;
 
@@ -170,7 +221,9 @@ void RenderThread::Impl::release() {
     renderer.reset();
     view_target.reset();
     preview_target.reset();
-    view_pictures = {};
+    canvases = {};
+    layers.entries.clear();
+    overlays.reset();
     preview_pictures = {};
     context.reset();
 }
@@ -184,6 +237,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     const bool same = renderer && request.scene && request.geometry == geometry;
     scene = request.scene;
     geometry = request.geometry;
+    drawn_view.reset();
     if (!scene) {
         renderer.reset();
         return {};
@@ -206,19 +260,37 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
 
 Status RenderThread::Impl::drawView(ViewRequest request) {
     const auto begin = std::chrono::steady_clock::now();
-    if (Status status = fitTarget(view_target, request.view.intrinsics); !status) return status;
-    if (Status status = renderer->draw(request.view, *view_target); !status) return status;
     const int slot = views.drawn;
-    const int width = view_target->width();
-    const int height = view_target->height();
-    const unsigned picture = view_pictures[slot].ofSize(width, height);
-    glCopyImageSubData(view_target->picture(), GL_TEXTURE_2D, 0, 0, 0, 0, picture, GL_TEXTURE_2D, 0,
-                       0, 0, 0, width, height, 1);
+    const int width = request.view.intrinsics.width;
+    const int height = request.view.intrinsics.height;
+    if (!overlays) {
+        Result<render::OverlayRenderer> made = render::OverlayRenderer::create();
+        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        overlays.emplace(std::move(*made));
+    }
+    if (!drawn_view || !samePicture(*drawn_view, request.view)) {
+        drawn_view.reset();
+        if (Status status = fitTarget(view_target, request.view.intrinsics); !status) return status;
+        if (Status status = renderer->draw(request.view, *view_target); !status) return status;
+        drawn_view = request.view;
+    }
+    std::optional<render::OverlayCanvas>& canvas = canvases[static_cast<std::size_t>(slot)];
+    if (!canvas || canvas->width() != width || canvas->height() != height) {
+        Result<render::OverlayCanvas> made = render::OverlayCanvas::create(width, height);
+        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        canvas.emplace(std::move(*made));
+    }
+    const std::vector<render::OverlayLayer> prepared = layers.prepare(request.layers);
+    if (Status status =
+            overlays->draw(prepared, request.view, *view_target, *canvas, request.pixel_scale);
+        !status) {
+        return status;
+    }
     ViewImage& image = views.images[slot];
     view_target->readDepth(image.depth_m);
     view_target->readIds(image.ids);
     glFinish();  // the window's context may show it from now on
-    image.texture = picture;
+    image.texture = canvas->picture();
     image.view = std::move(request.view);
     image.serial = ++serial;
     image.milliseconds =

@@ -19,11 +19,21 @@ struct Scene;
 
 namespace dollytrack::ui {
 
-/// A picture of the viewport that is to be drawn. Newer requests replace those that wait.
+/// An overlay over the viewport's picture. The same pointer means the same content: it is sent to
+/// the card once.
+struct ViewLayer {
+    std::shared_ptr<const render::Overlay> overlay;
+    float opacity = 1.0F;
+    float hidden_opacity = 0.22F;  // what is left of that behind a surface of the scene
+    bool operator==(const ViewLayer&) const = default;
+};
+
+/// A picture of the viewport that is to be drawn. Newer requests replace those that wait. Where
+/// only the layers differ from the picture before, the scene is not drawn again.
 struct ViewRequest {
     render::View view;
-    std::vector<std::shared_ptr<const render::Overlay>> layers;  // drawn in this order
-    int outlined_object = 0;                                     // id; 0: none
+    std::vector<ViewLayer> layers;  // drawn in this order
+    double pixel_scale = 1.0;       // of widths given in pixels
 };
 
 /// A finished picture of the viewport.

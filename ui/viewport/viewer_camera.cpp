@@ -37,6 +37,15 @@ render::View ViewerCamera::view(int width, int height) const {
     view.intrinsics = makeIntrinsics(camera);
     view.pose = pose();
     view.near_m = std::clamp(0.02 * distance, 0.01, 0.05);
+    if (orthographic) {
+        // As much of the plane through the pivot as the pinhole camera shows.
+        const double shown_m = 2.0 * distance * std::tan(0.5 * hfov_deg * kPi / 180.0);
+        view.orthographic = render::Orthographic{camera.width_px / shown_m, 0.0};
+        // The image plane goes back far enough to have the whole scene before it.
+        constexpr double kBack = 200.0;  // m
+        view.pose.position += kBack * towardsViewer();
+        view.orthographic->depth_m = kBack + 2.0 * distance + 300.0;
+    }
     return view;
 }
 

@@ -1,0 +1,130 @@
+#include "app/editor/autosave.h"
+
+#include "app/editor/settings.h"
+#include "engine/core/log.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <ctime>
+#include <fstream>
+
+namespace dollytrack::editor {
+namespace {
+
+constexpr const char* kSection = "autosave";
+
+std::filesystem::path folder() {
+    return stateFolder() / "autosave";
+}
+
+/// When the process began, in clock ticks since boot: a number that a later process of the same id
+/// does not share. Empty when there is no such process.
+std::string startOf(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::size_t end_of_name = text.rfind(')');
+    if (end_of_name == std::string::npos) return {};
+    std::size_t at = end_of_name + 2;
+    for (int field = 3; field < 22; ++field) at = text.find(' ', at) + 1;
+    return text.substr(at, text.find(' ', at) - at);
+}
+
+/// "1234-56789.dolly": process and its start.
+bool ownerRuns(const std::filesystem::path& file) {
+    const std::string name = file.stem().string();
+    const std::size_t dash = name.find('-');
+    int process = 0;
+    const auto parsed =
+        std::from_chars(name.data(), name.data() + std::min(dash, name.size()), process);
+    if (dash == std::string::npos || parsed.ec != std::errc() || process <= 0) return false;
+    return startOf(process) == name.substr(dash + 1);
+}
+
+std::string localTime(std::filesystem::file_time_type written) {
+    const auto age = std::filesystem::file_time_type::clock::now() - written;
+    const std::time_t when =
+        std::time(nullptr) - std::chrono::duration_cast<std::chrono::seconds>(age).count();
+    std::tm local{};
+    localtime_r(&when, &local);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &local);
+    return text.data();
+}
+
+}  // namespace
+
+Autosave::Autosave()
+    : file_(folder() / (std::to_string(getpid()) + "-" + startOf(getpid()) + ".dolly")) {}
+
+Autosave::~Autosave() = default;
+
+bool Autosave::isDue() const {
+    return std::chrono::steady_clock::now() - last_ >= kInterval && !writer_.state().busy;
+}
+
+void Autosave::store(io::ProjectFile snapshot, const std::filesystem::path& project) {
+    last_ = std::chrono::steady_clock::now();
+    snapshot.result = nullptr;  // planning makes it again, and the copy stays small
+    snapshot.others[kSection] = {{"project", project.string()}};
+    writer_.start([snapshot = std::move(snapshot), file = file_](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        if (const Status status = io::saveProject(snapshot, file); !status) {
+            log::warn("autosave", describe(status.error()));
+        }
+    });
+}
+
+void Autosave::discard() {
+    // After a copy that is being written, and in its order.
+    writer_.start([file = file_](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+    });
+}
+
+std::vector<LostWork> Autosave::findLost() {
+    std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder(), error)) {
+        if (entry.path().extension() != ".dolly" || ownerRuns(entry.path())) continue;
+        const Result<io::ProjectFile> file = io::loadProject(entry.path());
+        if (!file) continue;
+        LostWork work;
+        work.file = entry.path();
+        nlohmann::json others = file->others;
+        work.project = takeOrigin(others);
+        work.scene = file->scene.filename().string();
+        std::error_code ignored;
+        const auto written = std::filesystem::last_write_time(entry.path(), ignored);
+        work.when = localTime(written);
+        found.emplace_back(written, std::move(work));
+    }
+    std::ranges::sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<LostWork> lost;
+    for (auto& [written, work] : found) lost.push_back(std::move(work));
+    return lost;
+}
+
+void Autosave::forget(const LostWork& work) {
+    std::error_code ignored;
+    std::filesystem::remove(work.file, ignored);
+}
+
+std::filesystem::path Autosave::takeOrigin(nlohmann::json& others) {
+    std::filesystem::path origin;
+    if (others.is_object() && others.contains(kSection)) {
+        const nlohmann::json& notes = others[kSection];
+        if (notes.is_object() && notes.contains("project") && notes["project"].is_string()) {
+            origin = notes["project"].get<std::string>();
+        }
+        others.erase(kSection);
+    }
+    return origin;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/io/project_file.h"
+#include "engine/jobs/background_worker.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// Work of an editor that ended without closing its project.
+struct LostWork {
+    std::filesystem::path file;     // the copy, itself a project
+    std::filesystem::path project;  // where it was saved before; empty: never
+    std::string scene;              // name of its scene file
+    std::string when;               // local time, for people
+};
+
+/// Keeps a copy of unsaved work in the state folder, written whole in the background, so that a
+/// crash costs at most the interval.
+class Autosave {
+  public:
+    Autosave();
+    ~Autosave();
+
+    /// Whether it is time to hand over a new copy.
+    [[nodiscard]] bool isDue() const;
+    /// `project` is where the work was saved last.
+    void store(io::ProjectFile snapshot, const std::filesystem::path& project);
+    /// The work is saved, or thrown away by its owner: the copy goes.
+    void discard();
+
+    /// Copies whose editor no longer runs, newest first.
+    [[nodiscard]] static std::vector<LostWork> findLost();
+    static void forget(const LostWork& work);
+    /// Where the restored work belongs; empty when it was never saved. Takes our notes out.
+    static std::filesystem::path takeOrigin(nlohmann::json& others);
+
+    static constexpr std::chrono::seconds kInterval{5};
+
+  private:
+    std::filesystem::path file_;
+    std::chrono::steady_clock::time_point last_;
+    BackgroundWorker writer_;
+};
+
+}  // namespace dollytrack::editor

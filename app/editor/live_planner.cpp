@@ -1,0 +1,90 @@
+#include "app/editor/live_planner.h"
+
+#include "engine/document/apply_scene_edits.h"
+#include "engine/geometry/ray_caster.h"
+#include "planning/free_space/free_space.h"
+#include "planning/pipeline.h"
+
+#include <chrono>
+
+namespace dollytrack::editor {
+
+/// Belongs to the worker's thread.
+struct LivePlanner::Desk {
+    std::shared_ptr<const Scene> imported;
+    SceneEdits scene_edits;
+    std::shared_ptr<const Scene> scene;
+    std::vector<std::string> warnings;
+    std::uint64_t geometry = 0;
+    std::optional<planning::Pipeline> pipeline;
+
+    Status prepareScene(const PlanRequest& request, const planning::PlanParams& params);
+};
+
+Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
+                                       const planning::PlanParams& params) {
+    const SceneEdits& edits = request.state->edits.scene;
+    const bool same_file = imported == request.imported;
+    if (same_file && scene && scene_edits == edits) return {};
+    const bool same_geometry = same_file && scene && sameGeometry(scene_edits, edits);
+    const SizeRules rules{params.targets.small_volume_m3, params.targets.size_ratio};
+    Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
+    if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+    imported = request.imported;
+    scene_edits = edits;
+    scene = std::make_shared<const Scene>(std::move(*edited));
+    if (!same_geometry) {
+        ++geometry;
+        pipeline.reset();
+    }
+    pipeline.emplace(scene);
+    return {};
+}
+
+LivePlanner::LivePlanner(std::function<void()> wake)
+    : outcomes_(std::make_shared<Outbox<PlanOutcome>>()),
+      desk_(std::make_shared<Desk>()),
+      worker_(std::move(wake)) {}
+
+LivePlanner::~LivePlanner() = default;
+
+void LivePlanner::start(PlanRequest request) {
+    worker_.start([request = std::move(request), desk = desk_,
+                   outbox = outcomes_](const JobContext& job) {
+        const auto begin = std::chrono::steady_clock::now();
+        PlanOutcome outcome;
+        outcome.serial = request.serial;
+        outcome.state = request.state;
+        const auto publish = [&] {
+            outcome.milliseconds =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+                    .count();
+            outbox->put(outcome);
+        };
+        Status status =
+            setFromJson(planning::listFields(outcome.params), request.state->parameters);
+        if (status) status = desk->prepareScene(request, outcome.params);
+        if (!status) {
+            outcome.error = std::move(status.error());
+            return publish();
+        }
+        outcome.scene = desk->scene;
+        outcome.geometry = desk->geometry;
+        const PlanEdits edits =
+            findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+        const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
+            outcome.rays = desk->pipeline->rays();
+            outcome.free_space = desk->pipeline->freeSpace();
+            outcome.plan = std::move(plan);
+            outcome.measured = measured;
+            publish();
+        };
+        auto plan = desk->pipeline->run(outcome.params, job);
+        if (plan) return collect(std::move(*plan), true);
+        if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
+        outcome.error = std::move(plan.error());
+        collect(nullptr, false);
+    });
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/document/project_state.h"
+#include "engine/jobs/background_worker.h"
+#include "engine/plan/plan.h"
+#include "planning/plan_params.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+class RayCaster;
+namespace planning {
+class FreeSpace;
+}
+}  // namespace dollytrack
+
+namespace dollytrack::editor {
+
+/// What is to be planned. The newest request wins.
+struct PlanRequest {
+    std::shared_ptr<const Scene> imported;
+    std::shared_ptr<const ProjectState> state;
+    std::uint64_t serial = 0;  // the caller's, to tell outcomes apart
+};
+
+/// What came of it. After an error the scene may still be there, without a plan.
+struct PlanOutcome {
+    std::uint64_t serial = 0;
+    std::shared_ptr<const ProjectState> state;
+    std::shared_ptr<const Scene> scene;  // with the state's edits
+    std::uint64_t geometry = 0;          // equal numbers: equal triangles in equal objects
+    std::shared_ptr<const RayCaster> rays;
+    std::shared_ptr<const planning::FreeSpace> free_space;
+    std::shared_ptr<const Plan> plan;  // null after an error
+    planning::PlanParams params;
+    bool measured = false;  // false: the trajectory is there, its metrics are still to come
+    double milliseconds = 0.0;
+    std::optional<Error> error;
+    std::vector<std::string> warnings;  // edits that no longer fit the scene
+};
+
+/// Plans in the background, keeping what earlier plans of the same scene made, so that a change
+/// costs only what depends on it. An outdated run is cancelled.
+class LivePlanner {
+  public:
+    explicit LivePlanner(std::function<void()> wake);
+    ~LivePlanner();
+
+    void start(PlanRequest request);
+    void cancel() { worker_.cancel(); }
+    /// The newest outcome since the last call.
+    [[nodiscard]] std::optional<PlanOutcome> poll() { return outcomes_->take(); }
+    [[nodiscard]] BackgroundWorker::State state() const { return worker_.state(); }
+
+  private:
+    struct Desk;
+    std::shared_ptr<Outbox<PlanOutcome>> outcomes_;
+    std::shared_ptr<Desk> desk_;  // what the worker keeps between runs
+    BackgroundWorker worker_;     // last: it stops before what it uses goes
+};
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,84 @@
+#include "app/editor/editor.h"
+#include "app/editor/inspector.h"
+#include "engine/core/log.h"
+#include "ui/widgets/item_map.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace {
+
+int run(const std::string& path, const std::string& socket,
+        dollytrack::editor::EditorSettings settings) {
+    using namespace dollytrack;
+    ui::LogBook log_book;
+    log::setSink([&log_book](const log::Record& record) {
+        log_book.add(record);
+        editor::Window::wake();
+    });
+    auto window = editor::Window::open(settings.window);
+    if (!window) {
+        std::cerr << "dollytrack-editor: " << describe(window.error()) << "\n";
+        return 5;
+    }
+    auto drawing = (*window)->sharedContext();
+    if (!drawing) {
+        std::cerr << "dollytrack-editor: " << describe(drawing.error()) << "\n";
+        return 5;
+    }
+    editor::Editor shell(**window, std::move(*drawing), log_book, std::move(settings));
+    std::unique_ptr<editor::Inspector> inspector;
+    if (!socket.empty()) {
+        ui::item_map::want(true);
+        inspector = std::make_unique<editor::Inspector>(socket, &editor::Window::wake);
+    }
+    if (!path.empty()) shell.open(path);
+    int frames_until_answer = 0;
+    (*window)->run([&] {
+        // The second frame after the question shows what the first one changed.
+        if (inspector && inspector->asked()) {
+            if (++frames_until_answer > 2) {
+                inspector->answer(shell.stateJson());
+                frames_until_answer = 0;
+            }
+            (*window)->animate();
+        }
+        return shell.frame();
+    });
+    inspector.reset();
+    log::setSink({});
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace dollytrack;
+    CLI::App app("Plan a camera's way through an indoor scene, see why, and tune it by hand.");
+    app.name("dollytrack-editor");
+    app.set_version_flag("--version", std::string("dollytrack-editor ") + DOLLYTRACK_VERSION);
+    std::string path;
+    std::string socket;
+    std::string size;
+    app.add_option("file", path, "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
+        ->type_name("FILE");
+    app.add_option("--size", size, "Size of the window, such as 1280x720")->type_name("WxH");
+    app.add_option("--inspect", socket,
+                   "Unix socket that answers the line 'state' with what is shown, as JSON")
+        ->type_name("PATH");
+    CLI11_PARSE(app, argc, argv);
+    editor::EditorSettings settings = editor::loadSettings();
+    if (!size.empty()) {
+        int width = 0;
+        int height = 0;
+        if (std::sscanf(size.c_str(), "%dx%d", &width, &height) != 2 || width < 320 ||
+            height < 240 || width > 16384 || height > 16384) {
+            std::cerr << "dollytrack-editor: --size wants something like 1280x720.\n";
+            return 2;
+        }
+        settings.window = {width, height, false};
+    }
+    return run(path, socket, std::move(settings));
+}

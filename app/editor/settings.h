@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/editor/window.h"
+#include "engine/core/result.h"
+#include "ui/theme.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// Sizes of the window's parts, px at 96 dots per inch.
+struct Layout {
+    float left = 300;
+    float right = 340;
+    float bottom = 190;
+    bool show_left = true;
+    bool show_right = true;
+    bool show_bottom = true;
+};
+
+/// What the editor remembers from one start to the next: not about a project, about the person.
+struct EditorSettings {
+    WindowSettings window;
+    Layout layout;
+    ui::ThemeKind theme = ui::ThemeKind::Dark;
+    double zoom = 1.0;                // of all widgets, on top of the screen's own scale
+    std::vector<std::string> recent;  // newest first
+    std::string last_folder;
+
+    void addRecent(const std::filesystem::path& path);
+};
+
+/// $XDG_CONFIG_HOME/dollytrack, $XDG_STATE_HOME/dollytrack, or their places under the home folder.
+[[nodiscard]] std::filesystem::path configFolder();
+[[nodiscard]] std::filesystem::path stateFolder();
+
+/// Defaults where the file is missing or unreadable: settings never keep the editor from starting.
+[[nodiscard]] EditorSettings loadSettings();
+Status saveSettings(const EditorSettings& settings);
+
+}  // namespace dollytrack::editor

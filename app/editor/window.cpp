@@ -1,0 +1,219 @@
+#include <GL/glew.h>
+
+#include "app/editor/window.h"
+#include "engine/core/log.h"
+#include "ui/widgets/item_map.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace dollytrack::editor {
+namespace {
+
+std::string last_glfw_error;
+
+void onGlfwError(int, const char* description) {
+    last_glfw_error = description;
+}
+
+class SharedContext : public gl::Context {
+  public:
+    explicit SharedContext(GLFWwindow* window) : window_(window) {}
+    ~SharedContext() override { glfwMakeContextCurrent(nullptr); }
+    Status makeCurrent() override {
+        glfwMakeContextCurrent(window_);
+        if (glfwGetCurrentContext() == window_) return {};
+        return fail(ErrorCode::NoOpenGl,
+                    "the second OpenGL context cannot be used: " + last_glfw_error);
+    }
+
+  private:
+    GLFWwindow* window_;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
+    glfwSetErrorCallback(onGlfwError);
+    if (glfwInit() == GLFW_FALSE) {
+        return fail(ErrorCode::NoOpenGl,
+                    "There is no window system to open a window in (" + last_glfw_error +
+                        "); start it in a desktop session, or use the program 'dollytrack', which "
+                        "needs none.");
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    if (settings.maximized) glfwWindowHint(GLFW_MAXIMIZED, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "dollytrack-editor");
+    auto window = std::unique_ptr<Window>(new Window);
+    window->window_ =
+        glfwCreateWindow(settings.width, settings.height, "Dollytrack", nullptr, nullptr);
+    if (window->window_ == nullptr) {
+        return fail(ErrorCode::NoOpenGl,
+                    "This display offers no OpenGL 4.5 (" + last_glfw_error +
+                        "); update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
+                        "with the processor.");
+    }
+    glfwSetWindowSizeLimits(window->window_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window->window_);
+    glfwSwapInterval(1);
+    if (Status status = gl::loadFunctions(); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    glfwSetWindowUserPointer(window->window_, window.get());
+    glfwSetDropCallback(window->window_, [](GLFWwindow* handle, int count, const char** paths) {
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        self->dropped_.insert(self->dropped_.end(), paths, paths + count);
+    });
+    glfwSetWindowContentScaleCallback(window->window_, [](GLFWwindow* handle, float, float) {
+        static_cast<Window*>(glfwGetWindowUserPointer(handle))->scale_changed_ = true;
+    });
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui_ImplGlfw_InitForOpenGL(window->window_, true);
+    ImGui_ImplOpenGL3_Init("#version 450");
+    return window;
+}
+
+Window::~Window() {
+    if (window_ != nullptr && ImGui::GetCurrentContext() != nullptr) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    if (sharer_ != nullptr) glfwDestroyWindow(sharer_);
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+Result<std::unique_ptr<gl::Context>> Window::sharedContext() {
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
+    sharer_ = glfwCreateWindow(16, 16, "Dollytrack drawing", nullptr, window_);
+    glfwMakeContextCurrent(window_);
+    if (sharer_ == nullptr) {
+        return fail(ErrorCode::NoOpenGl,
+                    "the second OpenGL context cannot be made: " + last_glfw_error);
+    }
+    return std::unique_ptr<gl::Context>(std::make_unique<SharedContext>(sharer_));
+}
+
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
+void Window::run(const std::function<bool()>& frame) {
+    constexpr double kSleep_s = 0.5;    // without events: what the clock changes
+    constexpr double kFrame_ms = 15.0;  // where the driver does not wait for the screen
+    bool goes_on = true;
+    while (goes_on) {
+        if (frames_to_draw_ > 0) {
+            glfwPollEvents();
+            --frames_to_draw_;
+        } else {
+            const auto begin = Clock::now();
+            glfwWaitEventsTimeout(kSleep_s);
+            // ImGui needs a few frames until everything has reacted to an event.
+            if (millisecondsSince(begin) < 1000.0 * kSleep_s) frames_to_draw_ = 3;
+        }
+        if (ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput) animate();
+        const auto begin = Clock::now();
+        drawFrame(frame, goes_on);
+        last_frame_ms_ = millisecondsSince(begin);
+        longest_frame_ms_ = std::max(longest_frame_ms_, last_frame_ms_);
+        ++frames_;
+        if (last_frame_ms_ < kFrame_ms) {
+            std::this_thread::sleep_for(
+                std::chrono::duration<double, std::milli>(kFrame_ms - last_frame_ms_));
+        }
+    }
+}
+
+void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
+    ui::item_map::beginFrame();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    goes_on = frame();
+    ImGui::Render();
+    ui::item_map::endFrame();
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    const ImVec4 color = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    glClearColor(color.x, color.y, color.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (const Status status = gl::checkErrors("drawing the window"); !status) {
+        ++gl_errors_;
+        log::error("editor", status.error().message);
+    }
+    glfwSwapBuffers(window_);
+}
+
+std::vector<std::string> Window::takeDroppedPaths() {
+    return std::exchange(dropped_, {});
+}
+
+bool Window::takeCloseRequest() {
+    const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return asked;
+}
+
+bool Window::takeScaleChange() {
+    return std::exchange(scale_changed_, false);
+}
+
+double Window::contentScale() const {
+    float x = 1.0F;
+    float y = 1.0F;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(std::round(4.0 * x) / 4.0, 0.75, 4.0);
+}
+
+WindowSettings Window::settings() const {
+    WindowSettings now;
+    now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    glfwGetWindowSize(window_, &now.width, &now.height);
+    return now;
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::toggleFullscreen() {
+    if (glfwGetWindowMonitor(window_) != nullptr) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2],
+                             windowed_[3], 0);
+        return;
+    }
+    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/gl/context.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace dollytrack::editor {
+
+struct WindowSettings {
+    int width = 1440;
+    int height = 900;
+    bool maximized = false;
+};
+
+/// The window with its OpenGL context, its events and Dear ImGui. One in a program.
+class Window {
+  public:
+    /// NoOpenGl when there is no window system, or no OpenGL 4.5, with what to do about it.
+    [[nodiscard]] static Result<std::unique_ptr<Window>> open(const WindowSettings& settings);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// A second context that shares textures and buffers with the window's.
+    [[nodiscard]] Result<std::unique_ptr<gl::Context>> sharedContext();
+
+    /// Calls `frame` whenever there is something to show, until it returns false. Sleeps while
+    /// nothing happens.
+    void run(const std::function<bool()>& frame);
+
+    /// Makes run() draw soon. From any thread.
+    static void wake();
+
+    /// Keeps drawing for a while without events: while something moves by itself.
+    void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
+
+    [[nodiscard]] std::vector<std::string> takeDroppedPaths();
+    /// Whether the user asked to close the window; asking resets it.
+    [[nodiscard]] bool takeCloseRequest();
+    [[nodiscard]] bool takeScaleChange();
+    [[nodiscard]] double contentScale() const;
+    [[nodiscard]] WindowSettings settings() const;
+    [[nodiscard]] double longestFrame_ms() const { return longest_frame_ms_; }
+    [[nodiscard]] double lastFrame_ms() const { return last_frame_ms_; }
+    [[nodiscard]] long frames() const { return frames_; }
+    [[nodiscard]] int glErrors() const { return gl_errors_; }
+    void resetLongestFrame() { longest_frame_ms_ = 0.0; }
+    void setTitle(const std::string& title);
+    void toggleFullscreen();
+    [[nodiscard]] GLFWwindow* handle() const { return window_; }
+
+  private:
+    Window() = default;
+    void drawFrame(const std::function<bool()>& frame, bool& goes_on);
+
+    GLFWwindow* window_ = nullptr;
+    GLFWwindow* sharer_ = nullptr;
+    int frames_to_draw_ = 3;
+    int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
+    std::vector<std::string> dropped_;
+    bool scale_changed_ = false;
+    double longest_frame_ms_ = 0.0;
+    double last_frame_ms_ = 0.0;
+    long frames_ = 0;
+    int gl_errors_ = 0;
+};
+
+}  // namespace dollytrack::editor

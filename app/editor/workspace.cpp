@@ -1,0 +1,228 @@
+#include "app/editor/workspace.h"
+
+#include "engine/core/log.h"
+#include "engine/document/edits_json.h"
+#include "engine/document/operation.h"
+#include "engine/plan/plan_json.h"
+#include "render/light_rig.h"
+
+namespace dollytrack::editor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Status setParameter(nlohmann::json& parameters, const std::string& name,
+                    const nlohmann::json& value) {
+    planning::PlanParams params;
+    const FieldList fields = planning::listFields(params);
+    if (Status status = setFromJson(fields, parameters); !status) return status;
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    if (Status status = setField(fields, name + "=" + text); !status) return status;
+    parameters = toJson(fields);
+    return {};
+}
+
+}  // namespace
+
+Workspace::Workspace(std::function<void()> wake)
+    : wake_(wake), loader_(wake), saver_(wake), lighter_(wake), planner_(wake) {}
+
+Workspace::~Workspace() = default;
+
+void Workspace::open(const std::filesystem::path& path,
+                     const std::optional<std::filesystem::path>& scene_instead) {
+    std::error_code ignored;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
+    loader_.start([absolute, scene_instead, outbox = loaded_](const JobContext& job) {
+        outbox->put({absolute, openProject(absolute, scene_instead, job)});
+    });
+}
+
+void Workspace::close() {
+    planner_.cancel();
+    lighter_.cancel();
+    opened_.reset();
+    shown_ = {};
+    light_.reset();
+    lit_rooms_.clear();
+    ++serial_;
+    stack_.reset({});
+    newly_opened_ = true;
+}
+
+void Workspace::install(OpenedProject opened) {
+    close();
+    for (const std::string& warning : opened.warnings) log::warn("project", warning);
+    for (const std::string& warning : opened.imported->report.warnings) {
+        log::warn("import", warning);
+    }
+    for (const std::string& note : opened.imported->report.notes) log::info("import", note);
+    if (!opened.warnings.empty()) {
+        std::string text;
+        for (const std::string& warning : opened.warnings) text += warning + "\n";
+        text.pop_back();
+        notices_.push_back({false, "Please note", text, {}});
+    }
+    stack_.reset(opened.state);
+    opened_ = std::move(opened);
+    replan();
+}
+
+void Workspace::finishOpening(LoadOutcome outcome) {
+    if (outcome.opened) return install(std::move(*outcome.opened));
+    const Error& error = outcome.opened.error();
+    if (error.code == ErrorCode::Cancelled) return;
+    Notice notice{true, "Cannot open " + outcome.path.filename().string(), describe(error), {}};
+    if (isProjectFile(outcome.path)) {
+        const Result<io::ProjectFile> file = io::loadProject(outcome.path);
+        std::error_code ignored;
+        if (file && !std::filesystem::exists(file->scene, ignored)) {
+            notice.missing_scene_of = outcome.path;
+        }
+    }
+    log::error("project", describe(error));
+    notices_.push_back(std::move(notice));
+}
+
+io::ProjectFile Workspace::snapshot() const {
+    io::ProjectFile file;
+    file.scene = opened_->scene_file;
+    file.scene_sha256 = opened_->imported->source_sha256;
+    file.import = opened_->import;
+    file.parameters = state().parameters;
+    file.edits = editsJson(state().edits, opened_->loaded_edits);
+    file.others = opened_->others;
+    if (planIsCurrent() && shown_.plan) file.result = resultJson(*shown_.scene, *shown_.plan);
+    return file;
+}
+
+void Workspace::save(const std::filesystem::path& path) {
+    if (!isOpen()) return;
+    saver_.start(
+        [file = snapshot(), path, state = stack_.state(), outbox = saved_](const JobContext&) {
+            outbox->put({path, state, io::saveProject(file, path)});
+        });
+}
+
+Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
+    if (!isOpen() || !shown_.scene) {
+        return fail(ErrorCode::Failed, "The scene is still being prepared; try again in a moment.");
+    }
+    if (!(shown_.state->edits.scene.definitions == state().edits.scene.definitions)) {
+        return fail(ErrorCode::Failed, "The objects are being made anew; try again in a moment.");
+    }
+    ProjectState next = state();
+    Result<std::string> name = applyOperation(next, {*shown_.scene, setParameter}, operation);
+    if (!name) return tl::unexpected<Error>(std::move(name.error()));
+    stack_.push(*name, std::move(next), merge_key);
+    replan();
+    return {};
+}
+
+void Workspace::setParameters(const nlohmann::json& parameters, const std::string& name,
+                              const std::string& merge_key) {
+    ProjectState next = state();
+    next.parameters = parameters;
+    stack_.push(name, std::move(next), merge_key);
+    replan();
+}
+
+void Workspace::undo() {
+    if (!stack_.canUndo()) return;
+    stack_.undo();
+    replan();
+}
+
+void Workspace::redo() {
+    if (!stack_.canRedo()) return;
+    stack_.redo();
+    replan();
+}
+
+void Workspace::goTo(std::size_t step) {
+    stack_.goTo(step);
+    replan();
+}
+
+void Workspace::replan() {
+    changed_at_ = Clock::now();
+    lighter_.cancel();  // the plan comes first
+    planner_.start({opened_->imported, stack_.state(), ++serial_});
+}
+
+void Workspace::updateLight() {
+    if (!shown_.plan || !shown_.measured || planner_.state().busy) return;
+    const bool same_rooms =
+        lit_rooms_.size() == shown_.plan->rooms.size() &&
+        std::equal(lit_rooms_.begin(), lit_rooms_.end(), shown_.plan->rooms.begin(),
+                   [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+                       return a.min() == b.min() && a.max() == b.max();
+                   });
+    const bool same = lit_geometry_ == shown_.geometry && same_rooms;
+    if (same && (light_ || lighter_.state().busy)) return;
+    lit_geometry_ = shown_.geometry;
+    lit_rooms_ = shown_.plan->rooms;
+    lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
+                    outbox = lit_](const JobContext& job) {
+        render::LightVolume light = render::bakeLightVolume(
+            *scene, *rays, render::makeLightRig(*scene, *rays, rooms), {}, job);
+        if (!job.cancelled()) outbox->put(std::move(light));
+    });
+}
+
+void Workspace::poll() {
+    if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
+    if (std::optional<PlanOutcome> outcome = planner_.poll();
+        outcome && isOpen() && outcome->serial == serial_) {
+        if (outcome->error && outcome->error->code != ErrorCode::Cancelled) {
+            log::warn("planning", describe(*outcome->error));
+        }
+        for (const std::string& warning : outcome->warnings) log::warn("edits", warning);
+        if (shown_.serial != outcome->serial) {
+            latency_ms_ =
+                std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
+        }
+        if (shown_.geometry != outcome->geometry) light_.reset();
+        shown_ = std::move(*outcome);
+    }
+    if (std::optional<render::LightVolume> light = lit_->take();
+        light && isOpen() && lit_geometry_ == shown_.geometry) {
+        light_ = std::make_shared<const render::LightVolume>(std::move(*light));
+    }
+    if (std::optional<SaveOutcome> outcome = saved_->take()) {
+        if (!outcome->status) {
+            log::error("project", describe(outcome->status.error()));
+            notices_.push_back({true, "Cannot save", describe(outcome->status.error()), {}});
+        } else if (isOpen()) {
+            opened_->project = outcome->path;
+            if (outcome->state == stack_.state()) stack_.markSaved();
+            log::info("project", "saved " + outcome->path.string());
+        }
+    }
+    updateLight();
+}
+
+const std::filesystem::path& Workspace::path() const {
+    static const std::filesystem::path kNone;
+    return opened_ ? opened_->project : kNone;
+}
+
+std::string Workspace::title() const {
+    if (!isOpen()) return "Dollytrack";
+    const std::filesystem::path shown =
+        path().empty() ? opened_->scene_file.filename() : path().filename();
+    return (unsaved() ? "● " : "") + shown.string() + " – Dollytrack";
+}
+
+std::optional<Workspace::Notice> Workspace::takeNotice() {
+    if (notices_.empty()) return std::nullopt;
+    Notice first = std::move(notices_.front());
+    notices_.erase(notices_.begin());
+    return first;
+}
+
+std::string Workspace::planError() const {
+    return shown_.error ? describe(*shown_.error) : std::string();
+}
+
+}  // namespace dollytrack::editor

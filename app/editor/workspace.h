@@ -1,0 +1,130 @@
+#pragma once
+
+#include "app/editor/live_planner.h"
+#include "app/editor/project_loader.h"
+#include "engine/document/command_stack.h"
+#include "engine/jobs/background_worker.h"
+#include "render/light_volume.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// The open project and everything computed from it: what a person decided (with undo), the scene,
+/// the newest plan, the light. Knows no window. All calls come from one thread and return at once;
+/// the work is done in the background and arrives with poll().
+class Workspace {
+  public:
+    explicit Workspace(std::function<void()> wake);
+    ~Workspace();
+
+    // Opening and saving
+    /// Reads a scene or a project; what is open stays until that has succeeded.
+    void open(const std::filesystem::path& path,
+              const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
+    void cancelOpening() { loader_.cancel(); }
+    void close();
+    /// Writes the project, with the plan if it is up to date. The outcome arrives as a notice.
+    void save(const std::filesystem::path& path);
+    /// The project as it is now, as one would save it.
+    [[nodiscard]] io::ProjectFile snapshot() const;
+
+    // Changing; each change is one step of undo and starts planning
+    /// Applies one operation (engine/document/operation.h). Operations with the same merge key in
+    /// a row are one step. Errors are the user's to read.
+    Status apply(const nlohmann::json& operation, const std::string& merge_key = {});
+    /// Parameters as sections of fields; `name` is what the step is called.
+    void setParameters(const nlohmann::json& parameters, const std::string& name,
+                       const std::string& merge_key);
+    void endMerge() { stack_.endMerge(); }
+    void undo();
+    void redo();
+    void goTo(std::size_t step);
+
+    /// Collects what the background has finished. Once a frame.
+    void poll();
+
+    // Reading
+    [[nodiscard]] bool isOpen() const { return opened_.has_value(); }
+    [[nodiscard]] const std::filesystem::path& path()
+        const;  // of the project; empty: not saved yet
+    [[nodiscard]] std::string title() const;
+    [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
+    [[nodiscard]] const CommandStack& history() const { return stack_; }
+    [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
+    [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }
+    /// The newest plan with the scene it belongs to; may be older than state().
+    [[nodiscard]] const PlanOutcome& shown() const { return shown_; }
+    [[nodiscard]] bool planIsCurrent() const {
+        return shown_.serial == serial_ && shown_.measured && shown_.state == stack_.state();
+    }
+    [[nodiscard]] std::shared_ptr<const render::LightVolume> light() const { return light_; }
+    [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
+    [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
+    [[nodiscard]] bool saving() const { return saver_.state().busy; }
+    [[nodiscard]] bool lighting() const { return lighter_.state().busy; }
+    /// From the last change to its trajectory being there, ms.
+    [[nodiscard]] double lastLatency_ms() const { return latency_ms_; }
+    /// What other parts keep in the project file, by section.
+    nlohmann::json& others() { return opened_->others; }
+
+    /// A message for the user, to be shown in the window until it is read.
+    struct Notice {
+        bool is_error = false;
+        std::string title;
+        std::string text;
+        std::filesystem::path missing_scene_of;  // a project whose scene has to be found
+    };
+    [[nodiscard]] std::optional<Notice> takeNotice();
+    /// Why the newest request gave no plan; empty when it did.
+    [[nodiscard]] std::string planError() const;
+    /// Whether a new project was opened since the last call.
+    [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
+
+  private:
+    struct LoadOutcome {
+        std::filesystem::path path;
+        Result<OpenedProject> opened;
+    };
+    struct SaveOutcome {
+        std::filesystem::path path;
+        CommandStack::State state;
+        Status status;
+    };
+
+    void replan();
+    void install(OpenedProject opened);
+    void finishOpening(LoadOutcome outcome);
+    void updateLight();
+
+    std::function<void()> wake_;
+    std::optional<OpenedProject> opened_;
+    CommandStack stack_;
+    PlanOutcome shown_;
+    std::uint64_t serial_ = 0;
+    std::chrono::steady_clock::time_point changed_at_;
+    double latency_ms_ = 0.0;
+    std::shared_ptr<const render::LightVolume> light_;
+    std::uint64_t lit_geometry_ = 0;
+    std::vector<Eigen::AlignedBox3d> lit_rooms_;
+    std::vector<Notice> notices_;
+    bool newly_opened_ = false;
+    std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();
+    std::shared_ptr<Outbox<SaveOutcome>> saved_ = std::make_shared<Outbox<SaveOutcome>>();
+    std::shared_ptr<Outbox<render::LightVolume>> lit_ =
+        std::make_shared<Outbox<render::LightVolume>>();
+    BackgroundWorker loader_;
+    BackgroundWorker saver_;
+    BackgroundWorker lighter_;
+    LivePlanner planner_;
+};
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,171 @@
+#include "ui/viewport/viewport_pane.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr float kClickSlack_px = 4.0F;
+
+/// The part of the pane that a picture of the given aspect fills.
+void fitInto(ImVec2& low, ImVec2& size, double aspect) {
+    if (aspect <= 0.0) return;
+    const float wanted_height = size.x / static_cast<float>(aspect);
+    if (wanted_height <= size.y) {
+        low.y += 0.5F * (size.y - wanted_height);
+        size.y = wanted_height;
+    } else {
+        const float wanted_width = size.y * static_cast<float>(aspect);
+        low.x += 0.5F * (size.x - wanted_width);
+        size.x = wanted_width;
+    }
+}
+
+void zoomWithWheel(const ViewportView& view, ViewportState& state, ViewportActions& actions) {
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel == 0.0F) return;
+    std::optional<Eigen::Vector3d> at;
+    if (view.image != nullptr) at = surfaceAt(*view.image, actions.cursor);
+    if (!at) {
+        const render::View now = state.camera.view(actions.width, actions.height);
+        const render::ViewRay ray = now.rayThrough(actions.cursor.x(), actions.cursor.y());
+        const double depth = (state.camera.pivot - ray.origin).dot(now.pose.forward());
+        at = ray.origin + depth * ray.direction;
+    }
+    state.camera.zoom(std::pow(0.88, wheel), *at);
+    actions.camera_moved = true;
+}
+
+void flyWithKeys(ViewportState& state, ViewportActions& actions) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto held = [](int plus, int minus) {
+        return static_cast<double>(ImGui::IsKeyDown(plus)) - ImGui::IsKeyDown(minus);
+    };
+    const Eigen::Vector3d way(held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
+                              held(GLFW_KEY_W, GLFW_KEY_S));
+    if (way.isZero()) return;
+    const double speed_mps = io.KeyShift ? 6.0 : 2.0;
+    state.camera.fly(speed_mps * std::min(io.DeltaTime, 0.1F) * way);
+    actions.camera_moved = true;
+}
+
+void beginDrag(ViewportState& state, const ViewportView& view) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (view.blocked) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
+    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+        state.drag = ViewportState::Drag::Pan;
+    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        state.drag = ViewportState::Drag::Look;
+    } else {
+        return;
+    }
+    state.pressed_at = {io.MousePos.x, io.MousePos.y};
+}
+
+void continueDrag(ViewportState& state, const ViewportView& view, ViewportActions& actions) {
+    using Drag = ViewportState::Drag;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (state.drag == Drag::Pressed &&
+        (Eigen::Vector2d(io.MousePos.x, io.MousePos.y) - state.pressed_at).norm() >
+            scaled(kClickSlack_px)) {
+        state.drag = Drag::Orbit;
+    }
+    const double dx = io.MouseDelta.x;
+    const double dy = io.MouseDelta.y;
+    const bool moves = (dx != 0.0 || dy != 0.0) && state.drag != Drag::Pressed;
+    if (view.locked) {
+        actions.unlock = moves;
+    } else if (moves) {
+        if (state.drag == Drag::Orbit) state.camera.orbit(dx, dy);
+        if (state.drag == Drag::Pan) state.camera.pan(dx, dy, actions.width);
+        if (state.drag == Drag::Look) state.camera.look(dx, dy);
+        actions.camera_moved = true;
+    }
+    if (state.drag == Drag::Look && !view.locked) flyWithKeys(state, actions);
+    if (!ImGui::IsAnyMouseDown()) {
+        if (state.drag == Drag::Pressed) {
+            actions.clicked = actions.cursor;
+            actions.add_to_selection = io.KeyCtrl;
+        }
+        state.drag = Drag::None;
+    }
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image, const Eigen::Vector2d& pixel) {
+    const int x = static_cast<int>(std::floor(pixel.x()));
+    const int y = static_cast<int>(std::floor(pixel.y()));
+    const Intrinsics& lens = image.view.intrinsics;
+    if (image.serial == 0 || x < 0 || y < 0 || x >= lens.width || y >= lens.height) return {};
+    const double depth = image.depth_m[static_cast<std::size_t>(y) * lens.width + x];
+    if (depth <= 0.0) return {};
+    const render::ViewRay ray = image.view.rayThrough(pixel.x(), pixel.y());
+    return ray.origin + depth * ray.direction;
+}
+
+int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel) {
+    const int x = static_cast<int>(std::floor(pixel.x()));
+    const int y = static_cast<int>(std::floor(pixel.y()));
+    const Intrinsics& lens = image.view.intrinsics;
+    if (image.serial == 0 || x < 0 || y < 0 || x >= lens.width || y >= lens.height) return 0;
+    return image.ids[static_cast<std::size_t>(y) * lens.width + x];
+}
+
+ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
+    ViewportActions actions;
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    ImVec2 size = ImGui::GetContentRegionAvail();
+    size = {std::max(size.x, 16.0F), std::max(size.y, 16.0F)};
+    const ImVec2 pane_low = low;
+    const ImVec2 pane_high = {low.x + size.x, low.y + size.y};
+    fitInto(low, size, view.aspect);
+    actions.width = static_cast<int>(size.x);
+    actions.height = static_cast<int>(size.y);
+    actions.origin = {low.x, low.y};
+
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(pane_low, pane_high,
+                        ImGui::GetColorU32(ImGui::GetStyle().Colors[ImGuiCol_MenuBarBg]));
+    if (view.image != nullptr && view.image->serial != 0) {
+        list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(  // NOLINT
+                           view.image->texture)),
+                       low, {low.x + size.x, low.y + size.y});
+    }
+    if (!view.message.empty()) {
+        const ImVec2 text = ImGui::CalcTextSize(view.message.c_str());
+        const ImVec2 middle(0.5F * (pane_low.x + pane_high.x - text.x),
+                            0.5F * (pane_low.y + pane_high.y - text.y));
+        list->AddRectFilled({middle.x - scaled(12), middle.y - scaled(8)},
+                            {middle.x + text.x + scaled(12), middle.y + text.y + scaled(8)},
+                            ImGui::GetColorU32(ImGuiCol_PopupBg), scaled(6));
+        list->AddText(middle, ImGui::GetColorU32(ImGuiCol_Text), view.message.c_str());
+    }
+    ImGui::SetCursorScreenPos(low);
+    ImGui::InvisibleButton("viewport", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetItemAllowOverlap();
+    nameItem("viewport");
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    actions.hovered = ImGui::IsItemHovered();
+    actions.cursor = {mouse.x - low.x, mouse.y - low.y};
+    if (actions.hovered) {
+        beginDrag(state, view);
+        actions.double_clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        if (!view.blocked && !view.locked) zoomWithWheel(view, state, actions);
+    }
+    if (state.drag != ViewportState::Drag::None) continueDrag(state, view, actions);
+    return actions;
+}
+
+}  // namespace dollytrack::ui

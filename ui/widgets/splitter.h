@@ -1,0 +1,12 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace dollytrack::ui {
+
+/// A line that can be dragged to change a length (px): of the part on its left or top (sign +1), or
+/// on its right or bottom (sign -1). Returns whether the length changed.
+bool splitter(const char* name, ImVec2 low, ImVec2 high, bool vertical, float sign, float& length,
+              float least, float most);
+
+}  // namespace dollytrack::ui
