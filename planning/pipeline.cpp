@@ -1,6 +1,7 @@
 #include "planning/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/linking/link_groups.h"
@@ -12,11 +13,14 @@
 #include "planning/stage.h"
 #include "planning/targets/observation_points.h"
 #include "planning/timing/time_trajectory.h"
+#include "planning/viewpoints/hand_placed.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <tuple>
 
 namespace dollytrack::planning {
@@ -34,15 +38,32 @@ struct Metrics {
 
 using V = unsigned;  // version of an earlier stage's output
 
+/// A budget of frames may be smaller than the number of pinned points.
+void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
+    for (std::size_t p = 0; p < plan.position_points.size(); ++p) {
+        const int pin = plan.position_points[p].pin;
+        const auto& keys = plan.key_frames;
+        if (pin < 0 || std::find(keys.begin(), keys.end(), static_cast<int>(p)) != keys.end()) {
+            continue;
+        }
+        plan.refused_pins.push_back({pin, edits.pinned[static_cast<std::size_t>(pin)].name,
+                                     Verdict::Legal, 0, "dropped to keep to max_frames"});
+    }
+}
+
 }  // namespace
 
 struct Pipeline::Stages {
     std::shared_ptr<const Scene> scene;
+    V scene_version = 0;
     Stage<std::tuple<>, RayCaster> rays;
-    Stage<std::tuple<double, FreeSpaceParams>, FreeSpace> free_space;
-    Stage<std::tuple<CameraParams>, ViewEstimator> views;
+    Stage<std::tuple<double, double>, FreeSpace> free_space;
+    Stage<std::tuple<V, std::vector<NoGoBox>, double, double>, AllowedRegion> region;
+    Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
     Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
-    Stage<std::tuple<V, V, V, ViewpointParams, int>, Viewpoints> viewpoints;
+    Stage<std::tuple<V, V, V, ViewpointParams, int>, Viewpoints> found;
+    Stage<std::tuple<V, V, std::vector<PinnedPoint>, std::vector<RemovedPoint>>, PlacedPoints>
+        placed;
     Stage<std::tuple<V, int>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
@@ -50,6 +71,10 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
     Stage<std::tuple<V, TimingParams>, Trajectory> timing;
     Stage<std::tuple<V>, Metrics> metrics;
+
+    // Searches that hold for the inputs beside them.
+    SearchMemo searches;
+    std::optional<std::tuple<V, CameraParams, ViewpointParams, int>> searched_with;
 
     std::vector<StageTime> times;
 
@@ -68,32 +93,45 @@ struct Pipeline::Stages {
         return status;
     }
 
-    Status map(const PlanParams& params, const JobContext& job);
-    Status plan(const PlanParams& params, const JobContext& job);
-    [[nodiscard]] Plan collect() const;
+    Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
+    Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
+    [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };
 
-Status Pipeline::Stages::map(const PlanParams& params, const JobContext& job) {
+Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
+                             const JobContext& job) {
     return run("rays", rays, std::tuple<>(), job.stage(0.0, 0.1, "rays"),
                [&]() -> Result<RayCaster> { return RayCaster(*scene); })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.4, "free space");
-            return run("free_space", free_space,
-                       std::tuple(params.camera.camera_radius_m, params.free_space), part, [&] {
-                           return FreeSpace::build(*scene, *rays, params.camera, params.free_space,
-                                                   part);
+            return run(
+                "free_space", free_space,
+                std::tuple(params.camera.camera_radius_m, params.free_space.octree_resolution_m),
+                part, [&] {
+                    return FreeSpace::build(*scene, *rays, params.camera, params.free_space, part);
+                });
+        })
+        .and_then([&] {
+            const FreeSpaceParams& limits = params.free_space;
+            return run("region", region,
+                       std::tuple(free_space.version(), edits.no_go, limits.min_height_m,
+                                  limits.max_height_m),
+                       job.stage(0.4, 0.4, "region"), [&]() -> Result<AllowedRegion> {
+                           return AllowedRegion(*scene, *rays, *free_space, edits.no_go, limits,
+                                                params.camera.camera_radius_m);
                        });
         })
         .and_then([&] {
-            return run("views", views, std::tuple(params.camera), job.stage(0.4, 0.42, "views"),
-                       [&]() -> Result<ViewEstimator> {
+            return run("views", views, std::tuple(scene_version, params.camera),
+                       job.stage(0.4, 0.42, "views"), [&]() -> Result<ViewEstimator> {
                            return ViewEstimator(*scene, *rays, params.camera);
                        });
         });
 }
 
-Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
-    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m);
+Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
+                              const JobContext& job) {
+    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
     const Surroundings around{*views, *free_space, sphere};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
@@ -101,24 +139,32 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
                    return setObservationPoints(*views, params.targets, params.viewpoints);
                })
         .and_then([&] {
-            const JobContext part = job.stage(0.44, 0.7, "viewpoints");
-            return run("viewpoints", viewpoints,
-                       std::tuple(targets.version(), free_space.version(), views.version(),
+            const JobContext part = job.stage(0.44, 0.68, "viewpoints");
+            const auto with =
+                std::tuple(region.version(), params.camera, params.viewpoints, params.seed);
+            if (searched_with != with) searches.clear();
+            searched_with = with;
+            return run("viewpoints", found,
+                       std::tuple(targets.version(), region.version(), views.version(),
                                   params.viewpoints, params.seed),
                        part, [&] {
                            return searchViewpoints(around, *targets, params.viewpoints, params.seed,
-                                                   part)
-                               .map([&](Viewpoints found) {
-                                   findCaptured(*views, found.position_points);
-                                   return found;
-                               });
+                                                   part, &searches);
+                       });
+        })
+        .and_then([&] {
+            return run("by_hand", placed,
+                       std::tuple(found.version(), views.version(), edits.pinned, edits.removed),
+                       job.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
+                           return placeByHand(*found, edits, around);
                        });
         })
         .and_then([&] {
             const int budget = params.timing.max_frames;
-            return run("key_frames", key_frames, std::tuple(viewpoints.version(), budget),
+            return run("key_frames", key_frames, std::tuple(placed.version(), budget),
                        job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                           std::vector<int> keys = chooseKeyFrames(viewpoints->position_points);
+                           std::vector<int> keys =
+                               chooseKeyFrames(placed->viewpoints.position_points);
                            if (budget > 0 && keys.size() > static_cast<std::size_t>(budget)) {
                                keys.resize(static_cast<std::size_t>(budget));
                            }
@@ -129,30 +175,31 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
             const JobContext part = job.stage(0.71, 0.75, "roadmap");
             return run("roadmap", roadmap,
                        std::tuple(key_frames.version(), params.roadmap, params.seed), part, [&] {
-                           return searchRoadmap(viewpoints->position_points, *key_frames,
-                                                targetSizes(*scene, viewpoints->observation_points,
-                                                            viewpoints->position_points),
-                                                sphere, params.roadmap, params.seed, part);
+                           return searchRoadmap(
+                               placed->viewpoints.position_points, *key_frames,
+                               targetSizes(*scene, placed->viewpoints.observation_points,
+                                           placed->viewpoints.position_points),
+                               sphere, params.roadmap, params.seed, part);
                        });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.75, 0.8, "linking");
-            return run("linking", linking,
-                       std::tuple(roadmap.version(), params.linking, params.seed), part,
-                       [&]() -> Result<Roadmap> {
-                           Roadmap linked = *roadmap;
-                           return linkGroups(linked, viewpoints->position_points, *key_frames,
-                                             *free_space, sphere, params.linking, params.seed, part)
-                               .map([&] { return std::move(linked); });
-                       });
+            return run(
+                "linking", linking, std::tuple(roadmap.version(), params.linking, params.seed),
+                part, [&]() -> Result<Roadmap> {
+                    Roadmap linked = *roadmap;
+                    return linkGroups(linked, placed->viewpoints.position_points, *key_frames,
+                                      *free_space, sphere, params.linking, params.seed, part)
+                        .map([&] { return std::move(linked); });
+                });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.8, 0.84, "path");
             return run("path", paths, std::tuple(linking.version(), params.path, params.roadmap),
                        part, [&]() -> Result<Paths> {
                            Paths taken{*linking, {}};
-                           return takePaths(taken.roadmap, viewpoints->position_points, sphere,
-                                            params.path, params.roadmap, part)
+                           return takePaths(taken.roadmap, placed->viewpoints.position_points,
+                                            sphere, params.path, params.roadmap, part)
                                .map([&](std::vector<CameraPath> made) {
                                    taken.paths = std::move(made);
                                    return std::move(taken);
@@ -165,8 +212,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
                        [&]() -> Result<std::vector<SmoothPath>> {
                            std::vector<SmoothPath> smooth;
                            for (const CameraPath& path : paths->paths) {
-                               auto made = smoothPath(path, viewpoints->position_points,
-                                                      viewpoints->observation_points, around,
+                               auto made = smoothPath(path, placed->viewpoints.position_points,
+                                                      placed->viewpoints.observation_points, around,
                                                       params.smoothing, part);
                                if (!made) return tl::unexpected<Error>(std::move(made.error()));
                                smooth.push_back(std::move(*made));
@@ -177,8 +224,9 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
         .and_then([&] {
             return run("timing", timing, std::tuple(smoothing.version(), params.timing),
                        job.stage(0.9, 0.91, "timing"), [&] {
-                           return timeTrajectory(*smoothing, viewpoints->position_points,
-                                                 viewpoints->observation_points, params.timing);
+                           return timeTrajectory(*smoothing, placed->viewpoints.position_points,
+                                                 placed->viewpoints.observation_points,
+                                                 params.timing);
                        });
         })
         .and_then([&] {
@@ -197,12 +245,12 @@ Status Pipeline::Stages::plan(const PlanParams& params, const JobContext& job) {
         });
 }
 
-Plan Pipeline::Stages::collect() const {
+Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     Plan plan;
     for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
-    plan.observation_points = viewpoints->observation_points;
-    plan.searches = viewpoints->searches;
-    plan.position_points = viewpoints->position_points;
+    plan.observation_points = placed->viewpoints.observation_points;
+    plan.searches = placed->viewpoints.searches;
+    plan.position_points = placed->viewpoints.position_points;
     plan.key_frames = *key_frames;
     plan.roadmap = paths->roadmap;
     plan.paths = paths->paths;
@@ -211,6 +259,8 @@ Plan Pipeline::Stages::collect() const {
     plan.captures = metrics->captures;
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
+    plan.refused_pins = placed->refused;
+    refusePinsOverBudget(edits, plan);
     for (const ObjectCapture& capture : plan.captures) {
         if (capture.captured) continue;
         plan.uncaptured.push_back(
@@ -218,12 +268,20 @@ Plan Pipeline::Stages::collect() const {
     }
     plan.stages = times;
     for (const StageTime& stage : times) {
-        const bool maps =
-            stage.name == "rays" || stage.name == "free_space" || stage.name == "views";
+        const bool maps = stage.name == "rays" || stage.name == "free_space" ||
+                          stage.name == "region" || stage.name == "views";
         if (maps) plan.map_ms += stage.milliseconds;
         if (!maps && stage.name != "metrics") plan.plan_ms += stage.milliseconds;
     }
     return plan;
+}
+
+void Pipeline::setScene(std::shared_ptr<const Scene> scene, bool same_geometry) {
+    if (!same_geometry) {
+        stages_ = std::make_unique<Stages>();
+    }
+    stages_->scene = std::move(scene);
+    ++stages_->scene_version;
 }
 
 Pipeline::Pipeline(std::shared_ptr<const Scene> scene) : stages_(std::make_unique<Stages>()) {
@@ -233,18 +291,26 @@ Pipeline::~Pipeline() = default;
 Pipeline::Pipeline(Pipeline&&) noexcept = default;
 Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 
-Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const JobContext& job) {
+Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const PlanEdits& edits,
+                                                  const JobContext& job) {
     if (Status status = validate(params.camera); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    if (!(params.free_space.min_height_m < params.free_space.max_height_m)) {
+        return fail(ErrorCode::Usage, "The height band is empty; it must be above min_height_m.",
+                    "max_height_m");
+    }
     stages_->times.clear();
-    return stages_->map(params, job).and_then([&] { return stages_->plan(params, job); }).map([&] {
-        return std::make_shared<const Plan>(stages_->collect());
-    });
+    return stages_->map(params, edits, job)
+        .and_then([&] { return stages_->plan(params, edits, job); })
+        .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });
 }
 
 std::shared_ptr<const FreeSpace> Pipeline::freeSpace() const {
     return stages_->free_space.share();
+}
+std::shared_ptr<const AllowedRegion> Pipeline::region() const {
+    return stages_->region.share();
 }
 std::shared_ptr<const RayCaster> Pipeline::rays() const {
     return stages_->rays.share();

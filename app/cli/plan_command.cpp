@@ -9,6 +9,7 @@
 #include "engine/io/png_writer.h"
 #include "engine/io/project_file.h"
 #include "engine/plan/plan_json.h"
+#include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/metrics/capture_bound.h"
@@ -43,7 +44,9 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
     const auto rays = pipeline.rays();
     const auto free_space = pipeline.freeSpace();
     const planning::ViewEstimator views(*opened.scene, *rays, opened.params.camera);
-    const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m);
+    const auto region = pipeline.region();
+    const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m,
+                                       region.get());
     const auto bound =
         planning::boundCaptures({views, *free_space, sphere}, plan, opened.params.seed, job);
     if (!bound) return tl::unexpected<Error>(bound.error());

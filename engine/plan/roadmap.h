@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/plan/viewpoint.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -20,7 +22,8 @@ struct RefusedEdge {
     int a = 0;
     int b = 0;
     Eigen::Vector3d collision = Eigen::Vector3d::Zero();
-    int object_id = 0;  // 0: it would have left free space
+    int object_id = 0;                     // 0: no surface, see reason
+    Verdict reason = Verdict::InObstacle;  // or OutsideRoom, NoGo, HeightBand
 };
 
 /// H in the paper: position points and the moves between them.

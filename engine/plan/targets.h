@@ -24,6 +24,8 @@ struct ObservationPoint {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  // unit, from the target to the camera
     std::vector<int> objects;                              // ids of those it stands for
     int carrier = 0;  // id of what they stand on or hang at; 0: none or structure
+
+    bool operator==(const ObservationPoint&) const = default;
 };
 
 }  // namespace dollytrack

@@ -47,6 +47,7 @@ struct PositionPoint {
 struct ViewpointSearch {
     std::vector<Candidate> candidates;
     int position_point = -1;  // index of the best, -1 when none was legal
+    bool removed = false;     // by hand: it gets no position point
 };
 
 }  // namespace dollytrack

@@ -1,6 +1,7 @@
 #include "planning/collision/swept_sphere.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
@@ -18,8 +19,12 @@ constexpr double kLongestStep = 0.25;
 
 }  // namespace
 
-SweptSphere::SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m)
-    : rays_(&rays), free_space_(&free_space), radius_m_(radius_m) {}
+SweptSphere::SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m,
+                         const AllowedRegion* region)
+    : rays_(&rays),
+      free_space_(&free_space),
+      radius_m_(radius_m),
+      region_(region && region->restricts() ? region : nullptr) {}
 
 double SweptSphere::clearance(const Eigen::Vector3d& position, double limit) const {
     const double bound = free_space_->clearanceLowerBound(position);
@@ -28,8 +33,31 @@ double SweptSphere::clearance(const Eigen::Vector3d& position, double limit) con
 }
 
 bool SweptSphere::fits(const Eigen::Vector3d& position) const {
-    return free_space_->componentAt(position) >= 0 &&
-           clearance(position, radius_m_ + kMargin) >= radius_m_ + kMargin;
+    const double reach = radius_m_ + kMargin;
+    return free_space_->componentAt(position) >= 0 && clearance(position, reach) >= reach &&
+           (!region_ || region_->verdict(position, reach) == Verdict::Legal);
+}
+
+Verdict SweptSphere::verdict(const Eigen::Vector3d& position, int& object_id) const {
+    object_id = 0;
+    if (fits(position)) return Verdict::Legal;
+    const double reach = radius_m_ + kMargin;
+    const Verdict allowed = region_ ? region_->verdict(position, reach) : Verdict::Legal;
+    if (allowed == Verdict::NoGo) return allowed;
+    object_id = rays_->closest(position, reach).object_id;
+    if (object_id != 0 || free_space_->stateAt(position) == CellState::Occupied) {
+        return Verdict::InObstacle;
+    }
+    // Outside the room there is no floor to be above.
+    return free_space_->componentAt(position) < 0 ? Verdict::OutsideRoom : allowed;
+}
+
+Eigen::Vector3d SweptSphere::inBand(const Eigen::Vector3d& place) const {
+    return region_ ? region_->inBand(place) : place;
+}
+
+const std::vector<Eigen::Vector3f>& SweptSphere::cells(int component) const {
+    return region_ ? region_->cells(component) : free_space_->cells(component);
 }
 
 Sweep SweptSphere::segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
@@ -44,6 +72,11 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
     const bool inside = control == 0.5 * (start + end) && free_space_->inOneFreeLeaf(start, end);
     Sweep sweep;
     sweep.min_clearance_m = std::numeric_limits<double>::infinity();
+    if (region_ && !region_->bandHolds(start, control, end, sweep.collision)) {
+        sweep.min_clearance_m = clearance(sweep.collision, radius_m_ + kPlenty);
+        sweep.reason = Verdict::HeightBand;
+        return sweep;
+    }
     double t = 0.0;
     while (true) {
         const double u = 1.0 - t;
@@ -56,17 +89,25 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
             if (distance < radius_m_ + kContact) {
                 sweep.collision = position;
                 sweep.object_id = closest.object_id;
+                sweep.reason = Verdict::InObstacle;
                 sweep.min_clearance_m = std::min(sweep.min_clearance_m, distance);
                 return sweep;
             }
         }
         if (!inside && free_space_->stateAt(position) != CellState::Free) {
             sweep.collision = position;
+            sweep.reason = Verdict::OutsideRoom;
+            return sweep;
+        }
+        const double to_no_go = region_ ? region_->noGoDistance(position) : distance;
+        if (to_no_go < radius_m_ + kContact) {
+            sweep.collision = position;
+            sweep.reason = Verdict::NoGo;
             return sweep;
         }
         sweep.min_clearance_m = std::min(sweep.min_clearance_m, distance);
         if (t >= 1.0) break;
-        const double step = std::min(distance - radius_m_, kLongestStep);
+        const double step = std::min(std::min(distance, to_no_go) - radius_m_, kLongestStep);
         t = speed > 0.0 ? std::min(1.0, t + step / speed) : 1.0;
     }
     sweep.free = true;

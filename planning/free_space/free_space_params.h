@@ -4,9 +4,12 @@
 
 namespace dollytrack::planning {
 
-/// Settings of the map of free space.
+/// Settings of the map of free space, and how high in it the camera may be. Height counts from the
+/// floor below the camera (see floor_heights.h).
 struct FreeSpaceParams {
     double octree_resolution_m = 0.05;
+    double min_height_m = 0.0;
+    double max_height_m = 100.0;
 
     bool operator==(const FreeSpaceParams&) const = default;
 };
@@ -15,6 +18,10 @@ template <class Params, class Visitor>
 void visitFreeSpaceParams(Params& p, Visitor&& visit) {
     visit("octree_resolution_m", p.octree_resolution_m,
           FieldInfo{0.01, 0.5, "m", "Edge of the smallest cell of the map of free space", "T"});
+    visit("min_height_m", p.min_height_m,
+          FieldInfo{0, 100, "m", "Lowest height of the camera above the floor below it"});
+    visit("max_height_m", p.max_height_m,
+          FieldInfo{0, 100, "m", "Greatest height of the camera above the floor below it"});
 }
 
 }  // namespace dollytrack::planning

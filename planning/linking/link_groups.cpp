@@ -22,9 +22,10 @@ constexpr double kUniformShare = 0.2;
 /// The paper's chain of samples around the two ends, mixed with uniform ones.
 class ChainSampler {
   public:
-    ChainSampler(const FreeSpace& free_space, int component, Eigen::Vector3d p1, Eigen::Vector3d p2,
-                 double sigma)
-        : cells_(free_space.cells(component)),
+    ChainSampler(const FreeSpace& free_space, const SweptSphere& sphere, int component,
+                 Eigen::Vector3d p1, Eigen::Vector3d p2, double sigma)
+        : cells_(sphere.cells(component)),
+          sphere_(sphere),
           free_space_(free_space),
           component_(component),
           heads_{p1, p2},
@@ -37,7 +38,7 @@ class ChainSampler {
         }
         const std::size_t side = random.below(2);
         const Eigen::Vector3d step(random.normal(), random.normal(), random.normal());
-        const Eigen::Vector3d next = heads_[side] + sigma_ * step;
+        const Eigen::Vector3d next = sphere_.inBand(heads_[side] + sigma_ * step);
         if (free_space_.componentAt(next) == component_) {
             heads_[side] = next;
             refusals_[side] = 0;
@@ -52,6 +53,7 @@ class ChainSampler {
   private:
     static constexpr int kPatience = 12;
     const std::vector<Eigen::Vector3f>& cells_;
+    const SweptSphere& sphere_;
     const FreeSpace& free_space_;
     int component_;
     Eigen::Vector3d heads_[2];
@@ -124,8 +126,9 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 problem.goal = b.pose.position;
                 problem.is_cancelled = [&] { return job.cancelled(); };
                 problem.max_iterations = params.link_iterations;
-                auto sampler = std::make_shared<ChainSampler>(
-                    free_space, a.component, problem.start, problem.goal, params.sample_sigma_m);
+                auto sampler =
+                    std::make_shared<ChainSampler>(free_space, sphere, a.component, problem.start,
+                                                   problem.goal, params.sample_sigma_m);
                 problem.sample = [sampler](Random& random) { return (*sampler)(random); };
                 problem.is_free = [&](const Eigen::Vector3d& p) { return sphere.fits(p); };
                 problem.is_move_free = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {

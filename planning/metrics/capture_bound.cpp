@@ -43,13 +43,14 @@ class DenseSearch {
              directionsAllAround(Eigen::Vector3d::UnitX(), kDirections)) {
             for (double fill = 0.08; fill < 1.4; fill *= 1.2) {
                 const double distance = distanceForFill(around_.views, subject_, direction, fill);
-                consider(subject_.center + direction * distance);
+                consider(around_.sphere.inBand(subject_.center + direction * distance));
             }
         }
         refine();
         if (reach_.well) return reach_;
-        for (const Eigen::Vector3d& place : randomPlaces(
-                 around_.free_space, around_.views, subject_, 0.05, 1.5, kRandomPlaces, random_)) {
+        for (const Eigen::Vector3d& place :
+             randomPlaces(around_.free_space, around_.sphere, around_.views, subject_, 0.05, 1.5,
+                          kRandomPlaces, random_)) {
             consider(place);
         }
         refine();

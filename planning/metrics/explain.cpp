@@ -45,8 +45,10 @@ bool has(const std::vector<int>& ids, int id) {
 
 std::string explainUncaptured(const Scene& scene, const Plan& plan, int object_id) {
     std::map<std::pair<Verdict, int>, int> counts;
+    bool removed = false;
     for (std::size_t o = 0; o < plan.observation_points.size(); ++o) {
         if (!has(plan.observation_points[o].objects, object_id)) continue;
+        removed |= plan.searches[o].removed;
         for (const Candidate& candidate : plan.searches[o].candidates) {
             if (candidate.verdict != Verdict::Legal) {
                 ++counts[{candidate.verdict, candidate.occluder}];
@@ -67,6 +69,13 @@ std::string explainUncaptured(const Scene& scene, const Plan& plan, int object_i
         return on_path ? "its key frame shows it just below the limit"
                        : "its key frame is not on the path";
     }
+    if (removed && !had_a_view) return "its position point was removed by hand";
+    const bool pinned = std::any_of(
+        plan.position_points.begin(), plan.position_points.end(), [&](const PositionPoint& point) {
+            const auto o = static_cast<std::size_t>(point.observation_point);
+            return point.pin >= 0 && has(plan.observation_points[o].objects, object_id);
+        });
+    if (pinned && !had_a_view) return "its pinned position point does not capture it";
     // Key frames are chosen to keep every capture; only a budget drops some.
     if (had_a_view) return "dropped to keep to max_frames";
     return counts.empty() ? "no place could be tried" : mostCommon(scene, counts);

@@ -144,23 +144,65 @@ PathVertex keyVertex(const Part& part, int vertex) {
     return {part.point(vertex).pose.position, part.keys[static_cast<std::size_t>(vertex)]};
 }
 
-std::vector<PathVertex> longestBranch(const Part& part) {
-    // In a tree the vertex furthest from anywhere is an end of the longest branch.
-    const auto furthest = [](const Ways& ways) {
-        return static_cast<int>(std::max_element(ways.cost.begin(), ways.cost.end()) -
-                                ways.cost.begin());
-    };
-    const int one_end = furthest(waysFrom(part, 0, steps));
-    const Ways ways = waysFrom(part, one_end, steps);
-    std::vector<PathVertex> path;
-    for (const auto& [vertex, e] : trace(part, ways, furthest(ways))) {
-        if (e >= 0) {
-            for (const auto& corner : cornersAlong(part, e, vertex)) path.push_back({corner, -1});
+/// A walk along the tree's longest branch that leaves it for pinned points only, and comes back.
+class BranchWalk {
+  public:
+    explicit BranchWalk(const Part& part) : part_(part), wanted_(part.keys.size(), false) {
+        // In a tree the vertex furthest from anywhere is an end of the longest branch.
+        const auto furthest = [](const Ways& ways) {
+            return static_cast<int>(std::max_element(ways.cost.begin(), ways.cost.end()) -
+                                    ways.cost.begin());
+        };
+        const int one_end = furthest(waysFrom(part, 0, steps));
+        const Ways ways = waysFrom(part, one_end, steps);
+        branch_ = trace(part, ways, furthest(ways));
+        std::vector<bool> on_branch(part.keys.size(), false);
+        for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
+        for (int i = 0; i < part.size(); ++i) {
+            if (part.point(i).pin < 0) continue;
+            // Back from the pinned point to the branch: the detour it takes.
+            const auto way = trace(part, ways, i);
+            for (auto step = way.rbegin(); step != way.rend(); ++step) {
+                const auto vertex = static_cast<std::size_t>(step->first);
+                if (on_branch[vertex] || wanted_[vertex]) break;
+                wanted_[vertex] = true;
+            }
         }
-        path.push_back(keyVertex(part, vertex));
     }
-    return path;
-}
+
+    std::vector<PathVertex> walk() && {
+        for (const auto& [vertex, e] : branch_) {
+            moveTo(vertex, e);
+            path_.push_back(keyVertex(part_, vertex));
+            makeDetours(vertex);
+        }
+        return std::move(path_);
+    }
+
+  private:
+    void moveTo(int vertex, int e) {
+        if (e < 0) return;
+        for (const auto& corner : cornersAlong(part_, e, vertex)) path_.push_back({corner, -1});
+    }
+
+    void makeDetours(int from) {
+        for (const int e : part_.edges[static_cast<std::size_t>(from)]) {
+            const int next = part_.otherEnd(e, from);
+            if (!part_.edge(e).in_tree || !wanted_[static_cast<std::size_t>(next)]) continue;
+            wanted_[static_cast<std::size_t>(next)] = false;
+            moveTo(next, e);
+            path_.push_back(keyVertex(part_, next));
+            makeDetours(next);
+            moveTo(from, e);
+            path_.push_back({part_.point(from).pose.position, -1});
+        }
+    }
+
+    const Part& part_;
+    std::vector<std::pair<int, int>> branch_;
+    std::vector<bool> wanted_;
+    std::vector<PathVertex> path_;
+};
 
 std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
                              const RoadmapParams& weights, const JobContext& job) {
@@ -219,7 +261,7 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         CameraPath path;
         path.component = part.point(0).component;
         path.vertices = params.path_mode == PathMode::LongestBranch
-                            ? longestBranch(part)
+                            ? BranchWalk(part).walk()
                             : tour(part, sphere, weights, job);
         paths.push_back(std::move(path));
     }

@@ -14,7 +14,8 @@ struct RoadmapParams;
 
 /// Takes a way through each connected part of the roadmap, largest part first (paper, 3.2.3).
 /// A depth-first search first marks the edges that close cycles (`in_tree` = false).
-/// `longest_branch` follows the tree's branch with most vertices. `tour` visits every key frame:
+/// `longest_branch` follows the tree's branch with most vertices, and makes detours to pinned
+/// points only. `tour` visits every key frame:
 /// the order comes from the shortest ways in the roadmap, weighed as Near weighs them; each leg
 /// then skips the corners it can. Error: Cancelled.
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,

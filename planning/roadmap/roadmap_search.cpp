@@ -61,7 +61,8 @@ std::vector<double> targetSizes(const Scene& scene,
         for (const int id : observation_points[o].objects) {
             for (const Eigen::Vector3d& corner : scene.object(id).box.corners()) box.extend(corner);
         }
-        sizes.push_back(box.sizes().norm());
+        // A view placed by hand may stand for nothing.
+        sizes.push_back(box.isEmpty() ? 0.0 : box.sizes().norm());
     }
     return sizes;
 }
@@ -125,8 +126,8 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
                 roadmap.edges.push_back(
                     {pair.a, pair.b, {}, (position(pair.a) - position(pair.b)).norm(), true});
             } else {
-                roadmap.refused.push_back(
-                    {pair.a, pair.b, pair.sweep.collision, pair.sweep.object_id});
+                roadmap.refused.push_back({pair.a, pair.b, pair.sweep.collision,
+                                           pair.sweep.object_id, pair.sweep.reason});
             }
         }
     }

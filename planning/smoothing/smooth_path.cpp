@@ -51,6 +51,11 @@ class Smoother {
     [[nodiscard]] Corner roundCorner(std::size_t i) const {
         Corner corner;
         corner.vertex = static_cast<int>(i);
+        // A pinned point is gone through, not past.
+        if (isPinned(i)) {
+            corner.shortened = true;
+            return corner;
+        }
         const Eigen::Vector3d in = at(i) - at(i - 1);
         const Eigen::Vector3d out = at(i + 1) - at(i);
         if (in.norm() < 1e-6 || out.norm() < 1e-6) return corner;
@@ -99,6 +104,11 @@ class Smoother {
   private:
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;
+    }
+
+    [[nodiscard]] bool isPinned(std::size_t i) const {
+        const int key = path_.vertices[i].position_point;
+        return key >= 0 && points_[static_cast<std::size_t>(key)].pin >= 0;
     }
 
     [[nodiscard]] Curve curveAt(std::size_t i, double set_back) const {

@@ -12,7 +12,7 @@ struct Surroundings;
 /// Rounds the corners of a path with quadratic Bezier curves (paper, 3.2.3), from
 /// `corner_distance_m` before to after each corner, at most half a leg. Where the swept camera
 /// sphere would touch something, or a key frame would lose an object it captures, the set-back
-/// shrinks; reversals and corners that allow none stop and turn. Error: Cancelled.
+/// shrinks; reversals, pinned points and corners that allow none stop and turn. Error: Cancelled.
 Result<SmoothPath> smoothPath(const CameraPath& path,
                               const std::vector<PositionPoint>& position_points,
                               const std::vector<ObservationPoint>& observation_points,

@@ -59,8 +59,8 @@ class Timer {
         s.to = &path.keys[key + 1];
         s.from_target = target(*s.from);
         s.to_target = target(*s.to);
-        s.from_rotation = lookAt(s.from->position, s.from_target).rotation;
-        s.to_rotation = lookAt(s.to->position, s.to_target).rotation;
+        s.from_rotation = rotation(*s.from);
+        s.to_rotation = rotation(*s.to);
         s.least_time_s = std::max((s.to->arc_m - s.from->arc_m) / params_.max_speed_mps,
                                   turnTime(s.from_rotation, s.to_rotation));
         return s;
@@ -88,16 +88,32 @@ class Timer {
         TrajectoryFrame frame;
         frame.path = static_cast<int>(path_index);
         frame.component = path.component;
-        frame.pose = lookAt(key.position, target(key));
+        frame.pose = {key.position, rotation(key)};
         frame.target_in_world = target(key);
         frame.position_point = key.position_point;
         return frame;
     }
 
   private:
-    [[nodiscard]] const Eigen::Vector3d& target(const SmoothPath::Key& key) const {
-        const auto p = static_cast<std::size_t>(key.position_point);
-        return targets_[static_cast<std::size_t>(points_[p].observation_point)].position;
+    [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
+        return points_[static_cast<std::size_t>(key.position_point)];
+    }
+
+    /// What the camera looks at there. From a pinned point it looks where it was told to, as far as
+    /// its target is away.
+    [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const {
+        const PositionPoint& p = point(key);
+        const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
+        if (p.pin < 0) return target;
+        constexpr double kNearest_m = 0.1;
+        const double distance = std::max(kNearest_m, (target - p.pose.position).norm());
+        return p.pose.position + distance * p.pose.forward();
+    }
+
+    [[nodiscard]] Eigen::Quaterniond rotation(const SmoothPath::Key& key) const {
+        // Smoothing moves other keys a little, and they turn to keep their target in the middle.
+        return point(key).pin >= 0 ? point(key).pose.rotation
+                                   : lookAt(key.position, target(key)).rotation;
     }
 
     /// Taking the roll out makes some parts of the turn faster than others: the fastest decides.

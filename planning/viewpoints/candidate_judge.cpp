@@ -1,7 +1,6 @@
 #include "planning/viewpoints/candidate_judge.h"
 
 #include "planning/collision/swept_sphere.h"
-#include "planning/free_space/free_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,13 +41,8 @@ CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoin
 Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fill,
                                      int& obstacle) const {
     if (!std::isfinite(fill)) return Verdict::TooClose;
-    if (around_.sphere.fits(position)) return Verdict::Legal;
-    const double reach = around_.sphere.radius() + SweptSphere::kMargin;
-    const ClosestPoint closest = around_.views.rays().closest(position, reach);
-    if (closest.object_id == 0 && around_.free_space.stateAt(position) != CellState::Occupied) {
-        return Verdict::OutsideRoom;
-    }
-    obstacle = closest.object_id;
+    const Verdict verdict = around_.sphere.verdict(position, obstacle);
+    if (verdict != Verdict::InObstacle) return verdict;
     const bool own =
         std::find(point_.objects.begin(), point_.objects.end(), obstacle) != point_.objects.end();
     return own ? Verdict::TooClose : Verdict::InObstacle;

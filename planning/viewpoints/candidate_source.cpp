@@ -1,5 +1,6 @@
 #include "planning/viewpoints/candidate_source.h"
 
+#include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
@@ -44,9 +45,10 @@ std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, in
     return directions;
 }
 
-std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const ViewEstimator& views,
-                                          const Subject& subject, double least_fill,
-                                          double most_fill, int count, Random& random) {
+std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const SweptSphere& sphere,
+                                          const ViewEstimator& views, const Subject& subject,
+                                          double least_fill, double most_fill, int count,
+                                          Random& random) {
     // Cells in the shell of useful distances only: most of a large house is of no use to a mug.
     double radius = 0.0;
     for (const auto& point : subject.points) {
@@ -57,7 +59,7 @@ std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const Vie
         radius * (1.0 + 2.0 * k.fx / (least_fill * std::min(k.width, k.height)));
     std::vector<const Eigen::Vector3f*> nearby;
     for (std::size_t room = 0; room < free_space.rooms().size(); ++room) {
-        for (const Eigen::Vector3f& cell : free_space.cells(static_cast<int>(room))) {
+        for (const Eigen::Vector3f& cell : sphere.cells(static_cast<int>(room))) {
             if ((cell.cast<double>() - subject.center).squaredNorm() < furthest * furthest) {
                 nearby.push_back(&cell);
             }

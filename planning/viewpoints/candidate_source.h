@@ -10,6 +10,7 @@
 namespace dollytrack::planning {
 
 class FreeSpace;
+class SweptSphere;
 
 /// Unit directions spread evenly over the cap of `half_angle` around `axis`, the axis first.
 std::vector<Eigen::Vector3d> directionsInCone(const Eigen::Vector3d& axis, double half_angle,
@@ -19,9 +20,11 @@ std::vector<Eigen::Vector3d> directionsInCone(const Eigen::Vector3d& axis, doubl
 /// and 60 down.
 std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, int count);
 
-/// Random free places from which the subject fills between the two shares of the image.
-std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const ViewEstimator& views,
-                                          const Subject& subject, double least_fill,
-                                          double most_fill, int count, Random& random);
+/// Random places where the camera may be from which the subject fills between the two shares of the
+/// image.
+std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const SweptSphere& sphere,
+                                          const ViewEstimator& views, const Subject& subject,
+                                          double least_fill, double most_fill, int count,
+                                          Random& random);
 
 }  // namespace dollytrack::planning

@@ -75,6 +75,14 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
         missing.insert(point.captured.begin(), point.captured.end());
     }
     std::vector<int> chosen;
+    const auto choose = [&](std::size_t i) {
+        chosen.push_back(static_cast<int>(i));
+        for (const int id : position_points[i].well_captured) well_missing.erase(id);
+        for (const int id : position_points[i].captured) missing.erase(id);
+    };
+    for (std::size_t i = 0; i < position_points.size(); ++i) {
+        if (position_points[i].pin >= 0) choose(i);
+    }
     while (true) {
         int best = -1;
         long best_gain = 0;
@@ -91,10 +99,7 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
             best = static_cast<int>(i);
         }
         if (best < 0) break;
-        chosen.push_back(best);
-        const PositionPoint& point = position_points[static_cast<std::size_t>(best)];
-        for (const int id : point.well_captured) well_missing.erase(id);
-        for (const int id : point.captured) missing.erase(id);
+        choose(static_cast<std::size_t>(best));
     }
     return chosen;
 }

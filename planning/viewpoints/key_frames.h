@@ -14,7 +14,8 @@ class ViewEstimator;
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points);
 
 /// A small choice of position points that together capture all that all of them capture (greedy
-/// set cover; well captured counts first), in order of what each adds.
+/// set cover; well captured counts first), in order of what each adds. Pinned ones come first, all
+/// of them.
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points);
 
 }  // namespace dollytrack::planning

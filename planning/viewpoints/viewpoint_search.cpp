@@ -30,12 +30,6 @@ constexpr int kClimbTries = 14;
 constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
 
-struct Found {
-    ViewpointSearch search;
-    std::optional<PositionPoint> best;
-    std::vector<int> not_well;  // members that the best view does not capture well
-};
-
 /// The search for one observation point.
 class Search {
   public:
@@ -47,7 +41,7 @@ class Search {
           judge_(around, point, params.fill),
           random_(random) {}
 
-    Found run() {
+    FoundView run() {
         const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
         tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
                       {1.0, 0.8, 1.25});
@@ -58,8 +52,8 @@ class Search {
                           {1.0, 0.75, 0.55});
             if (!refineBest()) {
                 for (const Eigen::Vector3d& place :
-                     randomPlaces(around_.free_space, around_.views, judge_.subject(), 0.08, 1.3,
-                                  kRandomPlaces, random_)) {
+                     randomPlaces(around_.free_space, around_.sphere, around_.views,
+                                  judge_.subject(), 0.08, 1.3, kRandomPlaces, random_)) {
                     tryPlace(place);
                 }
                 if (!refineBest()) climb();
@@ -82,7 +76,8 @@ class Search {
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
                 const double distance =
                     distanceForFill(around_.views, judge_.subject(), direction, fill);
-                tryPlace(judge_.subject().center + direction * distance);
+                // With a band of heights most directions lead out of it: keep to it instead.
+                tryPlace(around_.sphere.inBand(judge_.subject().center + direction * distance));
             }
         }
     }
@@ -134,8 +129,8 @@ class Search {
         }
     }
 
-    Found finish() {
-        Found found;
+    FoundView finish() {
+        FoundView found;
         found.search.candidates = std::move(candidates_);
         if (!best_) {
             found.not_well = point_.objects;
@@ -170,28 +165,47 @@ class Search {
     std::optional<Judged> best_;
 };
 
+/// Random numbers of a search's own: by its first object, and whether it is alone in it.
+std::uint64_t streamOf(const ObservationPoint& point) {
+    const auto id = static_cast<std::uint64_t>(point.objects.front());
+    return 2 * id + (point.objects.size() > 1 ? 1 : 0);
+}
+
 }  // namespace
+
+const FoundView* SearchMemo::find(const ObservationPoint& point) const {
+    const auto entry = entries_.find(point.objects);
+    return entry != entries_.end() && entry->second.point == point ? &entry->second.found : nullptr;
+}
+
+void SearchMemo::keep(const ObservationPoint& point, FoundView found) {
+    entries_.insert_or_assign(point.objects, Entry{point, std::move(found)});
+}
 
 Result<Viewpoints> searchViewpoints(const Surroundings& around,
                                     std::vector<ObservationPoint> observation_points,
-                                    const ViewpointParams& params, int seed,
-                                    const JobContext& job) {
+                                    const ViewpointParams& params, int seed, const JobContext& job,
+                                    SearchMemo* memo) {
     Viewpoints result;
     result.observation_points = std::move(observation_points);
     std::size_t begin = 0;
     // The second round searches for the members that the first split off their groups.
     for (int round = 0; round < 2; ++round) {
         const std::size_t end = result.observation_points.size();
-        std::vector<Found> found(end - begin);
+        std::vector<FoundView> found(end - begin);
         std::atomic<bool> cancelled = false;
         parallelFor(found.size(), [&](std::size_t i) {
             if (cancelled || job.cancelled()) {
                 cancelled = true;
                 return;
             }
-            const auto stream = static_cast<std::uint64_t>(begin + i);
-            found[i] = Search(around, result.observation_points[begin + i], params,
-                              Random(static_cast<std::uint64_t>(seed), stream))
+            const ObservationPoint& point = result.observation_points[begin + i];
+            if (const FoundView* known = memo ? memo->find(point) : nullptr) {
+                found[i] = *known;
+                return;
+            }
+            found[i] = Search(around, point, params,
+                              Random(static_cast<std::uint64_t>(seed), streamOf(point)))
                            .run();
         });
         if (cancelled) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
@@ -199,6 +213,7 @@ Result<Viewpoints> searchViewpoints(const Surroundings& around,
 
         for (std::size_t i = 0; i < found.size(); ++i) {
             const ObservationPoint point = result.observation_points[begin + i];
+            if (memo) memo->keep(point, found[i]);
             if (found[i].best) {
                 found[i].best->observation_point = static_cast<int>(begin + i);
                 found[i].search.position_point = static_cast<int>(result.position_points.size());

@@ -5,6 +5,8 @@
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
 
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -27,12 +29,38 @@ struct Viewpoints {
     std::vector<PositionPoint> position_points;
 };
 
+/// What the search for one observation point found.
+struct FoundView {
+    ViewpointSearch search;
+    std::optional<PositionPoint> best;
+    std::vector<int> not_well;  // members that the best view does not capture well
+};
+
+/// Remembers searches, for the next run in the same free space with the same parameters and seed:
+/// there a search depends on its observation point alone. Whoever keeps one clears it when any of
+/// those change.
+class SearchMemo {
+  public:
+    [[nodiscard]] const FoundView* find(const ObservationPoint& point) const;
+    void keep(const ObservationPoint& point, FoundView found);
+    void clear() { entries_.clear(); }
+
+  private:
+    struct Entry {
+        ObservationPoint point;
+        FoundView found;
+    };
+    std::map<std::vector<int>, Entry> entries_;  // by objects
+};
+
 /// Sets P (paper, eq. 1 and 3.2.1): for each observation point the best legal place in the cone
 /// around its direction; where the cone has none that captures well, all around it, then anywhere
 /// in free space. Members that their group's view does not capture well get a view of their own.
-/// Error: Cancelled.
+/// What is searched for one observation point does not depend on the others, so that excluding
+/// an object leaves their places alone. Error: Cancelled.
 Result<Viewpoints> searchViewpoints(const Surroundings& around,
                                     std::vector<ObservationPoint> observation_points,
-                                    const ViewpointParams& params, int seed, const JobContext& job);
+                                    const ViewpointParams& params, int seed, const JobContext& job,
+                                    SearchMemo* memo = nullptr);
 
 }  // namespace dollytrack::planning

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "engine/document/edits.h"
+#include "engine/plan/viewpoint.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace dollytrack {
+class RayCaster;
+struct Scene;
+}  // namespace dollytrack
+
+namespace dollytrack::planning {
+
+class FloorHeights;
+class FreeSpace;
+struct FreeSpaceParams;
+
+/// Where a person lets the camera be, beside what the room's surfaces allow: outside all no-go
+/// boxes with the whole sphere, and with its centre in a band of heights above the floor. Const.
+class AllowedRegion {
+  public:
+    AllowedRegion(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
+                  const std::vector<NoGoBox>& no_go, const FreeSpaceParams& params,
+                  double camera_radius_m);
+    ~AllowedRegion();
+    AllowedRegion(AllowedRegion&&) noexcept;
+    AllowedRegion& operator=(AllowedRegion&&) noexcept;
+
+    /// False: everything is allowed.
+    [[nodiscard]] bool restricts() const { return !no_go_.empty() || floors_ != nullptr; }
+
+    /// Legal, NoGo or HeightBand, for a sphere of this radius.
+    [[nodiscard]] Verdict verdict(const Eigen::Vector3d& center, double radius_m) const;
+
+    /// Distance from a point to the nearest no-go box; 0 inside one, infinite without any.
+    [[nodiscard]] double noGoDistance(const Eigen::Vector3d& point) const;
+
+    /// The box that a sphere enters, nearest first; null when it enters none.
+    [[nodiscard]] const NoGoBox* boxAt(const Eigen::Vector3d& center, double radius_m) const;
+
+    /// Whether a quadratic Bezier curve stays in the height band all along: the boxes around ever
+    /// shorter pieces of it do. A piece of 1 mm that cannot be proven counts as outside; `where`
+    /// is then its start.
+    [[nodiscard]] bool bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                                 const Eigen::Vector3d& end, Eigen::Vector3d& where) const;
+
+    /// The place, moved up or down into the band.
+    [[nodiscard]] Eigen::Vector3d inBand(const Eigen::Vector3d& place) const;
+
+    /// Height above the floor, m. Only with a band.
+    [[nodiscard]] double heightOf(const Eigen::Vector3d& place) const;
+
+    /// Those of the room's cells (see FreeSpace::cells) that are allowed. Only where restricts().
+    [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const {
+        return cells_[static_cast<std::size_t>(component)];
+    }
+
+  private:
+    [[nodiscard]] bool pieceHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                                  const Eigen::Vector3d& end, Eigen::Vector3d& where) const;
+
+    std::vector<NoGoBox> no_go_;
+    double min_height_m_;
+    double max_height_m_;
+    std::unique_ptr<const FloorHeights> floors_;  // null without a band
+    std::vector<std::vector<Eigen::Vector3f>> cells_;
+};
+
+}  // namespace dollytrack::planning

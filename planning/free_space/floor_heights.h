@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace dollytrack {
+class RayCaster;
+}
+
+namespace dollytrack::planning {
+
+class FreeSpace;
+
+/// How high the floor is below a place: the highest level surface of the building (not of
+/// furniture, rugs or lamps) under it, found at the middle of each column of the map's cells. So
+/// storeys joined by stairs, and rooms a step higher than others, have floors of their own. Where
+/// the scene has no floor it is the height at which the room's free space begins. Const.
+class FloorHeights {
+  public:
+    FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
+                 double camera_radius_m);
+
+    struct Span {
+        double lowest = 0.0;
+        double highest = 0.0;
+    };
+    /// The heights of the floors that places in the box have below them, m in the world.
+    [[nodiscard]] Span below(const Eigen::AlignedBox3d& places) const;
+
+    [[nodiscard]] double below(const Eigen::Vector3d& place) const {
+        return below(Eigen::AlignedBox3d(place)).highest;
+    }
+
+  private:
+    [[nodiscard]] double roomFloor(const Eigen::Vector3d& place) const;
+
+    Eigen::Vector2d origin_;
+    double cell_m_;
+    int columns_x_ = 0;
+    int columns_y_ = 0;
+    std::vector<std::vector<float>> floors_;  // of each column, rising
+    struct RoomFloor {
+        Eigen::AlignedBox3d box;
+        double height = 0.0;
+    };
+    std::vector<RoomFloor> rooms_;
+};
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,203 @@
+#include "planning/viewpoints/hand_placed.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/key_frames.h"
+#include "planning/visibility/framing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kExactGrid = 64;
+constexpr double kLooksAt_m = 2.0;  // where a view that meets nothing is said to look
+constexpr double kFarthest_m = 10.0;
+
+std::vector<int> idsOf(const std::vector<ObjectRef>& objects, const Scene& scene) {
+    std::vector<int> ids;
+    for (const ObjectRef& ref : objects) {
+        if (ref.id >= 1 && ref.id <= static_cast<int>(scene.objects.size())) ids.push_back(ref.id);
+    }
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+std::vector<int> sorted(std::vector<int> ids) {
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+std::string metres(double value) {
+    std::array<char, 32> text = {};
+    std::snprintf(text.data(), text.size(), "%.2f m", value);
+    return text.data();
+}
+
+/// Why a pinned point is not legal, in words; nothing when it is.
+std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surroundings& around) {
+    RefusedPin refused;
+    const Eigen::Vector3d& place = pin.pose.position;
+    refused.verdict = around.sphere.verdict(place, refused.object_id);
+    if (refused.verdict == Verdict::Legal) return std::nullopt;
+    refused.pin = index;
+    refused.name = pin.name;
+    const Scene& scene = around.views.scene();
+    const AllowedRegion* region = around.sphere.region();
+    switch (refused.verdict) {
+        case Verdict::NoGo: {
+            const NoGoBox* box =
+                region->boxAt(place, around.sphere.radius() + SweptSphere::kMargin);
+            refused.reason = "in the no-go box " + (box ? box->name : std::string());
+            break;
+        }
+        case Verdict::HeightBand:
+            refused.reason =
+                "outside the height band, " + metres(region->heightOf(place)) + " above the floor";
+            break;
+        case Verdict::OutsideRoom:
+            refused.reason = "outside the free space of the rooms";
+            break;
+        default:
+            refused.reason =
+                "too near to " + (refused.object_id > 0 ? scene.object(refused.object_id).name
+                                                        : std::string("a surface"));
+            break;
+    }
+    return refused;
+}
+
+class HandPlacing {
+  public:
+    HandPlacing(const Viewpoints& found, const PlanEdits& edits, const Surroundings& around)
+        : found_(found), edits_(edits), around_(around), scene_(around.views.scene()) {}
+
+    PlacedPoints run() {
+        pins_.resize(edits_.pinned.size());
+        for (std::size_t i = 0; i < pins_.size(); ++i) {
+            const auto index = static_cast<int>(i);
+            pins_[i].objects = idsOf(edits_.pinned[i].objects, scene_);
+            if (auto refused = refuse(edits_.pinned[i], index, around_)) {
+                placed_.refused.push_back(std::move(*refused));
+                pins_[i].done = true;
+            }
+        }
+        for (std::size_t o = 0; o < found_.observation_points.size(); ++o) takeOver(o);
+        for (std::size_t i = 0; i < pins_.size(); ++i) {
+            if (!pins_[i].done) addPin(static_cast<int>(i));
+        }
+        Viewpoints& points = placed_.viewpoints;
+        findCaptured(around_.views, points.position_points);
+        for (const PositionPoint& point : points.position_points) {
+            auto& target =
+                points.observation_points[static_cast<std::size_t>(point.observation_point)];
+            if (point.pin >= 0 && target.objects.empty()) target.objects = point.captured;
+        }
+        return std::move(placed_);
+    }
+
+  private:
+    struct Pin {
+        std::vector<int> objects;
+        bool done = false;  // placed or refused
+    };
+
+    /// An observation point with what the search found for it, or what was placed instead.
+    void takeOver(std::size_t index) {
+        Viewpoints& points = placed_.viewpoints;
+        const ObservationPoint& target = found_.observation_points[index];
+        points.observation_points.push_back(target);
+        points.searches.push_back(found_.searches[index]);
+        ViewpointSearch& search = points.searches.back();
+        const int searched = search.position_point;
+        search.position_point = -1;
+        const std::vector<int> objects = sorted(target.objects);
+        bool pinned = false;
+        for (std::size_t i = 0; i < pins_.size(); ++i) {
+            if (pins_[i].done || pins_[i].objects != objects) continue;
+            pins_[i].done = true;
+            pinned = true;
+            addPoint(static_cast<int>(i), index);
+        }
+        if (pinned) return;
+        search.removed = std::any_of(
+            edits_.removed.begin(), edits_.removed.end(),
+            [&](const auto& removed) { return idsOf(removed.objects, scene_) == objects; });
+        if (search.removed || searched < 0) return;
+        search.position_point = static_cast<int>(points.position_points.size());
+        points.position_points.push_back(
+            found_.position_points[static_cast<std::size_t>(searched)]);
+    }
+
+    /// A position point at a pin, for an observation point that is there already.
+    void addPoint(int pin, std::size_t target_index) {
+        Viewpoints& points = placed_.viewpoints;
+        const ObservationPoint& target = points.observation_points[target_index];
+        PositionPoint point;
+        point.observation_point = static_cast<int>(target_index);
+        point.pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
+        point.component = around_.free_space.componentAt(point.pose.position);
+        point.pin = pin;
+        if (!target.objects.empty()) {
+            const double fill = fillFrom(around_.views, makeSubject(around_.views, target.objects),
+                                         point.pose.position);
+            point.fill = std::isfinite(fill) ? fill : 0.0;
+        }
+        for (const int id : target.objects) {
+            if (scene_.object(id).role != Role::Target) continue;
+            const ObjectView view =
+                makeView(around_.views.estimate(point.pose, id, kExactGrid), id, 0);
+            if (isWellCaptured(view)) point.well_captured.push_back(id);
+            if (isCaptured(view)) point.captured.push_back(id);
+        }
+        points.searches[target_index].position_point =
+            static_cast<int>(points.position_points.size());
+        points.position_points.push_back(std::move(point));
+    }
+
+    /// A pin for which the search has no observation point gets one of its own.
+    void addPin(int pin) {
+        const Pose& pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
+        ObservationPoint target;
+        for (const int id : pins_[static_cast<std::size_t>(pin)].objects) {
+            if (scene_.object(id).role == Role::Target) target.objects.push_back(id);
+        }
+        if (target.objects.empty()) {
+            const RayHit hit = around_.views.rays().cast(pose.position, pose.forward(), kFarthest_m,
+                                                         around_.views.nearDistance());
+            const double distance = hit.object_id != 0 ? hit.distance : kLooksAt_m;
+            target.position = pose.position + distance * pose.forward();
+        } else {
+            target.position = makeSubject(around_.views, target.objects).center;
+        }
+        const Eigen::Vector3d back = pose.position - target.position;
+        target.direction = back.norm() > 1e-6 ? Eigen::Vector3d(back.normalized())
+                                              : Eigen::Vector3d(-pose.forward());
+        placed_.viewpoints.observation_points.push_back(std::move(target));
+        placed_.viewpoints.searches.emplace_back();
+        addPoint(pin, placed_.viewpoints.observation_points.size() - 1);
+    }
+
+    const Viewpoints& found_;
+    const PlanEdits& edits_;
+    const Surroundings& around_;
+    const Scene& scene_;
+    std::vector<Pin> pins_;
+    PlacedPoints placed_;
+};
+
+}  // namespace
+
+PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
+                         const Surroundings& around) {
+    return HandPlacing(found, edits, around).run();
+}
+
+}  // namespace dollytrack::planning
