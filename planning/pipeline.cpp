@@ -32,8 +32,9 @@ struct Paths {
 };
 
 struct Metrics {
-    std::vector<ObjectCapture> captures;
+    CaptureEstimate estimate;
     TrajectoryMetrics trajectory;
+    FrameSeries series;
 };
 
 using V = unsigned;  // version of an earlier stage's output
@@ -231,17 +232,19 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const JobContext part = job.stage(0.91, 1.0, "metrics");
-            return run("metrics", metrics, std::tuple(timing.version()), part,
-                       [&]() -> Result<Metrics> {
-                           auto captures = estimateCaptures(*views, *timing, part);
-                           if (!captures) {
-                               return tl::unexpected<Error>(std::move(captures.error()));
-                           }
-                           return measureTrajectory(*views, *smoothing, *timing, sphere, part)
-                               .map([&](const TrajectoryMetrics& measured) {
-                                   return Metrics{std::move(*captures), measured};
-                               });
-                       });
+            return run(
+                "metrics", metrics, std::tuple(timing.version()), part, [&]() -> Result<Metrics> {
+                    auto estimate = estimateCaptures(*views, *timing, part);
+                    if (!estimate) {
+                        return tl::unexpected<Error>(std::move(estimate.error()));
+                    }
+                    FrameSeries series =
+                        measureFrames(*timing, estimate->frame_views, estimate->captures, *rays);
+                    return measureTrajectory(*views, *smoothing, *timing, sphere, part)
+                        .map([&](const TrajectoryMetrics& measured) {
+                            return Metrics{std::move(*estimate), measured, std::move(series)};
+                        });
+                });
         });
 }
 
@@ -256,7 +259,9 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.paths = paths->paths;
     plan.smooth_paths = *smoothing;
     plan.trajectory = *timing;
-    plan.captures = metrics->captures;
+    plan.captures = metrics->estimate.captures;
+    plan.frame_views = metrics->estimate.frame_views;
+    plan.series = metrics->series;
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
     plan.refused_pins = placed->refused;

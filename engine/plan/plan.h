@@ -3,6 +3,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/plan/camera_path.h"
 #include "engine/plan/capture.h"
+#include "engine/plan/frame_series.h"
 #include "engine/plan/roadmap.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
@@ -66,6 +67,10 @@ struct Plan {
 
     std::vector<ObjectCapture> captures;  // estimated by rays
     CaptureMetrics capture_metrics;
+    /// By frame, ordered by object id: the targets of which more than half is in the image.
+    /// Coarse estimates, but exact for the frames that decide about an object.
+    std::vector<std::vector<ObjectView>> frame_views;
+    FrameSeries series;
     TrajectoryMetrics trajectory_metrics;
     std::vector<UncapturedObject> uncaptured;
     std::vector<RefusedPin> refused_pins;

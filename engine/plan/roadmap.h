@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plan/algorithm_step.h"
 #include "engine/plan/viewpoint.h"
 
 #include <Eigen/Core>
@@ -14,7 +15,8 @@ struct RoadmapEdge {
     int b = 0;
     std::vector<Eigen::Vector3d> via;  // corners from a to b, found by RRT*
     double length_m = 0.0;
-    bool in_tree = true;  // false: dropped because it closes a cycle
+    bool in_tree = true;   // false: dropped because it closes a cycle
+    bool is_link = false;  // found by RRT*, between parts that straight moves did not join
 };
 
 /// A straight move that was refused, and where it would have hit.
@@ -31,6 +33,8 @@ struct Roadmap {
     std::vector<RoadmapEdge> edges;
     std::vector<RefusedEdge> refused;
     std::vector<Eigen::Vector3d> samples;  // of RRT*, for the picture
+    std::vector<int> sample_parents;       // index of the sample each grew from; -1: an end
+    AlgorithmSteps steps;                  // how all this came about
     std::vector<int> group;                // connected part of each position point
     int group_count = 0;
 };

@@ -91,6 +91,27 @@ std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<Position
     return ends;
 }
 
+using Step = AlgorithmStep::Kind;
+
+/// Adds the samples of one link to the roadmap's, and the steps that made them.
+void addSamples(Roadmap& roadmap, const RrtStarResult& way, const Ends& pair,
+                const Eigen::Vector3d& start) {
+    roadmap.steps.add({Step::Link, pair.a, pair.b});
+    const int first = static_cast<int>(roadmap.samples.size());
+    for (std::size_t i = 0; i < way.samples.size(); ++i) {
+        const int parent = way.parents[i];
+        AlgorithmStep step{Step::LinkSample, pair.a, pair.b};
+        step.index = first + static_cast<int>(i);
+        step.parent = parent < 0 ? -1 : first + parent;
+        step.point = way.samples[i].cast<float>();
+        step.from =
+            (parent < 0 ? start : way.samples[static_cast<std::size_t>(parent)]).cast<float>();
+        roadmap.steps.add(step);
+        roadmap.samples.push_back(way.samples[i]);
+        roadmap.sample_parents.push_back(step.parent);
+    }
+}
+
 }  // namespace
 
 Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_points,
@@ -136,10 +157,15 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 };
                 RrtStarResult way =
                     rrtStar(problem, Random(static_cast<std::uint64_t>(seed), ++stream));
-                roadmap.samples.insert(roadmap.samples.end(), way.samples.begin(),
-                                       way.samples.end());
-                if (!way.found) continue;
-                RoadmapEdge edge{pair.a, pair.b, {}, 0.0, true};
+                const int spent = static_cast<int>(way.samples.size());
+                addSamples(roadmap, way, pair, problem.start);
+                if (!way.found) {
+                    roadmap.steps.add({Step::LinkFailed, pair.a, pair.b, spent});
+                    continue;
+                }
+                roadmap.steps.add({Step::LinkFound, pair.a, pair.b,
+                                   static_cast<std::int32_t>(roadmap.edges.size())});
+                RoadmapEdge edge{pair.a, pair.b, {}, 0.0, true, true};
                 edge.via = shortened(way.corners, problem.start, problem.goal, sphere);
                 edge.length_m = wayLength(edge.via, problem.start, problem.goal);
                 roadmap.edges.push_back(std::move(edge));

@@ -17,12 +17,13 @@ struct Node {
     Eigen::Vector3d position;
     int parent = -1;
     double cost = 0.0;
+    int first_parent = -1;  // before any rewiring
 };
 
 class Tree {
   public:
     Tree(const RrtStarProblem& problem) : problem_(problem) {
-        nodes_.push_back({problem.start, -1, 0.0});
+        nodes_.push_back({problem.start, -1, 0.0, -1});
     }
 
     [[nodiscard]] int nearest(const Eigen::Vector3d& point) const {
@@ -53,7 +54,7 @@ class Tree {
         }
         if (parent < 0) return false;
         const int self = static_cast<int>(nodes_.size());
-        nodes_.push_back({point, parent, least});
+        nodes_.push_back({point, parent, least, parent});
         for (const int i : near) {
             const double cost = least + (at(i).position - point).norm();
             if (i == parent || cost >= at(i).cost) continue;
@@ -132,6 +133,7 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
     RrtStarResult result;
     for (std::size_t i = 1; i < tree.nodes().size(); ++i) {
         result.samples.push_back(tree.nodes()[i].position);
+        result.parents.push_back(tree.nodes()[i].first_parent - 1);
     }
     if (best_end < 0) return result;
     result.found = true;

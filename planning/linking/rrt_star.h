@@ -23,7 +23,8 @@ struct RrtStarProblem {
 struct RrtStarResult {
     bool found = false;
     std::vector<Eigen::Vector3d> corners;  // between start and goal, without them
-    std::vector<Eigen::Vector3d> samples;  // all that became part of the tree
+    std::vector<Eigen::Vector3d> samples;  // all that became part of the tree, as they came
+    std::vector<int> parents;              // of each sample when it came; -1: the start
 };
 
 /// RRT* (Karaman and Frazzoli, 2011): grows a tree from the start, rewires it around each new

@@ -51,11 +51,11 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
 
 }  // namespace
 
-Result<std::vector<ObjectCapture>> estimateCaptures(const ViewEstimator& views,
-                                                    const Trajectory& trajectory,
-                                                    const JobContext& job) {
+Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
+                                         const JobContext& job) {
     const Scene& scene = views.scene();
     std::vector<std::vector<ObjectView>> exact(scene.objects.size());
+    std::vector<std::vector<ObjectView>> all_frames(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = scene.objects[i].id;
         if (scene.objects[i].role != Role::Target || job.cancelled()) return;
@@ -66,15 +66,28 @@ Result<std::vector<ObjectCapture>> estimateCaptures(const ViewEstimator& views,
             coarse.push_back(
                 makeView(views.estimate(pose, id, kCoarseGrid), id, static_cast<int>(f)));
         }
-        for (const int frame : bestFrames(std::move(coarse))) {
+        for (const int frame : bestFrames(coarse)) {
             const Pose& pose = trajectory.frames[static_cast<std::size_t>(frame)].pose;
             exact[i].push_back(makeView(views.estimate(pose, id, kExactGrid), id, frame));
         }
+        // Both by rising frame: the exact view takes the place of the coarse one.
+        auto better = exact[i].begin();
+        for (ObjectView& view : coarse) {
+            if (better != exact[i].end() && better->frame == view.frame) view = *better++;
+        }
+        all_frames[i] = std::move(coarse);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     std::vector<ObjectView> all;
     for (const auto& some : exact) all.insert(all.end(), some.begin(), some.end());
-    return bestCaptures(scene, all);
+    CaptureEstimate estimate{bestCaptures(scene, all), {}};
+    estimate.frame_views.resize(trajectory.frames.size());
+    for (const auto& some : all_frames) {
+        for (const ObjectView& view : some) {
+            estimate.frame_views[static_cast<std::size_t>(view.frame)].push_back(view);
+        }
+    }
+    return estimate;
 }
 
 }  // namespace dollytrack::planning

@@ -9,11 +9,15 @@ namespace dollytrack::planning {
 class SweptSphere;
 class ViewEstimator;
 
+struct CaptureEstimate {
+    std::vector<ObjectCapture> captures;
+    std::vector<std::vector<ObjectView>> frame_views;  // see Plan
+};
+
 /// How every target shows along a trajectory, estimated by rays: a coarse look at all frames that
 /// may show it, then a look at every pixel for the best few. Error: Cancelled.
-Result<std::vector<ObjectCapture>> estimateCaptures(const ViewEstimator& views,
-                                                    const Trajectory& trajectory,
-                                                    const JobContext& job);
+Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
+                                         const JobContext& job);
 
 /// The metrics about the motion itself. Error: Cancelled.
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,

@@ -242,6 +242,28 @@ std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
     return path;
 }
 
+void addPruneSteps(const Part& part, AlgorithmSteps& steps) {
+    for (int vertex = 0; vertex < part.size(); ++vertex) {
+        const int key = part.keys[static_cast<std::size_t>(vertex)];
+        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+            const RoadmapEdge& edge = part.edge(e);
+            if (edge.in_tree || edge.a != key) continue;  // each edge once, at its first end
+            steps.add({AlgorithmStep::Kind::Prune, edge.a, edge.b, e});
+        }
+    }
+}
+
+void addVisitSteps(const CameraPath& path, int index, AlgorithmSteps& steps) {
+    int last = -1;
+    for (const PathVertex& vertex : path.vertices) {
+        if (vertex.position_point < 0) continue;
+        AlgorithmStep step{AlgorithmStep::Kind::Visit, vertex.position_point, last, index};
+        step.point = vertex.position.cast<float>();
+        steps.add(step);
+        last = vertex.position_point;
+    }
+}
+
 }  // namespace
 
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
@@ -258,11 +280,13 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
     for (const Part& part : parts) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         dropCycleEdges(part);
+        addPruneSteps(part, roadmap.steps);
         CameraPath path;
         path.component = part.point(0).component;
         path.vertices = params.path_mode == PathMode::LongestBranch
                             ? BranchWalk(part).walk()
                             : tour(part, sphere, weights, job);
+        addVisitSteps(path, static_cast<int>(paths.size()), roadmap.steps);
         paths.push_back(std::move(path));
     }
     return paths;

@@ -23,11 +23,20 @@ struct Pair {
     Sweep sweep;
 };
 
-double cost(const PositionPoint& near, const PositionPoint& sample, double near_size,
-            const RoadmapParams& params) {
-    return params.distance_weight * (near.pose.position - sample.pose.position).norm() +
-           params.size_weight * near_size +
-           angleBetween(near.pose.forward(), sample.pose.forward());
+/// The three terms of Near's cost.
+struct Cost {
+    double distance_m = 0.0;
+    double distance = 0.0;
+    double size = 0.0;
+    double turn = 0.0;
+    [[nodiscard]] double sum() const { return distance + size + turn; }
+};
+
+Cost cost(const PositionPoint& near, const PositionPoint& sample, double near_size,
+          const RoadmapParams& params) {
+    const double distance = (near.pose.position - sample.pose.position).norm();
+    return {distance, params.distance_weight * distance, params.size_weight * near_size,
+            angleBetween(near.pose.forward(), sample.pose.forward())};
 }
 
 /// Other key frames of the same room in the order that Near would give them for this sample.
@@ -41,12 +50,30 @@ std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std:
     for (const int other : keys) {
         if (other == sample || at(other).component != at(sample).component) continue;
         order.emplace_back(
-            cost(at(other), at(sample), sizes[static_cast<std::size_t>(other)], params), other);
+            cost(at(other), at(sample), sizes[static_cast<std::size_t>(other)], params).sum(),
+            other);
     }
     std::sort(order.begin(), order.end());
     std::vector<int> result;
     for (const auto& [_, other] : order) result.push_back(other);
     return result;
+}
+
+/// Near, Edge, CollisionFree: called before the edge, or the refused one, is added.
+void addEdgeSteps(Roadmap& roadmap, int sample, int near, const Cost& terms, const Sweep& sweep) {
+    using Kind = AlgorithmStep::Kind;
+    AlgorithmStep step{Kind::Near, sample, near};
+    step.distance_m = static_cast<float>(terms.distance_m);
+    step.distance_cost = static_cast<float>(terms.distance);
+    step.size_cost = static_cast<float>(terms.size);
+    step.turn_cost = static_cast<float>(terms.turn);
+    roadmap.steps.add(step);
+    roadmap.steps.add({Kind::Edge, sample, near});
+    AlgorithmStep outcome{sweep.free ? Kind::Accepted : Kind::Refused, sample, near};
+    outcome.index =
+        static_cast<std::int32_t>(sweep.free ? roadmap.edges.size() : roadmap.refused.size());
+    outcome.point = sweep.collision.cast<float>();
+    roadmap.steps.add(outcome);
 }
 
 }  // namespace
@@ -106,11 +133,13 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
     for (std::size_t i = order.size(); i > 1; --i) {
         std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
     }
+    using Step = AlgorithmStep::Kind;
     Roadmap roadmap;
     std::vector<bool> used(pairs.size(), false);
     for (const std::size_t i : order) {
         int refusals = 0;
         int joined = 0;
+        roadmap.steps.add({Step::Sample, key_frames[i]});
         for (const int near : partners[i]) {
             if (refusals >= params.refusal_limit || joined >= kEdgesPerSample) break;
             const std::pair wanted(std::min(key_frames[i], near), std::max(key_frames[i], near));
@@ -118,10 +147,20 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
                 std::lower_bound(pairs.begin(), pairs.end(), wanted,
                                  [&](const Pair& p, const auto& value) { return ends(p) < value; });
             const auto index = static_cast<std::size_t>(found - pairs.begin());
-            if (used[index]) continue;
+            if (used[index]) {
+                roadmap.steps.add({Step::Skip, key_frames[i], near});
+                continue;
+            }
             used[index] = true;
             const Pair& pair = *found;
             ++(pair.sweep.free ? joined : refusals);
+            const auto point = [&](int p) -> const PositionPoint& {
+                return position_points[static_cast<std::size_t>(p)];
+            };
+            addEdgeSteps(roadmap, key_frames[i], near,
+                         cost(point(near), point(key_frames[i]),
+                              sizes[static_cast<std::size_t>(near)], params),
+                         pair.sweep);
             if (pair.sweep.free) {
                 roadmap.edges.push_back(
                     {pair.a, pair.b, {}, (position(pair.a) - position(pair.b)).norm(), true});
@@ -130,6 +169,7 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
                                            pair.sweep.object_id, pair.sweep.reason});
             }
         }
+        roadmap.steps.add({Step::Leave, key_frames[i], -1, refusals});
     }
     findGroups(roadmap, position_points.size(), key_frames);
     return roadmap;

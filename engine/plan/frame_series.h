@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/camera/trajectory.h"
+#include "engine/plan/capture.h"
+
+#include <vector>
+
+namespace dollytrack {
+
+class RayCaster;
+
+/// What is known of each frame of a trajectory, for timelines and colours. One entry a frame.
+struct FrameSeries {
+    std::vector<double> clearance_m;   // from the camera's centre to the nearest surface, exact
+    std::vector<double> speed_mps;     // on the way from the frame before; 0 where a path begins
+    std::vector<double> turn_dps;      // likewise
+    std::vector<double> score;         // see frameScores()
+    std::vector<int> in_view;          // targets of which more than half is in the image, in sight
+    std::vector<int> captured;         // of them, captured by this frame
+    std::vector<int> well_captured;    // of them, captured well
+    std::vector<int> captured_so_far;  // targets captured by this frame or an earlier one
+    std::vector<std::vector<int>> newly_captured;  // ids of those captured for the first time
+
+    [[nodiscard]] std::size_t size() const { return clearance_m.size(); }
+};
+
+/// `views` has one list a frame; `captures` is the final word on what is captured at all, since
+/// some views are estimated coarsely.
+[[nodiscard]] FrameSeries measureFrames(const Trajectory& trajectory,
+                                        const std::vector<std::vector<ObjectView>>& views,
+                                        const std::vector<ObjectCapture>& captures,
+                                        const RayCaster& rays);
+
+/// How much each frame shows compared with those just before it: the mean of count_i / count_j
+/// over up to `window` frames j before it on the same path (the continuity term of the paper's
+/// image score). A frame that shows nothing scores 0; the first of a path, and one after frames
+/// that show nothing, score 1.
+[[nodiscard]] std::vector<double> frameScores(const Trajectory& trajectory,
+                                              const std::vector<int>& counts, int window = 5);
+
+}  // namespace dollytrack
