@@ -95,7 +95,9 @@ struct Pipeline::Stages {
     }
 
     Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
-    Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
+    Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job,
+                const OnTrajectory& on_trajectory);
+    [[nodiscard]] Plan collectMoves() const;
     [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };
 
@@ -131,7 +133,7 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
 }
 
 Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
-                              const JobContext& job) {
+                              const JobContext& job, const OnTrajectory& on_trajectory) {
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
     const Surroundings around{*views, *free_space, sphere};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
@@ -231,6 +233,9 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
+            if (on_trajectory && !timing.reused()) {
+                on_trajectory(std::make_shared<const Plan>(collectMoves()));
+            }
             const JobContext part = job.stage(0.91, 1.0, "metrics");
             return run(
                 "metrics", metrics, std::tuple(timing.version()), part, [&]() -> Result<Metrics> {
@@ -248,7 +253,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         });
 }
 
-Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
+Plan Pipeline::Stages::collectMoves() const {
     Plan plan;
     for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
     plan.observation_points = placed->viewpoints.observation_points;
@@ -259,24 +264,29 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.paths = paths->paths;
     plan.smooth_paths = *smoothing;
     plan.trajectory = *timing;
-    plan.captures = metrics->estimate.captures;
-    plan.frame_views = metrics->estimate.frame_views;
-    plan.series = metrics->series;
-    plan.capture_metrics = summarize(*scene, plan.captures);
-    plan.trajectory_metrics = metrics->trajectory;
     plan.refused_pins = placed->refused;
-    refusePinsOverBudget(edits, plan);
-    for (const ObjectCapture& capture : plan.captures) {
-        if (capture.captured) continue;
-        plan.uncaptured.push_back(
-            {capture.object_id, explainUncaptured(*scene, plan, capture.object_id)});
-    }
     plan.stages = times;
     for (const StageTime& stage : times) {
         const bool maps = stage.name == "rays" || stage.name == "free_space" ||
                           stage.name == "region" || stage.name == "views";
         if (maps) plan.map_ms += stage.milliseconds;
         if (!maps && stage.name != "metrics") plan.plan_ms += stage.milliseconds;
+    }
+    return plan;
+}
+
+Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
+    Plan plan = collectMoves();
+    plan.captures = metrics->estimate.captures;
+    plan.frame_views = metrics->estimate.frame_views;
+    plan.series = metrics->series;
+    plan.capture_metrics = summarize(*scene, plan.captures);
+    plan.trajectory_metrics = metrics->trajectory;
+    refusePinsOverBudget(edits, plan);
+    for (const ObjectCapture& capture : plan.captures) {
+        if (capture.captured) continue;
+        plan.uncaptured.push_back(
+            {capture.object_id, explainUncaptured(*scene, plan, capture.object_id)});
     }
     return plan;
 }
@@ -297,7 +307,8 @@ Pipeline::Pipeline(Pipeline&&) noexcept = default;
 Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 
 Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const PlanEdits& edits,
-                                                  const JobContext& job) {
+                                                  const JobContext& job,
+                                                  const OnTrajectory& on_trajectory) {
     if (Status status = validate(params.camera); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -307,7 +318,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
     }
     stages_->times.clear();
     return stages_->map(params, edits, job)
-        .and_then([&] { return stages_->plan(params, edits, job); })
+        .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
         .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });
 }
 

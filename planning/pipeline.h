@@ -6,6 +6,7 @@
 #include "engine/plan/plan.h"
 #include "planning/plan_params.h"
 
+#include <functional>
 #include <memory>
 
 namespace dollytrack {
@@ -22,6 +23,8 @@ class FreeSpace;
 /// later run repeats only the stages whose parameters, or whose input, have changed.
 class Pipeline {
   public:
+    using OnTrajectory = std::function<void(std::shared_ptr<const Plan>)>;
+
     explicit Pipeline(std::shared_ptr<const Scene> scene);
     ~Pipeline();
     Pipeline(Pipeline&&) noexcept;
@@ -36,8 +39,11 @@ class Pipeline {
     /// date). Errors: Cancelled; Usage when parameters contradict each other; BadInput when the
     /// scene has no room for the camera. A scene without targets, or of which nothing can be
     /// captured, gives an empty trajectory.
+    /// `on_trajectory` is called from within, with the plan as far as its timed trajectory, before
+    /// the metrics are measured, when the trajectory is a new one: a picture can follow sooner.
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const PlanEdits& edits,
-                                            const JobContext& job);
+                                            const JobContext& job,
+                                            const OnTrajectory& on_trajectory = {});
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const JobContext& job) {
         return run(params, {}, job);
     }

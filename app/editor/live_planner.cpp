@@ -35,9 +35,13 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     scene = std::make_shared<const Scene>(std::move(*edited));
     if (!same_geometry) {
         ++geometry;
-        pipeline.reset();
+        pipeline.reset();  // frees its memory before the new one is built
     }
-    pipeline.emplace(scene);
+    if (pipeline) {
+        pipeline->setScene(scene, same_geometry);
+    } else {
+        pipeline.emplace(scene);
+    }
     return {};
 }
 
@@ -79,7 +83,9 @@ void LivePlanner::start(PlanRequest request) {
             outcome.measured = measured;
             publish();
         };
-        auto plan = desk->pipeline->run(outcome.params, job);
+        auto plan = desk->pipeline->run(
+            outcome.params, edits, job,
+            [&](std::shared_ptr<const Plan> moving) { collect(std::move(moving), false); });
         if (plan) return collect(std::move(*plan), true);
         if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
         outcome.error = std::move(plan.error());
