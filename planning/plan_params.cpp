@@ -1,5 +1,7 @@
 #include "planning/plan_params.h"
 
+#include <nlohmann/json.hpp>
+
 namespace dollytrack::planning {
 
 FieldList listFields(PlanParams& params) {
@@ -7,6 +9,17 @@ FieldList listFields(PlanParams& params) {
     visitPlanParams(
         params, [&](std::string_view section) { collector.beginSection(section); }, collector);
     return collector.take();
+}
+
+Status setParameter(nlohmann::json& sections, const std::string& name,
+                    const nlohmann::json& value) {
+    PlanParams params;
+    const FieldList fields = listFields(params);
+    return setFromJson(fields, sections)
+        .and_then([&] {
+            return setFromJson(fields, {{"parameters", {{name, value}}}});
+        })
+        .map([&] { sections = toJson(fields); });
 }
 
 }  // namespace dollytrack::planning

@@ -158,6 +158,10 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }
 
+/// Sets one parameter in a project's sections, which are then complete: every field, with its
+/// default where they did not name it. Error: BadInput, as setFromJson() gives it.
+Status setParameter(nlohmann::json& sections, const std::string& name, const nlohmann::json& value);
+
 /// All fields of the parameters, for files, `--set` and widgets. Points into `params`.
 FieldList listFields(PlanParams& params);
 

@@ -38,6 +38,7 @@ struct Session {
 
 void addInfoCommand(CLI::App& app, Session& session);
 void addPlanCommand(CLI::App& app, Session& session);
+void addEditCommand(CLI::App& app, Session& session);
 void addExportCommand(CLI::App& app, Session& session);
 void addParamsCommand(CLI::App& app, Session& session);
 

@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
 
     cli::addInfoCommand(app, session);
     cli::addPlanCommand(app, session);
+    cli::addEditCommand(app, session);
     cli::addExportCommand(app, session);
     cli::addParamsCommand(app, session);
 

@@ -117,14 +117,8 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         planned->result["metrics"] = withoutTimes(planned->metrics);
     }
     if (!arguments.out.empty()) {
-        io::ProjectFile project;
-        project.scene = opened->scene->source;
-        project.scene_sha256 = opened->scene->source_sha256;
-        project.import = opened->import;
-        planning::PlanParams params = opened->params;
-        project.parameters = toJson(planning::listFields(params));
+        io::ProjectFile project = projectOf(*opened);
         project.result = planned->result;
-        project.others = opened->project_others;
         if (Status status = io::saveProject(project, arguments.out); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }

@@ -1,13 +1,17 @@
 #include "app/cli/planned_scene.h"
 
+#include "engine/core/log.h"
 #include "engine/plan/plan_json.h"
 
 namespace dollytrack::cli {
 
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job) {
-    const auto plan = pipeline.run(opened.params, job);
+    const auto plan = pipeline.run(opened.params, opened.plan_edits, job);
     if (!plan) return tl::unexpected<Error>(plan.error());
+    for (const RefusedPin& pin : (*plan)->refused_pins) {
+        log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
+    }
     PlannedScene planned;
     planned.scene = opened.scene;
     planned.params = opened.params;

@@ -1,7 +1,8 @@
 #include "app/cli/scene_arguments.h"
 
 #include "engine/core/log.h"
-#include "engine/io/project_file.h"
+#include "engine/document/apply_scene_edits.h"
+#include "engine/document/edits_json.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -18,10 +19,6 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
         if (Status status = setField(fields, assignment); !status) return status;
     }
     return {};
-}
-
-bool isProject(const std::filesystem::path& path) {
-    return path.extension() == ".dolly";
 }
 
 /// What the command line says of the scene, over what the project says.
@@ -53,6 +50,44 @@ Result<ImportOptions> importOptions(const nlohmann::json& settings,
 }
 
 }  // namespace
+
+bool isProject(const std::filesystem::path& path) {
+    return path.extension() == ".dolly";
+}
+
+Status applyEdits(OpenedScene& opened, Edits edits) {
+    opened.edits = std::move(edits);
+    opened.scene = opened.imported;
+    if (opened.edits.scene != SceneEdits{}) {
+        const planning::TargetParams& targets = opened.params.targets;
+        Result<Scene> edited = applySceneEdits(*opened.imported, opened.edits.scene,
+                                               {targets.small_volume_m3, targets.size_ratio});
+        if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+        opened.scene = std::make_shared<const Scene>(std::move(*edited));
+        // Those of the import were said already.
+        const auto& warnings = opened.scene->report.warnings;
+        for (std::size_t i = opened.imported->report.warnings.size(); i < warnings.size(); ++i) {
+            log::warn("edits", warnings[i]);
+        }
+    }
+    std::vector<std::string> lost;
+    opened.plan_edits = findObjects(opened.edits.plan, *opened.scene, lost);
+    for (const std::string& warning : lost) log::warn("edits", warning);
+    return {};
+}
+
+io::ProjectFile projectOf(const OpenedScene& opened) {
+    io::ProjectFile project;
+    project.scene = opened.imported->source;
+    project.scene_sha256 = opened.imported->source_sha256;
+    project.import = opened.import;
+    planning::PlanParams params = opened.params;
+    project.parameters = toJson(planning::listFields(params));
+    project.edits = editsJson(opened.edits, opened.edits_section);
+    project.result = opened.stored_result;
+    project.others = opened.project_others;
+    return project;
+}
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
     command
@@ -89,6 +124,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     std::string planned_sha256;
     nlohmann::json stored_import = nlohmann::json::object();
     planning::PlanParams stored;
+    Edits edits;
     if (isProject(arguments.path)) {
         Result<io::ProjectFile> project = io::loadProject(arguments.path);
         if (!project) return tl::unexpected<Error>(std::move(project.error()));
@@ -107,6 +143,13 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         }
         planned_sha256 = project->scene_sha256;
         stored_import = std::move(project->import);
+        Result<Edits> read = editsFromJson(project->edits);
+        if (!read) {
+            read.error().where = arguments.path + ": " + read.error().where;
+            return tl::unexpected<Error>(std::move(read.error()));
+        }
+        edits = std::move(*read);
+        opened.edits_section = std::move(project->edits);
         opened.stored_result = std::move(project->result);
         opened.project_others = std::move(project->others);
     }
@@ -119,9 +162,13 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (!options) return tl::unexpected<Error>(options.error());
     Result<Scene> scene = importScene(scene_path, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-    opened.scene = std::make_shared<const Scene>(std::move(*scene));
-
-    for (const std::string& warning : opened.scene->report.warnings) log::warn("import", warning);
+    opened.imported = std::make_shared<const Scene>(std::move(*scene));
+    for (const std::string& warning : opened.imported->report.warnings) {
+        log::warn("import", warning);
+    }
+    if (Status status = applyEdits(opened, std::move(edits)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     if (!opened.stored_result.is_null()) {
         const bool other_scene = planned_sha256 != opened.scene->source_sha256;
         const bool other_params = !(stored == opened.params) || opened.import != stored_import;

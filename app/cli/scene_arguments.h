@@ -1,12 +1,15 @@
 #pragma once
 
 #include "app/cli/command_line.h"
+#include "engine/document/edits.h"
+#include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
 #include "engine/scene/scene.h"
 #include "planning/plan_params.h"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,12 +38,24 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 
 /// A scene with the parameters to plan it with, from a scene file or a project.
 struct OpenedScene {
-    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Scene> imported;
+    std::shared_ptr<const Scene> scene;  // with the edits applied
     planning::PlanParams params;
+    Edits edits;           // as the project has them
+    PlanEdits plan_edits;  // with the numbers that their objects have in the scene
     nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, where given
     nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds
+    nlohmann::json edits_section = nlohmann::json::object();   // as it was read
     nlohmann::json project_others = nlohmann::json::object();  // what else the project holds
 };
+
+bool isProject(const std::filesystem::path& path);
+
+/// Applies edits to the imported scene; what they name and is gone is warned of. Error: BadInput.
+Status applyEdits(OpenedScene& opened, Edits edits);
+
+/// The project that keeps what was opened, with its stored result.
+io::ProjectFile projectOf(const OpenedScene& opened);
 
 /// Loads it and applies the parameters: defaults, then the project's, then the command line's.
 /// A project's result is dropped, with a note, when the command line changes a parameter or the

@@ -67,12 +67,16 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"stages", json::object()},
         {"uncaptured", json::array()},
         {"not_well_captured", json::array()},
+        {"refused_pins", json::array()},
     };
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const UncapturedObject& one : plan.uncaptured) {
         result["uncaptured"].push_back({{"object", scene.object(one.object_id).name},
                                         {"id", one.object_id},
                                         {"reason", one.reason}});
+    }
+    for (const RefusedPin& one : plan.refused_pins) {
+        result["refused_pins"].push_back({{"point", one.name}, {"reason", one.reason}});
     }
     for (const ObjectCapture& one : plan.captures) {
         if (one.captured && !one.well_captured) {
@@ -178,6 +182,7 @@ json resultJson(const Scene& scene, const Plan& plan) {
         one["fill"] = point.fill;
         one["well_captured"] = names(scene, point.well_captured);
         one["captured"] = names(scene, point.captured);
+        if (point.pin >= 0) one["pin"] = point.pin;
         result["position_points"].push_back(std::move(one));
     }
     result["key_frames"] = plan.key_frames;

@@ -1,0 +1,188 @@
+#include "app/cli/command_line.h"
+#include "app/cli/metrics_table.h"
+#include "app/cli/planned_scene.h"
+#include "app/cli/scene_arguments.h"
+#include "engine/document/operation.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace dollytrack::cli {
+namespace {
+
+struct EditArguments {
+    SceneArguments scene;
+    std::string out;
+    std::string script;
+    std::vector<std::string> operations;
+    bool plan = false;
+    bool list = false;
+    bool as_json = false;
+};
+
+Result<nlohmann::json> parse(const std::string& text, const std::string& where) {
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& e) {
+        return fail(ErrorCode::Usage, fmt::format("This is not valid JSON ({}).", e.what()), where);
+    }
+}
+
+/// The script's operations, then those given one by one.
+Result<nlohmann::json> readOperations(const EditArguments& arguments) {
+    nlohmann::json all = nlohmann::json::array();
+    if (!arguments.script.empty()) {
+        std::ifstream file(arguments.script, std::ios::binary);
+        std::ostringstream text;
+        text << file.rdbuf();
+        if (!file) return fail(ErrorCode::BadInput, "The file cannot be read.", arguments.script);
+        Result<nlohmann::json> script = parse(text.str(), arguments.script);
+        if (!script) return script;
+        if (!script->is_array()) {
+            return fail(ErrorCode::Usage, "A script is a list of operations: [{\"op\": ...}, ...].",
+                        arguments.script);
+        }
+        all = std::move(*script);
+    }
+    for (const std::string& text : arguments.operations) {
+        Result<nlohmann::json> one = parse(text, "--op");
+        if (!one) return one;
+        all.push_back(std::move(*one));
+    }
+    return all;
+}
+
+void printOperations(bool as_json) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const OperationInfo& info : listOperations()) {
+        nlohmann::json fields = nlohmann::json::array();
+        if (!as_json) fmt::print("{}\n  {}\n", info.op, info.text);
+        for (const OperationField& field : info.fields) {
+            fields.push_back({{"name", field.name},
+                              {"kind", field.kind},
+                              {"required", field.required},
+                              {"text", field.text}});
+            if (as_json) continue;
+            fmt::print("    {:<16} {:<10} {}{}\n", field.name, field.kind,
+                       field.required ? "" : "(optional) ", field.text);
+        }
+        list.push_back({{"op", info.op}, {"text", info.text}, {"fields", std::move(fields)}});
+    }
+    if (as_json) fmt::print("{}\n", jsonText(list));
+}
+
+/// Errors that --list does not have.
+Status checkArguments(const EditArguments& arguments) {
+    if (arguments.scene.path.empty()) {
+        return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
+    }
+    if (arguments.script.empty() && arguments.operations.empty()) {
+        return fail(ErrorCode::Usage,
+                    "Say what to edit: give --script or --op; --list tells what.");
+    }
+    if (arguments.out.empty() && !isProject(arguments.scene.path)) {
+        return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
+                    arguments.scene.path);
+    }
+    if (!arguments.out.empty() && !isProject(arguments.out)) {
+        return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
+    }
+    return {};
+}
+
+/// Applies the operations to what was opened; names of the steps. A stored plan no longer holds
+/// when they change anything.
+Result<std::vector<std::string>> apply(const nlohmann::json& operations, OpenedScene& opened) {
+    ProjectState state;
+    state.parameters = toJson(planning::listFields(opened.params));
+    state.edits = opened.edits;
+    const ProjectState before = state;
+    const planning::TargetParams& targets = opened.params.targets;
+    Result<std::vector<std::string>> names =
+        applyOperations(state, *opened.imported, planning::setParameter, operations,
+                        {targets.small_volume_m3, targets.size_ratio});
+    if (!names || state == before) return names;
+    opened.stored_result = nullptr;
+    Status status =
+        setFromJson(planning::listFields(opened.params), state.parameters).and_then([&] {
+            return applyEdits(opened, std::move(state.edits));
+        });
+    if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    return names;
+}
+
+Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session) {
+    if (arguments.list) {
+        printOperations(arguments.as_json);
+        return kDone;
+    }
+    if (Status status = checkArguments(arguments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const Result<nlohmann::json> operations = readOperations(arguments);
+    if (!operations) return tl::unexpected<Error>(operations.error());
+    const JobContext job = session.job();
+    Result<OpenedScene> opened =
+        openScene(arguments.scene, job.stage(0.0, arguments.plan ? 0.3 : 1.0, "loading"));
+    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+    const Result<std::vector<std::string>> names = apply(*operations, *opened);
+    if (!names) return tl::unexpected<Error>(names.error());
+    nlohmann::json metrics;
+    if (arguments.plan) {
+        planning::Pipeline pipeline(opened->scene);
+        Result<PlannedScene> planned =
+            planScene(*opened, pipeline, job.stage(0.3, 1.0, "planning"));
+        if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
+        opened->stored_result = std::move(planned->result);
+        metrics = std::move(planned->metrics);
+    }
+    const std::string out = arguments.out.empty() ? arguments.scene.path : arguments.out;
+    if (Status status = io::saveProject(projectOf(*opened), out); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (arguments.as_json) {
+        nlohmann::json summary = {{"out", out}, {"operations", *names}};
+        if (arguments.plan) summary["metrics"] = std::move(metrics);
+        fmt::print("{}\n", jsonText(summary));
+        return kDone;
+    }
+    for (const std::string& name : *names) fmt::print("{}\n", name);
+    if (arguments.plan) fmt::print("\n{}", metricsTable(metrics));
+    return kDone;
+}
+
+}  // namespace
+
+void addEditCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand(
+        "edit", "Change by hand what a project plans: objects, points, no-go boxes, parameters");
+    auto arguments = std::make_shared<EditArguments>();
+    addSceneArguments(*command, arguments->scene);
+    command->get_option("scene")->required(false);
+    command
+        ->add_option("--script", arguments->script,
+                     "A list of operations; all are applied, or none")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--op", arguments->operations,
+                     "One operation; may be given several times, after those of the script")
+        ->type_name("JSON")
+        ->allow_extra_args(false);
+    command->add_option("-o,--out", arguments->out, "Write here instead of into the project itself")
+        ->type_name("FILE.dolly");
+    command->add_flag("--plan", arguments->plan, "Plan afterwards, and store the plan");
+    command->add_flag("--list", arguments->list, "List all operations with their fields");
+    command->add_flag("--json", arguments->as_json, "Print as JSON");
+    command->footer(
+        "Example: dollytrack edit room.dolly --op '{\"op\":\"exclude\",\"object\":\"lamp_3\"}' "
+        "--plan");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runEdit(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli
