@@ -23,41 +23,48 @@
 namespace dollytrack {
 namespace {
 
-std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + " " + what;
+/// "1 face was dropped", "2 faces were dropped".
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
     if (repairs.bad_numbers > 0) {
-        report.warnings.push_back(counted(repairs.bad_numbers,
-                                          "faces with a corner that is no "
-                                          "finite number were dropped"));
+        report.warnings.push_back(
+            counted(repairs.bad_numbers, "face with a corner that is no finite number was dropped",
+                    "faces with a corner that is no finite number were dropped"));
     }
     if (repairs.bad_indices > 0) {
-        report.warnings.push_back(
-            counted(repairs.bad_indices, "faces that name a missing vertex were dropped"));
+        report.warnings.push_back(counted(repairs.bad_indices,
+                                          "face that names a missing vertex was dropped",
+                                          "faces that name a missing vertex were dropped"));
     }
     if (repairs.no_area > 0) {
-        report.notes.push_back(counted(repairs.no_area, "faces without area were dropped"));
+        report.notes.push_back(counted(repairs.no_area, "face without area was dropped",
+                                       "faces without area were dropped"));
     }
     if (repairs.approximate > 0) {
-        report.warnings.push_back(
-            counted(repairs.approximate, "polygons cross themselves and were filled as fans"));
+        report.warnings.push_back(counted(repairs.approximate,
+                                          "polygon crosses itself and was filled as a fan",
+                                          "polygons cross themselves and were filled as fans"));
     }
     if (repairs.lines > 0) {
-        report.notes.push_back(counted(repairs.lines, "points and lines were left out"));
+        report.notes.push_back(
+            counted(repairs.lines, "point or line was left out", "points and lines were left out"));
     }
     if (repairs.polygons > 0) {
-        report.notes.push_back(counted(repairs.polygons, "polygons were cut into triangles"));
+        report.notes.push_back(counted(repairs.polygons, "polygon was cut into triangles",
+                                       "polygons were cut into triangles"));
     }
     if (repairs.made_normals > 0) {
-        report.notes.push_back(counted(repairs.made_normals,
-                                       "meshes had no normals; they were "
-                                       "made, smooth below 45 degrees"));
+        report.notes.push_back(counted(
+            repairs.made_normals, "mesh had no normals; they were made, smooth below 45 degrees",
+            "meshes had no normals; they were made, smooth below 45 degrees"));
     }
     if (repairs.mirrored > 0) {
-        report.notes.push_back(
-            counted(repairs.mirrored, "meshes are mirrored; their faces were turned back"));
+        report.notes.push_back(counted(repairs.mirrored,
+                                       "mesh is mirrored; its faces were turned back",
+                                       "meshes are mirrored; their faces were turned back"));
     }
 }
 
@@ -79,9 +86,9 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
                  ImportReport& report) {
     const std::size_t scattered = splitScattered(raw, labels, drafts);
     if (scattered > 0) {
-        report.notes.push_back(counted(scattered,
-                                       "nodes held things far apart, which were made "
-                                       "objects of their own"));
+        report.notes.push_back(
+            counted(scattered, "node held things far apart, which were made objects of their own",
+                    "nodes held things far apart, which were made objects of their own"));
     }
     const std::size_t split = splitMergedScenes(raw, labels, drafts);
     if (split > 0) {
@@ -92,9 +99,8 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
     const std::vector<bool> structure = findStructure(raw, drafts);
     const std::size_t merged = mergePieces(raw, structure, drafts);
     if (merged > 0) {
-        report.notes.push_back(counted(merged,
-                                       "pieces were put together with what they are "
-                                       "attached to"));
+        report.notes.push_back(counted(merged, "piece was put together with what it is attached to",
+                                       "pieces were put together with what they are attached to"));
     }
     nameObjects(drafts);
 }
