@@ -39,20 +39,43 @@ json pathJson(const CameraPath& path) {
     return {{"component", path.component}, {"vertices", std::move(vertices)}};
 }
 
+/// The one list of what is published of captures.
+template <class Metrics, class Visitor>
+void visitMetrics(Metrics& m, Visitor&& visit) {
+    visit("objects", m.objects);
+    visit("captured", m.captured);
+    visit("well_captured", m.well_captured);
+    visit("capture_rate", m.capture_rate);
+    visit("well_captured_rate", m.well_captured_rate);
+    visit("small_capture_rate", m.small_capture_rate);
+    visit("area_share_box", m.area_share_box);
+    visit("area_share_mask", m.area_share_mask);
+}
+
 }  // namespace
 
+json captureMetricsJson(const CaptureMetrics& metrics) {
+    json result;
+    visitMetrics(metrics, [&](const char* name, const auto& value) { result[name] = value; });
+    return result;
+}
+
+Result<CaptureMetrics> captureMetricsFromJson(const json& value) {
+    CaptureMetrics metrics;
+    try {
+        visitMetrics(metrics, [&](const char* name, auto& field) { value.at(name).get_to(field); });
+    } catch (const json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    "metrics");
+    }
+    return metrics;
+}
+
 json metricsJson(const Scene& scene, const Plan& plan) {
-    const CaptureMetrics& capture = plan.capture_metrics;
     const TrajectoryMetrics& motion = plan.trajectory_metrics;
-    json result = {
-        {"objects", capture.objects},
-        {"captured", capture.captured},
-        {"well_captured", capture.well_captured},
-        {"capture_rate", capture.capture_rate},
-        {"well_captured_rate", capture.well_captured_rate},
-        {"small_capture_rate", capture.small_capture_rate},
-        {"area_share_box", capture.area_share_box},
-        {"area_share_mask", capture.area_share_mask},
+    json result = captureMetricsJson(plan.capture_metrics);
+    result.update({
         {"repeat_rate", motion.repeat_rate},
         {"object_pixels", motion.object_pixels},
         {"corner_collision_rate", motion.corner_collision_rate},
@@ -68,7 +91,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"uncaptured", json::array()},
         {"not_well_captured", json::array()},
         {"refused_pins", json::array()},
-    };
+    });
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const UncapturedObject& one : plan.uncaptured) {
         result["uncaptured"].push_back({{"object", scene.object(one.object_id).name},

@@ -7,6 +7,12 @@
 
 namespace dollytrack {
 
+/// Counts and rates of captured objects under their published names, whoever counted them.
+nlohmann::json captureMetricsJson(const CaptureMetrics& metrics);
+
+/// The inverse, as a dataset's card holds it. Error: BadInput.
+Result<CaptureMetrics> captureMetricsFromJson(const nlohmann::json& json);
+
 /// The metrics of a plan under their published names, for `--json` and dataset.json: object
 /// counts, rates (0..1), stage times, path length, frames and the uncaptured objects with reasons.
 nlohmann::json metricsJson(const Scene& scene, const Plan& plan);
