@@ -14,9 +14,15 @@ class JobContext {
   public:
     using Progress = std::function<void(double fraction, std::string_view stage)>;
 
+    /// For work that has countable pieces; called before `progress` with the same news.
+    using Items = std::function<void(int done, int total)>;
+
     JobContext() = default;
-    JobContext(std::shared_ptr<const std::atomic<bool>> cancel_flag, Progress progress)
-        : cancel_flag_(std::move(cancel_flag)), progress_(std::move(progress)) {}
+    JobContext(std::shared_ptr<const std::atomic<bool>> cancel_flag, Progress progress,
+               Items items = {})
+        : cancel_flag_(std::move(cancel_flag)),
+          progress_(std::move(progress)),
+          items_(std::move(items)) {}
 
     [[nodiscard]] bool cancelled() const {
         return cancel_flag_ && cancel_flag_->load(std::memory_order_relaxed);
@@ -25,6 +31,12 @@ class JobContext {
     /// Reports `fraction` (0..1) of this context's share. Call from one thread only.
     void report(double fraction) const {
         if (progress_) progress_(begin_ + (end_ - begin_) * fraction, stage_);
+    }
+
+    /// The same for `done` of `total` pieces of equal size.
+    void reportItems(int done, int total) const {
+        if (items_) items_(done, total);
+        report(total > 0 ? static_cast<double>(done) / total : 1.0);
     }
 
     /// A context whose 0..1 is `begin`..`end` of this one, under a stage name.
@@ -39,6 +51,7 @@ class JobContext {
   private:
     std::shared_ptr<const std::atomic<bool>> cancel_flag_;
     Progress progress_;
+    Items items_;
     double begin_ = 0.0;
     double end_ = 1.0;
     std::string stage_;
