@@ -80,19 +80,30 @@ std::vector<int> CaptureCounter::addFrame(const FrameRecord& frame) {
     return wanted;
 }
 
+void CaptureCounter::take(const ObjectView& view) {
+    if (isWellCaptured(view, rules_)) well_shown_.push_back(view.object_id);
+    ObjectView& best = best_whole_[static_cast<std::size_t>(view.object_id)];
+    if (view.visible_fraction >= 1.0 &&
+        (best.object_id == 0 || view.mask_share > best.mask_share)) {
+        best = view;
+    }
+    views_.push_back(view);
+}
+
+void CaptureCounter::addCounted(std::span<const ObjectView> views) {
+    well_shown_.clear();
+    last_views_ = views_.size();
+    for (const ObjectView& view : views) take(view);
+}
+
 void CaptureCounter::addSilhouettes(std::span<const std::uint64_t> whole_px) {
+    last_views_ = views_.size();
     for (std::size_t i = 0; i < pending_.size(); ++i) {
         ObjectView view = pending_[i];
         // The two drawings may round a border pixel differently.
         const double whole = std::max(static_cast<double>(whole_px[i]), pending_px_[i]);
         view.visible_fraction = pending_px_[i] / whole;
-        if (isWellCaptured(view, rules_)) well_shown_.push_back(view.object_id);
-        ObjectView& best = best_whole_[static_cast<std::size_t>(view.object_id)];
-        if (view.visible_fraction >= 1.0 &&
-            (best.object_id == 0 || view.mask_share > best.mask_share)) {
-            best = view;
-        }
-        views_.push_back(view);
+        take(view);
     }
     pending_.clear();
     pending_px_.clear();

@@ -21,14 +21,24 @@ class CaptureCounter {
     [[nodiscard]] std::vector<int> addFrame(const FrameRecord& frame);
     void addSilhouettes(std::span<const std::uint64_t> whole_px);
 
-    /// Names of the targets the last frame shows well, by id.
+    /// Takes the views of a frame that was counted by an earlier run, in the place of the two
+    /// above. In the same order of frames the counter then is as it was.
+    void addCounted(std::span<const ObjectView> views);
+
+    /// Ids of the targets the last frame shows well.
     [[nodiscard]] const std::vector<int>& wellShown() const { return well_shown_; }
+
+    /// Views of the last frame.
+    [[nodiscard]] std::span<const ObjectView> lastViews() const {
+        return std::span(views_).subspan(last_views_);
+    }
 
     /// Views that decide; those that can change nothing were left out.
     [[nodiscard]] const std::vector<ObjectView>& views() const { return views_; }
 
   private:
     [[nodiscard]] bool canMatter(const ObjectView& view) const;
+    void take(const ObjectView& view);
 
     CaptureRules rules_;
     std::vector<bool> is_target_;         // by id
@@ -37,6 +47,7 @@ class CaptureCounter {
     std::vector<double> pending_px_;      // their visible pixels
     std::vector<int> well_shown_;
     std::vector<ObjectView> views_;
+    std::size_t last_views_ = 0;  // where those of the last frame begin
 };
 
 }  // namespace dollytrack::render

@@ -1,36 +1,29 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/frame_record.h"
+#include "render/modalities.h"
 
 #include <cstdint>
-#include <memory>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace dollytrack::render {
 
-/// A page of small pictures from a dataset, each with a line of text: the first look at what was
-/// rendered. Evenly chosen among the key frames, which show what the trajectory is for; among all
-/// frames where few are key frames.
-class ContactSheet {
-  public:
-    /// For a dataset of frames of this size; `is_key` has an entry for each.
-    ContactSheet(const std::vector<bool>& is_key, int width, int height);
-    ~ContactSheet();
-    ContactSheet(ContactSheet&&) noexcept;
-    ContactSheet& operator=(ContactSheet&&) noexcept;
-
-    /// Whether this frame is one of the chosen.
-    [[nodiscard]] bool wants(int index) const;
-    void add(const FrameRecord& frame, const std::string& caption);
-
-    /// The page as a JPEG file's bytes.
-    [[nodiscard]] Result<std::vector<std::uint8_t>> encode(const std::string& title) const;
-
-  private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+/// A picture on a contact sheet: an image file of a dataset, and a line of text below it.
+struct SheetPicture {
+    std::filesystem::path file;
+    std::string caption;
 };
+
+/// The frames to show: evenly chosen among the key frames, which show what the trajectory is for;
+/// among all frames where few are key frames. `is_key` has an entry for each.
+[[nodiscard]] std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key);
+
+/// A page of small pictures of one modality, the first look at what was rendered, as a JPEG file's
+/// bytes. Depth becomes grey (near is bright), ids and classes become colours. Error: BadInput for
+/// a file that is gone or damaged.
+[[nodiscard]] Result<std::vector<std::uint8_t>> encodeContactSheet(
+    const std::vector<SheetPicture>& pictures, const Modality& modality, const std::string& title);
 
 }  // namespace dollytrack::render

@@ -2,34 +2,78 @@
 
 #include "engine/io/durable_file.h"
 #include "render/formats/dataset_card.h"
+#include "render/formats/formats.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace dollytrack::render {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Present while an export runs, and after one that did not end: tells our folders from others.
-constexpr const char* kMarker = ".dollytrack-export";
-constexpr std::array<const char*, 4> kSubfolders = {"rgb", "depth", "instance", "semantic"};
-constexpr std::array<const char*, 4> kFiles = {"dataset.json", "camera.json", "annotations.json",
-                                               "contact_sheet.jpg"};
+constexpr const char* kJournal = ".dollytrack-export";
+
+Error asError(const std::error_code& error, const fs::path& path) {
+    return io::writeError(error.value(), path);
+}
 
 /// 000000.png, and what a killed run left of it (000000.png.tmp.123).
 bool isFrameFile(const std::string& name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
     return digits != std::string::npos && digits >= 6 && name.compare(digits, 4, ".png") == 0 &&
            (name.size() == digits + 4 || name.compare(digits + 4, 5, ".tmp.") == 0);
+}
+
+/// The files beside the images, dataset.json first: it says that the others are complete.
+std::vector<std::string> fixedFiles() {
+    std::vector<std::string> names = {"dataset.json", "contact_sheet.jpg"};
+    for (const Format& format : formats()) {
+        names.insert(names.end(), format.files.begin(), format.files.end());
+    }
+    return names;
+}
+
+/// Names in a folder; none when there is no such folder. A loop over the iterator itself would
+/// throw where reading the folder fails half-way.
+std::vector<std::string> namesIn(const fs::path& folder, std::error_code& error) {
+    std::vector<std::string> names;
+    fs::directory_iterator at(folder, error);
+    if (error == std::errc::no_such_file_or_directory) error.clear();
+    while (!error && at != fs::directory_iterator()) {
+        names.push_back(at->path().filename().string());
+        at.increment(error);
+    }
+    return names;
+}
+
+/// Relative paths of all files of a dataset and of what a killed run left of them, in the order in
+/// which they are to be removed.
+std::vector<std::string> datasetFiles(const fs::path& folder, std::error_code& error) {
+    std::vector<std::string> files;
+    const std::vector<std::string> names = namesIn(folder, error);
+    for (const std::string& fixed : fixedFiles()) {
+        for (const std::string& name : names) {
+            if (name == fixed || name.starts_with(fixed + ".tmp.")) files.push_back(name);
+        }
+    }
+    for (const Modality& modality : modalities()) {
+        if (error) break;
+        for (const std::string& name : namesIn(folder / modality.name, error)) {
+            if (isFrameFile(name)) files.push_back(std::string(modality.name) + "/" + name);
+        }
+    }
+    return files;
 }
 
 /// Many datasets have a dataset.json; ours says so in it.
@@ -50,39 +94,7 @@ bool isOurCard(const fs::path& path) {
     }
 }
 
-bool isOurs(const fs::path& folder, std::error_code& error) {
-    return fs::exists(folder / kMarker, error) || isOurCard(folder / "dataset.json");
-}
-
-bool isForeign(const fs::path& folder, std::error_code& error) {
-    return !isOurs(folder, error) && !fs::is_empty(folder, error);
-}
-
-Error asError(const std::error_code& error, const fs::path& path) {
-    return io::writeError(error.value(), path);
-}
-
-Status removeOldDataset(const fs::path& folder) {
-    std::error_code error;
-    // First what says that the dataset is complete.
-    for (const char* file : kFiles) {
-        fs::remove(folder / file, error);
-        if (error) return tl::unexpected<Error>(asError(error, folder / file));
-    }
-    for (const char* subfolder : kSubfolders) {
-        for (const auto& entry : fs::directory_iterator(folder / subfolder, error)) {
-            if (!isFrameFile(entry.path().filename().string())) continue;
-            fs::remove(entry.path(), error);
-            if (error) return tl::unexpected<Error>(asError(error, entry.path()));
-        }
-        if (error) return tl::unexpected<Error>(asError(error, folder / subfolder));
-    }
-    return {};
-}
-
-}  // namespace
-
-Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_t bytes_needed) {
+Status makeFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return tl::unexpected<Error>(asError(error, folder));
@@ -90,54 +102,136 @@ Status prepareDatasetFolder(const fs::path& folder, bool overwrite, std::uint64_
     if (!fs::is_directory(folder, error)) {
         return tl::unexpected<Error>(io::writeError(ENOTDIR, folder));
     }
-    if (!overwrite && isForeign(folder, error)) {
+    return {};
+}
+
+/// Whether a descriptor still is what its path names: the export before may just have ended and
+/// removed its journal.
+bool isAt(int descriptor, const fs::path& path) {
+    struct stat held {};
+    struct stat named {};
+    return ::fstat(descriptor, &held) == 0 && ::stat(path.c_str(), &named) == 0 &&
+           held.st_ino == named.st_ino && held.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+DatasetFolder::DatasetFolder(DatasetFolder&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      lock_(std::exchange(other.lock_, -1)),
+      made_(other.made_),
+      marked_(other.marked_) {}
+
+DatasetFolder& DatasetFolder::operator=(DatasetFolder&& other) noexcept {
+    std::swap(folder_, other.folder_);
+    std::swap(lock_, other.lock_);
+    std::swap(made_, other.made_);
+    std::swap(marked_, other.marked_);
+    return *this;
+}
+
+DatasetFolder::~DatasetFolder() {
+    if (lock_ < 0) return;
+    // Before the lock goes: another export may mark it as its own at once.
+    if (marked_) ::unlink(journal().c_str());
+    if (made_) ::rmdir(folder_.c_str());
+    ::close(lock_);
+}
+
+fs::path DatasetFolder::journal() const {
+    return folder_ / kJournal;
+}
+
+Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrite) {
+    std::error_code error;
+    DatasetFolder claimed;
+    claimed.folder_ = folder;
+    claimed.made_ = !fs::exists(folder, error);
+    if (Status status = makeFolder(folder); !status) return tl::unexpected(status.error());
+    const fs::path journal = claimed.journal();
+    const bool was_marked = fs::exists(journal, error);
+    if (!overwrite && !was_marked && !isOurCard(folder / "dataset.json") &&
+        !fs::is_empty(folder, error)) {
         return fail(ErrorCode::CannotWrite,
                     "the folder holds files that are not a Dollytrack dataset; choose an empty "
                     "folder, or give --overwrite",
                     folder.string());
     }
     if (error) return tl::unexpected<Error>(asError(error, folder));
+    const int lock = ::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock < 0) return tl::unexpected<Error>(io::writeError(errno, folder));
+    // Some file systems know no locks: there, two exports are the user's to keep apart.
+    const bool taken = ::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (taken || !isAt(lock, journal)) {
+        ::close(lock);
+        return fail(ErrorCode::CannotWrite,
+                    "another export is writing into this folder; wait for it, stop it, or choose "
+                    "another folder",
+                    folder.string());
+    }
+    claimed.lock_ = lock;
+    claimed.marked_ = !was_marked;
+    return claimed;
+}
+
+bool DatasetFolder::isComplete() const {
+    return isOurCard(folder_ / "dataset.json");
+}
+
+Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const {
     struct statvfs space {};
-    if (::statvfs(folder.c_str(), &space) == 0 && space.f_blocks > 0) {
-        const std::uint64_t free = std::uint64_t{space.f_bavail} * space.f_frsize;
-        if (free < bytes_needed) {
-            return fail(ErrorCode::CannotWrite,
-                        "about " + std::to_string(bytes_needed / 1'000'000 + 1) +
-                            " MB are needed and " + std::to_string(free / 1'000'000) +
-                            " MB are free; free some space or choose another folder",
-                        folder.string());
+    if (::statvfs(folder_.c_str(), &space) != 0 || space.f_blocks == 0) return {};
+    std::uint64_t free = std::uint64_t{space.f_bavail} * space.f_frsize;
+    std::error_code ignored;
+    for (const std::string& file : datasetFiles(folder_, ignored)) {
+        struct stat held {};
+        // What it takes on the disk, and only when no other name keeps it there.
+        if (keep.count(file) == 0 && ::lstat((folder_ / file).c_str(), &held) == 0 &&
+            held.st_nlink == 1) {
+            free += static_cast<std::uint64_t>(held.st_blocks) * 512U;
         }
     }
-    // The mark makes the folder ours, so it comes after everything that may be refused.
-    if (Status status = io::writeWhole(folder / kMarker, "an export is running or was cut off\n");
-        !status) {
-        return status;
-    }
-    for (const char* subfolder : kSubfolders) {
-        fs::create_directories(folder / subfolder, error);
-        if (error) return tl::unexpected<Error>(asError(error, folder / subfolder));
-    }
-    // Last: whatever was refused above must not have cost anyone a dataset.
-    return removeOldDataset(folder);
+    if (bytes <= free) return {};
+    return fail(ErrorCode::CannotWrite,
+                "about " + std::to_string(bytes / 1'000'000 + 1) + " MB are needed and " +
+                    std::to_string(free / 1'000'000) +
+                    " MB are free; free some space or choose another folder",
+                folder_.string());
 }
 
-Status releaseDatasetFolder(const fs::path& folder) {
+Status DatasetFolder::begin(const ModalitySet& wanted, const std::set<std::string>& keep) {
+    made_ = false;
+    marked_ = false;
     std::error_code error;
-    fs::remove(folder / kMarker, error);
-    if (error) return tl::unexpected<Error>(asError(error, folder / kMarker));
-    return io::syncFolder(folder);
+    for (const std::string& file : datasetFiles(folder_, error)) {
+        if (keep.count(file) != 0) continue;
+        fs::remove(folder_ / file, error);
+        if (error) return tl::unexpected<Error>(asError(error, folder_ / file));
+    }
+    if (error) return tl::unexpected<Error>(asError(error, folder_));
+    for (const Modality& modality : modalities()) {
+        const fs::path subfolder = folder_ / modality.name;
+        if (contains(wanted, modality.name)) {
+            if (Status status = makeFolder(subfolder); !status) return status;
+        } else {
+            ::rmdir(subfolder.c_str());  // only an empty one goes
+        }
+    }
+    return {};
 }
 
-std::string frameFile(const std::string& subfolder, int index) {
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "/%06d.png", index);
-    return subfolder + name.data();
+Status DatasetFolder::release() {
+    if (::unlink(journal().c_str()) != 0) {
+        return tl::unexpected<Error>(io::writeError(errno, journal()));
+    }
+    ::close(std::exchange(lock_, -1));
+    return io::syncFolder(folder_);
 }
 
-std::uint64_t estimateBytes(int frames, int width, int height) {
-    // Measured over real rooms at 640 x 480: see render/README.md.
-    constexpr double kBytesPerPixel = 1.6;
-    return static_cast<std::uint64_t>(kBytesPerPixel * frames * width * height) + 1'000'000;
+std::uint64_t estimateBytes(const ModalitySet& modalities, int frames, int width, int height) {
+    double bytes_per_pixel = 0.0;
+    for (const Modality* modality : modalities) bytes_per_pixel += modality->bytes_per_pixel;
+    return static_cast<std::uint64_t>(bytes_per_pixel * frames * width * height) + 1'000'000;
 }
 
 }  // namespace dollytrack::render

@@ -1,28 +1,58 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "render/modalities.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace dollytrack::render {
 
-/// Takes possession of an output folder before anything is drawn: creates it and its subfolders,
-/// tries a write, and removes what an earlier dataset left there, dataset.json first. A folder with
-/// anything in it, but neither a dataset.json of ours nor our mark, is refused unless `overwrite`;
-/// then only files named like a dataset's are removed. `bytes_needed` is compared with the free
-/// space.
-[[nodiscard]] Status prepareDatasetFolder(const std::filesystem::path& folder, bool overwrite,
-                                          std::uint64_t bytes_needed);
+/// An output folder held by one export. While it is held, and after an export that did not end, the
+/// journal in it marks it as ours; the journal's file is also the lock.
+class DatasetFolder {
+  public:
+    /// Makes the folder where there is none, and locks it. What is in it stays as it is.
+    /// CannotWrite when it cannot be written, when another export holds it, and when it holds
+    /// anything but neither a dataset.json of ours nor our mark, unless `overwrite`.
+    [[nodiscard]] static Result<DatasetFolder> claim(const std::filesystem::path& folder,
+                                                     bool overwrite);
+    /// Gives the lock back, and takes the mark and an empty folder away if nothing was begun.
+    ~DatasetFolder();
+    DatasetFolder(DatasetFolder&& other) noexcept;
+    DatasetFolder& operator=(DatasetFolder&& other) noexcept;
 
-/// Marks the folder as complete. Call last.
-[[nodiscard]] Status releaseDatasetFolder(const std::filesystem::path& folder);
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+    [[nodiscard]] std::filesystem::path journal() const;
 
-/// "rgb/000012.png"
-[[nodiscard]] std::string frameFile(const std::string& subfolder, int index);
+    /// Whether a dataset.json of ours stands in it: the dataset is complete.
+    [[nodiscard]] bool isComplete() const;
+
+    /// Whether `bytes` more fit on the disk once begin() has removed what is not kept.
+    [[nodiscard]] Status checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const;
+
+    /// From here on the folder belongs to the new dataset: removes what an earlier one left,
+    /// dataset.json first, but for the frames' files in `keep` (relative paths), and makes the
+    /// subfolders. Only files named like a dataset's are removed.
+    [[nodiscard]] Status begin(const ModalitySet& modalities, const std::set<std::string>& keep);
+
+    /// Removes the journal: the dataset is complete. Call last.
+    [[nodiscard]] Status release();
+
+  private:
+    DatasetFolder() = default;
+
+    std::filesystem::path folder_;
+    int lock_ = -1;  // descriptor of the journal
+    // What claim() did, so that an early end can undo it.
+    bool made_ = false;
+    bool marked_ = false;
+};
 
 /// A guess, on the high side of furnished rooms.
-[[nodiscard]] std::uint64_t estimateBytes(int frames, int width, int height);
+[[nodiscard]] std::uint64_t estimateBytes(const ModalitySet& modalities, int frames, int width,
+                                          int height);
 
 }  // namespace dollytrack::render

@@ -7,6 +7,7 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/capture.h"
 #include "engine/scene/scene.h"
+#include "render/frame_range.h"
 #include "render/gl/context.h"
 
 #include <Eigen/Geometry>
@@ -14,29 +15,25 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace dollytrack::render {
 
-/// Frames begin, begin + step, ... below end of a trajectory; no end: to the last.
-struct FrameRange {
-    int begin = 0;
-    std::optional<int> end;
-    int step = 1;
-};
-
-/// "a:b:s" with every part optional ("10:", ":50", "::5"). Usage error otherwise.
-[[nodiscard]] Result<FrameRange> parseFrameRange(const std::string& text);
-
 /// Where a dataset goes and how much of the trajectory it holds.
 struct DatasetSettings {
     std::filesystem::path folder;
     FrameRange range;
-    bool overwrite = false;  // allows a folder that holds other files; they stay
+    std::vector<std::string> modalities;  // names of modalities.h; empty: all
+    std::vector<std::string> formats;     // names of formats/formats.h; empty: all
+    bool overwrite = false;               // allows a folder that holds other files; they stay
+    bool resume = false;                  // continues what an export left in the folder
     CaptureRules rules;
 };
+
+/// Whether an export with these settings could begin, as far as can be said without the scene:
+/// names, and whether the folder can be written. Errors as DatasetJob::begin().
+[[nodiscard]] Status checkSettings(const DatasetSettings& settings);
 
 /// What dataset.json says of how the trajectory came to be, and what lights its rooms.
 struct DatasetOrigin {
@@ -49,18 +46,22 @@ struct DatasetOrigin {
 
 struct DatasetSummary {
     int frames = 0;
-    CaptureMetrics counted;  // from the pixels
-    std::vector<ObjectCapture> captures;
+    CaptureMetrics counted;               // from the pixels
+    std::vector<ObjectCapture> captures;  // empty when nothing was left to do
     std::filesystem::path contact_sheet;
 };
 
 /// Renders a trajectory into a labelled dataset: begin, step() until it returns false, finish().
 /// Each step draws one frame, so a window can run it between its own frames. Without finish(), or
-/// after an error, what is in the folder are whole images and no dataset.json.
+/// after an error, what is in the folder are whole images, the journal of those that are finished,
+/// and no dataset.json; a later job with `resume` continues there and ends with the same bytes.
 class DatasetJob {
   public:
-    /// Checks the folder, computes the light and loads the scene. Scene, trajectory and rays must
-    /// outlive the job. The job owns the context, which must be current.
+    /// Checks and locks the folder, finds what an earlier export left, computes the light and loads
+    /// the scene. Scene, trajectory and rays must outlive the job. The job owns the context, which
+    /// must be current. Errors: Usage (names, range; `resume` where the folder holds frames of
+    /// something else), BadInput (`resume` where a complete dataset was damaged), CannotWrite,
+    /// Cancelled.
     [[nodiscard]] static Result<DatasetJob> begin(std::unique_ptr<gl::Context> context,
                                                   const Scene& scene, const RayCaster& rays,
                                                   const Trajectory& trajectory,
@@ -72,6 +73,7 @@ class DatasetJob {
     DatasetJob& operator=(DatasetJob&&) noexcept;
 
     [[nodiscard]] int frameCount() const;
+    /// Those of an earlier export included.
     [[nodiscard]] int framesDone() const;
 
     /// Draws one frame; false when there was none left.
@@ -80,13 +82,18 @@ class DatasetJob {
     /// Waits for the images and writes the other files, dataset.json last.
     [[nodiscard]] Result<DatasetSummary> finish();
 
+    /// In the place of finish(), to stop early: lets the frames on their way be finished and
+    /// entered in the journal. How many need not be rendered again.
+    int keep();
+
   private:
     struct Impl;
     explicit DatasetJob(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 
-/// begin, every step and finish in one call, with progress and cancelling.
+/// begin, every step and finish in one call, with progress and cancelling. Errors that leave
+/// finished frames behind say how many.
 [[nodiscard]] Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context,
                                                    const Scene& scene, const RayCaster& rays,
                                                    const Trajectory& trajectory,

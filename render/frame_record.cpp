@@ -3,12 +3,17 @@
 namespace dollytrack::render {
 
 void FrameRecord::labelClasses(const Scene& scene) {
+    semantic = classesOf(scene, instance);
+}
+
+std::vector<std::uint8_t> classesOf(const Scene& scene, std::span<const std::uint16_t> instance) {
     std::vector<std::uint8_t> classes(65536, 0);
     for (const Object& object : scene.objects) {
         classes[static_cast<std::uint16_t>(object.id)] = static_cast<std::uint8_t>(object.nyu40);
     }
-    semantic.resize(instance.size());
-    for (std::size_t i = 0; i < instance.size(); ++i) semantic[i] = classes[instance[i]];
+    std::vector<std::uint8_t> result(instance.size());
+    for (std::size_t i = 0; i < instance.size(); ++i) result[i] = classes[instance[i]];
+    return result;
 }
 
 std::vector<std::uint16_t> depthInMillimetres(const std::vector<float>& depth_m) {

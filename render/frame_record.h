@@ -4,6 +4,7 @@
 #include "engine/scene/scene.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dollytrack::render {
@@ -24,6 +25,10 @@ struct FrameRecord {
     /// Fills `semantic` from `instance`.
     void labelClasses(const Scene& scene);
 };
+
+/// The NYU40 class of each pixel, from the object it belongs to.
+[[nodiscard]] std::vector<std::uint8_t> classesOf(const Scene& scene,
+                                                  std::span<const std::uint16_t> instance);
 
 /// Planar depth in whole millimetres, rounded; 0 for none and beyond 65.535 m.
 [[nodiscard]] std::vector<std::uint16_t> depthInMillimetres(const std::vector<float>& depth_m);

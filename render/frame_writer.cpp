@@ -1,9 +1,7 @@
 #include "render/frame_writer.h"
 
 #include "engine/io/durable_file.h"
-#include "engine/io/png_writer.h"
 #include "engine/io/sha256.h"
-#include "render/dataset_folder.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -18,16 +16,12 @@ namespace {
 // Enough to keep the threads busy over an expensive frame; each holds some 5 MB at 640 x 480.
 constexpr std::size_t kMaxWaiting = 4;
 
-std::span<const std::uint8_t> bytesOf(const std::vector<std::uint16_t>& values) {
-    return {reinterpret_cast<const std::uint8_t*>(values.data()), 2 * values.size()};
-}
-
 }  // namespace
 
 struct FrameWriter::Impl {
-    std::filesystem::path folder;
+    Settings settings;
     const Scene& scene;
-    std::vector<WrittenFrame> written;
+    OnWritten on_written;
 
     std::mutex mutex;
     std::condition_variable changed;
@@ -37,16 +31,15 @@ struct FrameWriter::Impl {
     int error_frame = 0;
     std::vector<std::thread> threads;
 
-    Impl(std::filesystem::path out, const Scene& of, int frame_count)
-        : folder(std::move(out)), scene(of), written(static_cast<std::size_t>(frame_count)) {
+    Impl(Settings set, const Scene& of, OnWritten then)
+        : settings(std::move(set)), scene(of), on_written(std::move(then)) {
         const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
         try {
             for (unsigned i = 0; i < std::clamp(cores, 1U, 8U); ++i) {
                 threads.emplace_back([this] { work(); });
             }
-        } catch (...) {
-            close();  // those already running
-            throw;
+        } catch (const std::exception&) {
+            // A limit on threads: those that could be had do the work.
         }
     }
 
@@ -81,18 +74,25 @@ struct FrameWriter::Impl {
                 waiting.pop_front();
             }
             changed.notify_all();
-            const Status status = tryWriting(frame);
-            if (status) continue;
+            process(frame);
+        }
+    }
+
+    void process(const FrameRecord& frame) {
+        const Status status = tryWriting(frame);
+        if (status) return;
+        {
             const std::lock_guard lock(mutex);
             if (!error || frame.index < error_frame) {
                 error = status.error();
                 error_frame = frame.index;
             }
         }
+        changed.notify_all();  // write() may wait for room that will not come
     }
 
     /// An exception must not leave a thread: it would end the program.
-    Status tryWriting(FrameRecord& frame) {
+    Status tryWriting(const FrameRecord& frame) {
         try {
             return writeFrame(frame);
         } catch (const std::exception& e) {
@@ -101,45 +101,41 @@ struct FrameWriter::Impl {
         }
     }
 
-    Status writeFrame(FrameRecord& frame) {
-        frame.labelClasses(scene);
-        const std::vector<std::uint16_t> depth = depthInMillimetres(frame.depth_m);
-        struct Image {
-            const char* name;
-            io::PngFormat format;
-            std::span<const std::uint8_t> pixels;
-        };
-        const std::array<Image, 4> images = {{
-            {"rgb", io::PngFormat::Rgb8, frame.rgb},
-            {"depth", io::PngFormat::Gray16, bytesOf(depth)},
-            {"instance", io::PngFormat::Gray16, bytesOf(frame.instance)},
-            {"semantic", io::PngFormat::Gray8, frame.semantic},
-        }};
-        WrittenFrame& result = written[static_cast<std::size_t>(frame.index)];
-        for (std::size_t i = 0; i < images.size(); ++i) {
-            const auto png =
-                io::encodePng(frame.width, frame.height, images[i].format, images[i].pixels);
-            if (!png) return tl::unexpected(png.error());
-            const std::string file = frameFile(images[i].name, frame.index);
-            // The folder is synced once, before dataset.json says that it is complete.
-            if (Status status = io::writeWhole(folder / file, *png, io::Durability::Renamed);
+    Status writeFrame(const FrameRecord& frame) const {
+        WrittenFrame result;
+        result.index = frame.index;
+        for (const Modality* modality : settings.modalities) {
+            const auto image = modality->encode(scene, frame);
+            if (!image) return tl::unexpected(image.error());
+            const std::string file = frameFile(modality->name, frame.index);
+            // All files are synced once, before dataset.json says that it is complete; a continued
+            // export finds by their hashes those that a power cut took.
+            if (Status status =
+                    io::writeWhole(settings.folder / file, *image, io::Durability::Renamed);
                 !status) {
                 return status;
             }
-            result.sha256s[i] = {file, io::sha256Of(*png)};
+            result.sha256s[file] = io::sha256Of(*image);
         }
-        result.masks = objectMasks(frame.width, frame.height, frame.instance);
-        return {};
+        if (settings.masks) {
+            result.masks = objectMasks(frame.width, frame.height, frame.instance);
+        }
+        return on_written(std::move(result));
     }
 };
 
-FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, int frame_count)
-    : impl_(std::make_unique<Impl>(std::move(folder), scene, frame_count)) {}
+FrameWriter::FrameWriter(Settings settings, const Scene& scene, OnWritten on_written)
+    : impl_(std::make_unique<Impl>(std::move(settings), scene, std::move(on_written))) {}
 FrameWriter::~FrameWriter() = default;
 FrameWriter::FrameWriter(FrameWriter&&) noexcept = default;
 FrameWriter& FrameWriter::operator=(FrameWriter&&) noexcept = default;
 
 Status FrameWriter::write(FrameRecord frame) {
+    if (impl_->threads.empty()) {
+        impl_->process(frame);
+        if (impl_->error) return tl::unexpected(*impl_->error);
+        return {};
+    }
     {
         std::unique_lock lock(impl_->mutex);
         impl_->changed.wait(lock,
@@ -151,10 +147,10 @@ Status FrameWriter::write(FrameRecord frame) {
     return {};
 }
 
-Result<std::vector<WrittenFrame>> FrameWriter::finish() {
+Status FrameWriter::finish() {
     impl_->close();
     if (impl_->error) return tl::unexpected(*impl_->error);
-    return std::move(impl_->written);
+    return {};
 }
 
 }  // namespace dollytrack::render

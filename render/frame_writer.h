@@ -4,27 +4,37 @@
 #include "engine/scene/scene.h"
 #include "render/formats/mask_rle.h"
 #include "render/frame_record.h"
+#include "render/modalities.h"
 
-#include <array>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dollytrack::render {
 
 /// What remains of a frame when its images are written.
 struct WrittenFrame {
-    std::array<std::pair<std::string, std::string>, 4> sha256s;  // relative path, hash
-    std::vector<ObjectMask> masks;
+    int index = 0;
+    std::map<std::string, std::string> sha256s;  // by relative path
+    std::vector<ObjectMask> masks;               // where they are wanted
 };
 
-/// Compresses and writes frames on threads of its own, while the next ones are drawn. What is
-/// written does not depend on the number of threads.
+/// Compresses and writes frames on threads of its own, while the next ones are drawn; in write()
+/// itself where the system gives it no thread. What is written does not depend on their number.
 class FrameWriter {
   public:
-    FrameWriter(std::filesystem::path folder, const Scene& scene, int frame_count);
+    struct Settings {
+        std::filesystem::path folder;  // has the modalities' subfolders
+        ModalitySet modalities;
+        bool masks = true;
+    };
+    /// Called on any thread when a frame's files are complete; its error counts as the frame's.
+    using OnWritten = std::function<Status(WrittenFrame)>;
+
+    FrameWriter(Settings settings, const Scene& scene, OnWritten on_written);
     /// Drops what waits, and waits for the files being written.
     ~FrameWriter();
     FrameWriter(FrameWriter&&) noexcept;
@@ -34,8 +44,8 @@ class FrameWriter {
     /// frame.
     [[nodiscard]] Status write(FrameRecord frame);
 
-    /// Waits for all frames; one entry a frame, by index.
-    [[nodiscard]] Result<std::vector<WrittenFrame>> finish();
+    /// Waits for all frames.
+    [[nodiscard]] Status finish();
 
   private:
     struct Impl;

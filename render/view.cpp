@@ -15,4 +15,12 @@ ViewRay View::rayThrough(double x, double y) const {
     return {pose.toWorld(aside), pose.forward()};
 }
 
+View makeView(const CameraParams& camera, const Pose& pose) {
+    View view;
+    view.intrinsics = makeIntrinsics(camera);
+    view.pose = pose;
+    view.near_m = camera.near_m;
+    return view;
+}
+
 }  // namespace dollytrack::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/camera/camera_params.h"
 #include "engine/camera/intrinsics.h"
 #include "engine/math/pose.h"
 
@@ -48,5 +49,8 @@ struct View {
     /// The ray through an image position.
     [[nodiscard]] ViewRay rayThrough(double x, double y) const;
 };
+
+/// What a camera at this pose takes a picture of.
+[[nodiscard]] View makeView(const CameraParams& camera, const Pose& pose);
 
 }  // namespace dollytrack::render

@@ -25,8 +25,10 @@ std::string superCategory(int nyu40) {
 
 }  // namespace
 
-std::string cocoText(const Scene& scene, int width, int height,
-                     const std::vector<CocoFrame>& frames) {
+std::string cocoText(const DatasetContents& contents) {
+    const Scene& scene = contents.scene;
+    const int width = contents.camera.width_px;
+    const int height = contents.camera.height_px;
     // Lists are built apart: a reference into an ordered object ends with its next key.
     Json root;
     root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
@@ -38,17 +40,18 @@ std::string cocoText(const Scene& scene, int width, int height,
     }
     Json images = Json::array();
     Json annotations = Json::array();
-    for (const CocoFrame& frame : frames) {
-        images.push_back({{"id", frame.index + 1},
-                          {"file_name", frame.file_name},
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        const int index = static_cast<int>(i);
+        images.push_back({{"id", index + 1},
+                          {"file_name", contents.pictureFile(index)},
                           {"width", width},
                           {"height", height}});
-        for (const ObjectMask& mask : frame.masks) {
+        for (const ObjectMask& mask : contents.frames[i].masks) {
             const Object& object = scene.object(mask.object_id);
             if (object.role != Role::Target || mask.area == 0) continue;
             annotations.push_back(
                 {{"id", annotations.size() + 1},
-                 {"image_id", frame.index + 1},
+                 {"image_id", index + 1},
                  {"category_id", object.nyu40 == kNyuUnknown ? kNyuOtherProp : object.nyu40},
                  {"iscrowd", 0},
                  {"area", mask.area},

@@ -3,10 +3,9 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/core/clean_text.h"
 #include "engine/io/sha256.h"
+#include "engine/plan/plan_json.h"
 #include "engine/scene/labels.h"
 #include "render/formats/camera_json.h"
-
-#include <span>
 
 namespace dollytrack::render {
 namespace {
@@ -40,24 +39,9 @@ std::string roleName(Role role) {
     return "excluded";
 }
 
-template <class T>
-std::span<const std::uint8_t> bytesOf(const std::vector<T>& values) {
-    return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
-}
-
-std::string geometryHash(const Scene& scene) {
-    io::Sha256 hash;
-    hash.add(bytesOf(scene.positions));
-    hash.add(bytesOf(scene.triangles));
-    for (const Object& object : scene.objects) {
-        hash.add(object.name + "\n" + std::to_string(object.nyu40) + "\n");
-    }
-    return hash.finish();
-}
-
-Json conventions(const DatasetCard& card) {
-    const Intrinsics lens = makeIntrinsics(card.camera);
-    return {
+Json conventions(const DatasetContents& contents, const DatasetCard& card) {
+    const Intrinsics lens = makeIntrinsics(contents.camera);
+    Json result = {
         {"length_unit", "m"},
         {"world", {{"handedness", "right"}, {"up", "z"}}},
         {"camera_axes", "x right, y down, z forward (OpenCV)"},
@@ -73,31 +57,16 @@ Json conventions(const DatasetCard& card) {
           {"fy", lens.fy},
           {"cx", lens.cx},
           {"cy", lens.cy},
-          {"hfov_deg", card.camera.hfov_deg},
-          {"near_m", card.camera.near_m},
+          {"hfov_deg", contents.camera.hfov_deg},
+          {"near_m", contents.camera.near_m},
           {"distortion", "none"}}},
-        {"rgb", {{"folder", "rgb"}, {"type", "uint8 x 3"}, {"encoding", "sRGB"}}},
-        {"depth",
-         {{"folder", "depth"},
-          {"type", "uint16"},
-          {"kind", "planar"},
-          {"scale_m", 0.001},
-          {"invalid", 0},
-          {"max_m", 65.535},
-          {"meaning", "distance along the viewing axis, not along the ray"}}},
-        {"instance",
-         {{"folder", "instance"}, {"type", "uint16"}, {"invalid", 0}, {"meaning", "objects[].id"}}},
-        {"semantic",
-         {{"folder", "semantic"}, {"type", "uint8"}, {"invalid", 0}, {"meaning", "NYU40 class"}}},
         {"labels", "of what the pixel's centre sees, never blended; glass counts as opaque"},
-        {"annotations",
-         {{"file", "annotations.json"},
-          {"format",
-           "COCO instances, compressed run lengths; targets only; category_id is the "
-           "NYU40 class (40 for targets of unknown class); image_id is the frame + 1"}}},
-        {"camera_json",
-         {{"file", "camera.json"}, {"format", "3D-FRONT: y up, metres, fov horizontal degrees"}}},
     };
+    for (const Modality* modality : contents.modalities) {
+        result[modality->name] = modality->convention();
+    }
+    for (const Format* format : card.formats) result[format->name] = format->convention();
+    return result;
 }
 
 Json objectTable(const Scene& scene) {
@@ -125,13 +94,20 @@ Json classTable() {
     return table;
 }
 
-Json frameTable(const DatasetCard& card) {
+template <class Row>
+Json namesOf(const std::vector<const Row*>& rows) {
+    Json names = Json::array();
+    for (const Row* row : rows) names.push_back(row->name);
+    return names;
+}
+
+Json frameTable(const std::vector<DatasetFrame>& frames) {
     Json table = Json::array();
-    for (std::size_t i = 0; i < card.frames.size(); ++i) {
-        const TrajectoryFrame& frame = card.frames[i];
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const TrajectoryFrame& frame = frames[i].camera;
         const Eigen::Quaterniond& q = frame.pose.rotation;
         table.push_back({{"index", i},
-                         {"trajectory_frame", card.source_frames[i]},
+                         {"trajectory_frame", frames[i].source_frame},
                          {"time_s", frame.time_s},
                          {"position", toJson(frame.pose.position)},
                          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}},
@@ -141,7 +117,6 @@ Json frameTable(const DatasetCard& card) {
 }
 
 Json countedMetrics(const DatasetCard& card) {
-    const CaptureMetrics& m = card.counted;
     Json captures = Json::array();
     for (const ObjectCapture& capture : card.captures) {
         captures.push_back({{"object_id", capture.object_id},
@@ -152,30 +127,28 @@ Json countedMetrics(const DatasetCard& card) {
                             {"box_share", capture.best.box_share},
                             {"mask_share", capture.best.mask_share}});
     }
-    return {{"objects", m.objects},
-            {"captured", m.captured},
-            {"well_captured", m.well_captured},
-            {"capture_rate", m.capture_rate},
-            {"well_captured_rate", m.well_captured_rate},
-            {"small_capture_rate", m.small_capture_rate},
-            {"area_share_box", m.area_share_box},
-            {"area_share_mask", m.area_share_mask},
-            {"per_object", captures}};
+    Json metrics = captureMetricsJson(card.counted);
+    metrics["per_object"] = std::move(captures);
+    return metrics;
 }
 
 }  // namespace
 
-std::string datasetCardText(const Scene& scene, const DatasetCard& card) {
-    const Json frames = frameTable(card);
+Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
+    const Scene& scene = contents.scene;
+    const Json frames = frameTable(contents.frames);
     Json root;
     root["format"] = kDatasetFormat;
     root["format_version"] = 1;
     root["product_version"] = card.product_version;
-    root["conventions"] = conventions(card);
+    root["modalities"] = namesOf(contents.modalities);
+    root["formats"] = namesOf(card.formats);
+    root["conventions"] = conventions(contents, card);
     root["scene"] = {{"name", scene.name},
                      {"file", cleanText(scene.source.filename().string())},
                      {"sha256", scene.source_sha256},
-                     {"geometry_sha256", geometryHash(scene)},
+                     {"geometry_sha256", card.geometry_sha256},
+                     {"appearance_sha256", card.appearance_sha256},
                      {"source_from_world", toJson(scene.source_from_world)}};
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
@@ -186,7 +159,7 @@ std::string datasetCardText(const Scene& scene, const DatasetCard& card) {
     root["classes"] = classTable();
     root["frames"] = frames;
     root["files"] = card.sha256s;
-    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return root;
 }
 
 }  // namespace dollytrack::render

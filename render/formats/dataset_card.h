@@ -1,9 +1,8 @@
 #pragma once
 
-#include "engine/camera/camera_params.h"
-#include "engine/camera/trajectory.h"
 #include "engine/plan/capture.h"
-#include "engine/scene/scene.h"
+#include "render/dataset_contents.h"
+#include "render/formats/formats.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +16,7 @@ namespace dollytrack::render {
 /// What dataset.json calls itself, under `format`.
 inline constexpr const char* kDatasetFormat = "dollytrack dataset";
 
-/// Everything dataset.json says that is not in the scene itself.
+/// Everything dataset.json says that is not in the dataset's other contents.
 struct DatasetCard {
     std::string product_version;
     std::uint64_t seed = 0;
@@ -25,14 +24,15 @@ struct DatasetCard {
     nlohmann::json planned_metrics;  // as planning estimated them, null when there are none
     CaptureMetrics counted;          // from the pixels
     std::vector<ObjectCapture> captures;
-    CameraParams camera;
-    std::vector<TrajectoryFrame> frames;         // of the dataset, in order
-    std::vector<int> source_frames;              // their index in the trajectory
+    FormatSet formats;
+    std::string geometry_sha256;  // see scene_hash.h
+    std::string appearance_sha256;
     std::map<std::string, std::string> sha256s;  // of every other file, by relative path
 };
 
-/// The text of dataset.json: which conventions the files follow, what they show, and how they came
+/// What dataset.json says: which conventions the files follow, what they show, and how they came
 /// to be. Holds no clock, so that equal input gives equal bytes.
-[[nodiscard]] std::string datasetCardText(const Scene& scene, const DatasetCard& card);
+[[nodiscard]] nlohmann::ordered_json datasetCardJson(const DatasetContents& contents,
+                                                     const DatasetCard& card);
 
 }  // namespace dollytrack::render

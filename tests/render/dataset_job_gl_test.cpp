@@ -4,88 +4,19 @@
 #include "engine/io/sha256.h"
 #include "engine/jobs/parallel.h"
 #include "render/formats/mask_rle.h"
-#include "tests/render/gl_fixture.h"
-#include "tests/support/scene_builder.h"
+#include "tests/render/dataset_fixture.h"
 
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
-
-#include <cmath>
-#include <fstream>
-#include <map>
 
 namespace dollytrack::render {
 namespace {
 
 namespace fs = std::filesystem;
-using dollytrack::test::furnishedRoom;
+using test::circle;
+using test::smallCamera;
 
-CameraParams smallCamera() {
-    CameraParams camera;
-    camera.width_px = 160;
-    camera.height_px = 120;
-    return camera;
-}
-
-Trajectory circle(int frames) {
-    Trajectory trajectory;
-    for (int i = 0; i < frames; ++i) {
-        const double angle = 2.0 * 3.14159265358979 * i / frames;
-        TrajectoryFrame frame;
-        frame.time_s = 0.1 * i;
-        frame.target_in_world = {2 + 2 * std::cos(angle), 1.5 + 2 * std::sin(angle), 0.8};
-        frame.pose = lookAt({1.9, 1.3, 1.4}, frame.target_in_world);
-        trajectory.frames.push_back(frame);
-    }
-    return trajectory;
-}
-
-class DatasetJobGl : public test::GlTest {
-  protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        std::string name = (fs::temp_directory_path() / "dollytrack_XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    Result<DatasetSummary> exportTo(const fs::path& folder, const Trajectory& trajectory,
-                                    bool overwrite = false, const JobContext& job = {}) {
-        if (!context_) {
-            Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
-            if (!context) return tl::unexpected(context.error());
-            context_ = std::move(*context);
-        }
-        DatasetSettings settings;
-        settings.folder = folder;
-        settings.overwrite = overwrite;
-        DatasetOrigin origin;
-        origin.product_version = "test";
-        origin.parameters_json = R"({"camera": {"width_px": 160}})";
-        return exportDataset(std::move(context_), scene_, rays_, trajectory, smallCamera(),
-                             settings, origin, job);
-    }
-
-    static std::string read(const fs::path& path) {
-        std::ifstream file(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    static std::map<std::string, std::string> tree(const fs::path& folder) {
-        std::map<std::string, std::string> files;
-        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-            if (entry.is_regular_file()) {
-                files[fs::relative(entry.path(), folder).string()] = read(entry.path());
-            }
-        }
-        return files;
-    }
-
-    Scene scene_ = furnishedRoom();
-    RayCaster rays_{scene_};
-    fs::path folder_;
-};
+class DatasetJobGl : public test::DatasetGlTest {};
 
 TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
     const Trajectory trajectory = circle(7);
@@ -275,21 +206,6 @@ TEST_F(DatasetJobGl, CapturesMatchACountByRays) {
                     0.02 * expected[i].best.mask_share + 1e-3);
     }
     EXPECT_GE(captured, 2);
-}
-
-TEST(FrameRange, ReadsItsThreeParts) {
-    const auto full = parseFrameRange("5:20:3");
-    ASSERT_TRUE(full);
-    EXPECT_EQ(full->begin, 5);
-    EXPECT_EQ(full->end, 20);
-    EXPECT_EQ(full->step, 3);
-    const auto open = parseFrameRange("::4");
-    ASSERT_TRUE(open);
-    EXPECT_FALSE(open->end.has_value());
-    EXPECT_EQ(open->step, 4);
-    for (const char* wrong : {"", "5", "a:b", "1:2:3:4", "3:2", "0:9:0", "-1:4", "1:2x"}) {
-        EXPECT_FALSE(parseFrameRange(wrong)) << wrong;
-    }
 }
 
 }  // namespace

@@ -45,14 +45,6 @@ class GlTest : public testing::Test {
                                          camera.height_px);
     }
 
-    static View makeView(const CameraParams& camera, const Pose& pose) {
-        View view;
-        view.intrinsics = makeIntrinsics(camera);
-        view.pose = pose;
-        view.near_m = camera.near_m;
-        return view;
-    }
-
     std::unique_ptr<gl::Context> context_;
 };
 

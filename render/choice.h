@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/core/field_list.h"
+#include "engine/core/result.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// The rows of a table that `names` name, in the table's order; all of them when it is empty. A row
+/// has a `name`. Error: Usage, with the closest name, at `where`.
+template <class Row>
+Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
+                                           const std::vector<std::string>& names,
+                                           const std::string& kind, const std::string& where) {
+    std::vector<std::string> known;
+    for (const Row& row : table) known.push_back(row.name);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string close = closestName(name, known);
+        std::string all;
+        for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
+        return fail(ErrorCode::Usage,
+                    "There is no " + kind + " '" + name + "'" +
+                        (close.empty() ? "" : "; did you mean '" + close + "'?") +
+                        (close.empty() ? "; there are " : " There are ") + all + ".",
+                    where);
+    }
+    std::vector<const Row*> chosen;
+    for (const Row& row : table) {
+        if (names.empty() || std::find(names.begin(), names.end(), row.name) != names.end()) {
+            chosen.push_back(&row);
+        }
+    }
+    return chosen;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/camera/camera_params.h"
+#include "engine/camera/trajectory.h"
+#include "engine/plan/capture.h"
+#include "engine/scene/scene.h"
+#include "render/formats/mask_rle.h"
+#include "render/modalities.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// One frame of a dataset whose images are written.
+struct DatasetFrame {
+    TrajectoryFrame camera;
+    int source_frame = 0;           // its index in the trajectory
+    std::string room;               // "room 1"
+    std::vector<int> well_shown;    // ids of the targets it shows well
+    std::vector<ObjectMask> masks;  // of all objects; empty when no format needs them
+};
+
+/// Everything a format writes from: the dataset but for the images themselves.
+struct DatasetContents {
+    const Scene& scene;
+    CameraParams camera;
+    ModalitySet modalities;            // whose images are in the dataset
+    std::vector<DatasetFrame> frames;  // by index
+
+    /// What other files show or refer to: the colour pictures, else the first there are.
+    [[nodiscard]] const Modality& pictureModality() const {
+        for (const Modality* modality : modalities) {
+            if (std::string_view(modality->name) == "rgb") return *modality;
+        }
+        return *modalities.front();
+    }
+    [[nodiscard]] std::string pictureFile(int index) const {
+        return frameFile(pictureModality().name, index);
+    }
+};
+
+}  // namespace dollytrack::render

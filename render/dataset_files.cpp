@@ -1,0 +1,65 @@
+#include "render/dataset_files.h"
+
+#include "engine/io/durable_file.h"
+#include "engine/io/sha256.h"
+#include "render/contact_sheet.h"
+
+#include <array>
+#include <cstdio>
+#include <span>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr const char* kSheet = "contact_sheet.jpg";
+
+std::span<const std::uint8_t> bytesOf(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+Result<std::vector<std::uint8_t>> contactSheet(const std::filesystem::path& folder,
+                                               const DatasetContents& contents,
+                                               const std::string& title) {
+    std::vector<bool> is_key;
+    for (const DatasetFrame& frame : contents.frames) {
+        is_key.push_back(frame.camera.position_point >= 0);
+    }
+    std::vector<SheetPicture> pictures;
+    for (const int index : chooseSheetFrames(is_key)) {
+        const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
+        std::array<char, 64> caption{};
+        std::snprintf(caption.data(), caption.size(), "%d   %.1f s   %s", index,
+                      frame.camera.time_s, frame.room.substr(0, 24).c_str());
+        pictures.push_back({folder / contents.pictureFile(index), caption.data()});
+    }
+    return encodeContactSheet(pictures, contents.pictureModality(), title);
+}
+
+}  // namespace
+
+Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetContents& contents,
+                         DatasetCard card, const std::string& title) {
+    const auto put = [&](const std::string& name, std::span<const std::uint8_t> bytes) -> Status {
+        card.sha256s[name] = io::sha256Of(bytes);
+        return io::writeWhole(folder / name, bytes, io::Durability::Renamed);
+    };
+    for (const Format* format : card.formats) {
+        const Result<std::vector<DatasetFile>> files = format->write(contents);
+        if (!files) return tl::unexpected(files.error());
+        for (const DatasetFile& file : *files) {
+            if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
+        }
+    }
+    const auto sheet = contactSheet(folder, contents, title);
+    if (!sheet) return tl::unexpected(sheet.error());
+    if (Status status = put(kSheet, *sheet); !status) return status;
+
+    const nlohmann::ordered_json json = datasetCardJson(contents, card);
+    const std::string text =
+        json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    // Everything it vouches for is on the disk before it appears.
+    if (Status status = io::syncFolder(folder); !status) return status;
+    return io::writeWhole(folder / "dataset.json", text);
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,84 @@
+#include "render/dataset_identity.h"
+
+#include "engine/io/sha256.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::render {
+namespace {
+
+/// Exact and short: hexadecimal floating point.
+template <class Vector>
+std::string text(const Vector& values) {
+    std::string result;
+    for (Eigen::Index i = 0; i < values.size(); ++i) result += fmt::format(" {:a}", values[i]);
+    return result;
+}
+
+std::string sceneText(const Scene& scene, const DatasetCard& card) {
+    std::string result = scene.name + "\n" + scene.source.filename().string() + "\n" +
+                         scene.source_sha256 + card.geometry_sha256 + card.appearance_sha256 +
+                         text(scene.room_bounds.min()) + text(scene.room_bounds.max());
+    for (int column = 0; column < 4; ++column) {
+        result += text(scene.source_from_world.matrix().col(column));
+    }
+    for (const Object& object : scene.objects) {
+        result += fmt::format("\n{} {}", object.id, static_cast<int>(object.role)) +
+                  text(object.box.center) + text(object.box.half_size) +
+                  fmt::format(" {:a}", object.box.yaw);
+    }
+    return result;
+}
+
+std::string trajectoryText(const DatasetContents& contents) {
+    std::string result;
+    for (const DatasetFrame& frame : contents.frames) {
+        const TrajectoryFrame& camera = frame.camera;
+        result += fmt::format("{} {:a} {} {}", frame.source_frame, camera.time_s, camera.component,
+                              camera.position_point) +
+                  text(camera.pose.position) + text(camera.pose.rotation.coeffs()) +
+                  text(camera.target_in_world) + "\n";
+    }
+    return result;
+}
+
+std::string roomsText(const DatasetOrigin& origin) {
+    std::string result;
+    for (const Eigen::AlignedBox3d& room : origin.rooms) {
+        result += text(room.min()) + text(room.max());
+    }
+    return result;
+}
+
+template <class Row>
+std::string names(const std::vector<const Row*>& rows) {
+    std::string result;
+    for (const Row* row : rows) result += std::string(row->name) + " ";
+    return result;
+}
+
+}  // namespace
+
+DatasetIdentity identityOf(const DatasetContents& contents, const DatasetCard& card,
+                           const DatasetSettings& settings, const DatasetOrigin& origin) {
+    const auto hash = [](const std::string& of) { return io::sha256Of(std::string_view(of)); };
+    const CameraParams& camera = contents.camera;
+    const CaptureRules& rules = settings.rules;
+    return {
+        {"the scene", hash(sceneText(contents.scene, card))},
+        {"the rooms", hash(roomsText(origin))},
+        {"the trajectory", hash(trajectoryText(contents))},
+        {"the frame range", toText(settings.range)},
+        {"the camera", fmt::format("{} {} {:a} {:a}", camera.width_px, camera.height_px,
+                                   camera.hfov_deg, camera.near_m)},
+        {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
+                                          rules.min_visible_px, rules.min_box_share)},
+        {"the modalities", names(contents.modalities)},
+        {"the formats", names(card.formats)},
+        {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
+        {"the planned metrics", hash(origin.planned_metrics_json)},
+        {"the program's version", origin.product_version},
+    };
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,209 @@
+#include "render/dataset_journal.h"
+
+#include "engine/io/durable_file.h"
+#include "engine/io/sha256.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <fstream>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr auto kSyncEvery = std::chrono::seconds(2);
+constexpr std::size_t kChecksum = 16;  // hexadecimal digits
+
+std::string lineOf(const std::string& text) {
+    return io::sha256Of(std::string_view(text)).substr(0, kChecksum) + " " + text + "\n";
+}
+
+/// The JSON of a line; discarded when its checksum is not right.
+json readLine(const std::string& line) {
+    if (line.size() <= kChecksum + 1) return json(json::value_t::discarded);
+    const std::string_view text = std::string_view(line).substr(kChecksum + 1);
+    if (line.compare(0, kChecksum, io::sha256Of(text), 0, kChecksum) != 0) {
+        return json(json::value_t::discarded);
+    }
+    return json::parse(text, nullptr, false);
+}
+
+json toJson(const JournalEntry& entry) {
+    json masks = json::array();
+    for (const ObjectMask& mask : entry.masks) {
+        masks.push_back({mask.object_id, mask.area, mask.bbox, compressCounts(mask.counts)});
+    }
+    json views = json::array();
+    for (const ObjectView& view : entry.views) {
+        views.push_back({view.object_id, view.visible_fraction, view.visible_px, view.box_share,
+                         view.mask_share});
+    }
+    return {{"frame", entry.index},
+            {"files", entry.sha256s},
+            {"masks", std::move(masks)},
+            {"views", std::move(views)},
+            {"well_shown", entry.well_shown}};
+}
+
+/// Throws nlohmann's exceptions.
+JournalEntry entryFrom(const json& value) {
+    JournalEntry entry;
+    entry.index = value.at("frame").get<int>();
+    entry.sha256s = value.at("files").get<std::map<std::string, std::string>>();
+    for (const json& one : value.at("masks")) {
+        ObjectMask mask;
+        mask.object_id = one.at(0).get<int>();
+        mask.area = one.at(1).get<std::uint32_t>();
+        mask.bbox = one.at(2).get<std::array<int, 4>>();
+        mask.counts = decompressCounts(one.at(3).get_ref<const std::string&>());
+        entry.masks.push_back(std::move(mask));
+    }
+    for (const json& one : value.at("views")) {
+        ObjectView view;
+        view.object_id = one.at(0).get<int>();
+        view.frame = entry.index;
+        view.visible_fraction = one.at(1).get<double>();
+        view.visible_px = one.at(2).get<double>();
+        view.box_share = one.at(3).get<double>();
+        view.mask_share = one.at(4).get<double>();
+        entry.views.push_back(view);
+    }
+    entry.well_shown = value.at("well_shown").get<std::vector<int>>();
+    return entry;
+}
+
+int writeAll(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : ENOSPC;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::string differences(const DatasetIdentity& a, const DatasetIdentity& b) {
+    DatasetIdentity all = a;
+    all.insert(b.begin(), b.end());
+    std::string names;
+    for (const auto& [name, value] : all) {
+        const auto in_a = a.find(name);
+        const auto in_b = b.find(name);
+        if (in_a != a.end() && in_b != b.end() && in_a->second == in_b->second) continue;
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
+}
+
+JournalContents readJournal(const std::filesystem::path& path) {
+    JournalContents contents;
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    while (std::getline(file, line) && !file.eof()) {  // a last line without its end is torn
+        contents.whole_bytes += line.size() + 1;
+        const json value = readLine(line);
+        if (value.is_discarded()) continue;
+        try {
+            if (value.contains("identity")) {
+                if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;
+                contents.identity = value.at("identity").get<DatasetIdentity>();
+            } else {
+                JournalEntry entry = entryFrom(value);
+                const int index = entry.index;
+                contents.entries.insert_or_assign(index, std::move(entry));  // the later one holds
+            }
+        } catch (const json::exception&) {
+            continue;
+        }
+    }
+    return contents;
+}
+
+DatasetJournal::DatasetJournal(std::filesystem::path path, int descriptor, std::uint64_t length)
+    : path_(std::move(path)),
+      descriptor_(descriptor),
+      length_(length),
+      synced_(std::chrono::steady_clock::now()) {}
+
+DatasetJournal::DatasetJournal(DatasetJournal&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      length_(other.length_),
+      synced_(other.synced_) {}
+
+DatasetJournal& DatasetJournal::operator=(DatasetJournal&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(length_, other.length_);
+    std::swap(synced_, other.synced_);
+    return *this;
+}
+
+DatasetJournal::~DatasetJournal() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Result<DatasetJournal> DatasetJournal::open(const std::filesystem::path& path,
+                                            std::uint64_t length) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (descriptor < 0) return tl::unexpected<Error>(io::writeError(errno, path));
+    DatasetJournal journal(path, descriptor, length);
+    if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0) {
+        return tl::unexpected<Error>(io::writeError(errno, path));
+    }
+    return journal;
+}
+
+Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
+                                             const DatasetIdentity& identity) {
+    Result<DatasetJournal> journal = open(path, 0);
+    if (!journal) return journal;
+    const json header = {{"dollytrack_journal", kVersion}, {"identity", identity}};
+    Status status =
+        journal->appendLine(header.dump(-1, ' ', false, json::error_handler_t::replace));
+    if (status) status = journal->sync();
+    if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    return journal;
+}
+
+Result<DatasetJournal> DatasetJournal::resume(const std::filesystem::path& path,
+                                              const JournalContents& contents) {
+    return open(path, contents.whole_bytes);
+}
+
+Status DatasetJournal::append(const JournalEntry& entry) {
+    if (Status status = appendLine(toJson(entry).dump()); !status) return status;
+    if (std::chrono::steady_clock::now() - synced_ < kSyncEvery) return {};
+    return sync();
+}
+
+Status DatasetJournal::appendLine(const std::string& json) {
+    const std::string line = lineOf(json);
+    if (const int error = writeAll(descriptor_, line)) {
+        // The piece of it that did fit must not spoil a later line.
+        if (::ftruncate(descriptor_, static_cast<off_t>(length_)) != 0) {
+            ::close(std::exchange(descriptor_, -1));  // nothing may follow the piece
+        }
+        return tl::unexpected<Error>(io::writeError(error, path_));
+    }
+    length_ += line.size();
+    return {};
+}
+
+Status DatasetJournal::sync() {
+    synced_ = std::chrono::steady_clock::now();
+    if (::fdatasync(descriptor_) != 0 && errno != EINVAL) {
+        return tl::unexpected<Error>(io::writeError(errno, path_));
+    }
+    return {};
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,122 @@
+#include "render/dataset_resume.h"
+
+#include "engine/io/sha256.h"
+#include "engine/jobs/parallel.h"
+#include "engine/plan/plan_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isWhole(const DatasetFolder& folder, const std::string& file, const std::string& sha256) {
+    const Result<std::string> found = io::sha256OfFile(folder.path() / file);
+    return found && *found == sha256;
+}
+
+/// Calls check(i) for all i on all threads, in portions between which it reports and may stop.
+template <class Check>
+void checkAll(std::size_t count, const JobContext& job, const Check& check) {
+    constexpr std::size_t kPortion = 64;
+    for (std::size_t begin = 0; begin < count && !job.cancelled(); begin += kPortion) {
+        const std::size_t end = std::min(begin + kPortion, count);
+        parallelFor(end - begin, [&](std::size_t i) { check(begin + i); });
+        job.report(static_cast<double>(end) / static_cast<double>(count));
+    }
+}
+
+Json readCard(const DatasetFolder& folder) {
+    try {
+        std::ifstream file(folder.path() / "dataset.json", std::ios::binary);
+        return Json::parse(file, nullptr, false);
+    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
+        return Json(Json::value_t::discarded);
+    }
+}
+
+tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,
+                              std::size_t count) {
+    return fail(ErrorCode::BadInput,
+                "the dataset is complete, but " +
+                    (count == 1 ? std::string("this file is")
+                                : "this and " + std::to_string(count - 1) + " more files are") +
+                    " missing or damaged; export it again without --resume",
+                (folder.path() / file).string());
+}
+
+}  // namespace
+
+std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
+                                        std::map<int, JournalEntry> entries,
+                                        const ModalitySet& modalities, const JobContext& job) {
+    std::vector<const JournalEntry*> list;
+    for (const auto& [index, entry] : entries) list.push_back(&entry);
+    std::vector<char> whole(list.size(), 0);
+    checkAll(list.size(), job, [&](std::size_t i) {
+        const auto& hashes = list[i]->sha256s;
+        whole[i] = std::all_of(modalities.begin(), modalities.end(), [&](const Modality* modality) {
+            const std::string file = frameFile(modality->name, list[i]->index);
+            const auto hash = hashes.find(file);
+            return hash != hashes.end() && isWhole(folder, file, hash->second);
+        });
+    });
+    std::size_t i = 0;
+    std::erase_if(entries, [&](const auto&) { return whole[i++] == 0; });
+    return entries;
+}
+
+std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries) {
+    std::set<std::string> files;
+    for (const auto& [index, entry] : entries) {
+        for (const auto& [file, hash] : entry.sha256s) files.insert(file);
+    }
+    return files;
+}
+
+Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetContents& wanted,
+                                     const DatasetCard& card, const JobContext& job) {
+    const Json found = readCard(folder);
+    if (!found.is_object()) return damaged(folder, "dataset.json", 1);
+    std::string differing;
+    const Json expected = datasetCardJson(wanted, card);
+    for (const auto& [name, value] : expected.items()) {
+        // These follow from the pictures; all others decide over them.
+        if (name == "files" || name == "metrics") continue;
+        if (!found.contains(name) || found[name] != value) {
+            differing += (differing.empty() ? "" : ", ") + name;
+        }
+    }
+    if (!differing.empty()) {
+        return fail(ErrorCode::Usage,
+                    "the folder holds a complete dataset of something else (it differs in " +
+                        differing + "); choose another folder, or leave out --resume to replace it",
+                    folder.path().string());
+    }
+    try {
+        std::vector<std::pair<std::string, std::string>> files;
+        for (const auto& [file, hash] : found.at("files").items()) {
+            files.emplace_back(file, hash.get<std::string>());
+        }
+        std::vector<char> whole(files.size(), 0);
+        checkAll(files.size(), job, [&](std::size_t i) {
+            whole[i] = isWhole(folder, files[i].first, files[i].second);
+        });
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
+        const auto first = std::find(whole.begin(), whole.end(), 0);
+        if (first != whole.end()) {
+            return damaged(folder, files[static_cast<std::size_t>(first - whole.begin())].first,
+                           static_cast<std::size_t>(std::count(whole.begin(), whole.end(), 0)));
+        }
+        return captureMetricsFromJson(found.at("metrics").at("counted"));
+    } catch (const nlohmann::json::exception&) {
+        return damaged(folder, "dataset.json", 1);
+    }
+}
+
+}  // namespace dollytrack::render

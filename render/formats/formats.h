@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/dataset_contents.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// A file of a dataset beside its images.
+struct DatasetFile {
+    std::string path;  // relative to the dataset's folder
+    std::string bytes;
+};
+
+/// A way to say what the images show, for the readers of some field. A row of the one table from
+/// which the command line, the editor's check boxes, the files and dataset.json follow; a new
+/// format is a file with its writer and a row.
+struct Format {
+    const char* name;  // as one asks for it, and its key in dataset.json
+    const char* text;  // what it is, for people
+    bool needs_masks;
+    std::span<const char* const> files;  // what it writes, so that it can be removed again
+
+    Result<std::vector<DatasetFile>> (*write)(const DatasetContents& contents);
+    /// What dataset.json says of the files.
+    nlohmann::ordered_json (*convention)();
+};
+
+/// All there are. dataset.json is not among them: it is always written.
+[[nodiscard]] std::span<const Format> formats();
+
+/// Some of the table's rows, in its order.
+using FormatSet = std::vector<const Format*>;
+
+/// Those named; all when none is. Error: Usage, with the closest name.
+[[nodiscard]] Result<FormatSet> chooseFormats(const std::vector<std::string>& names);
+
+}  // namespace dollytrack::render

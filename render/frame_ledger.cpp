@@ -1,0 +1,85 @@
+#include "render/frame_ledger.h"
+
+#include <mutex>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+struct Row {
+    JournalEntry entry;
+    bool written = false;
+    bool counted = false;
+    bool finished = false;
+};
+
+}  // namespace
+
+struct FrameLedger::Impl {
+    DatasetJournal journal;
+    std::vector<Row> rows;
+    int finished = 0;
+    mutable std::mutex mutex;
+
+    Impl(DatasetJournal to, int frame_count)
+        : journal(std::move(to)), rows(static_cast<std::size_t>(frame_count)) {}
+
+    [[nodiscard]] Row& row(int index) { return rows[static_cast<std::size_t>(index)]; }
+
+    Status finishIfComplete(Row& row) {
+        if (!row.written || !row.counted) return {};
+        if (Status status = journal.append(row.entry); !status) return status;
+        row.finished = true;
+        ++finished;
+        return {};
+    }
+};
+
+FrameLedger::FrameLedger(DatasetJournal journal, int frame_count,
+                         std::map<int, JournalEntry> restored)
+    : impl_(std::make_unique<Impl>(std::move(journal), frame_count)) {
+    for (int i = 0; i < frame_count; ++i) impl_->row(i).entry.index = i;
+    for (auto& [index, entry] : restored) {
+        impl_->row(index) = {std::move(entry), true, true, true};
+        ++impl_->finished;
+    }
+}
+FrameLedger::~FrameLedger() = default;
+FrameLedger::FrameLedger(FrameLedger&&) noexcept = default;
+FrameLedger& FrameLedger::operator=(FrameLedger&&) noexcept = default;
+
+Status FrameLedger::addWritten(int index, std::map<std::string, std::string> sha256s,
+                               std::vector<ObjectMask> masks) {
+    const std::lock_guard lock(impl_->mutex);
+    Row& row = impl_->row(index);
+    row.entry.sha256s = std::move(sha256s);
+    row.entry.masks = std::move(masks);
+    row.written = true;
+    return impl_->finishIfComplete(row);
+}
+
+Status FrameLedger::addCounted(int index, std::vector<ObjectView> views,
+                               std::vector<int> well_shown) {
+    const std::lock_guard lock(impl_->mutex);
+    Row& row = impl_->row(index);
+    row.entry.views = std::move(views);
+    row.entry.well_shown = std::move(well_shown);
+    row.counted = true;
+    return impl_->finishIfComplete(row);
+}
+
+int FrameLedger::finishedCount() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->finished;
+}
+
+Status FrameLedger::sync() {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->journal.sync();
+}
+
+const JournalEntry& FrameLedger::entry(int index) const {
+    return impl_->row(index).entry;
+}
+
+}  // namespace dollytrack::render

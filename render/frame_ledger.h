@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/dataset_journal.h"
+
+#include <memory>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// What is known of each frame of a dataset. A frame is finished when its files are written and its
+/// captures counted, which two threads report; then it goes into the journal.
+class FrameLedger {
+  public:
+    /// `restored` frames count as finished; the journal has them already.
+    FrameLedger(DatasetJournal journal, int frame_count, std::map<int, JournalEntry> restored = {});
+    ~FrameLedger();
+    FrameLedger(FrameLedger&&) noexcept;
+    FrameLedger& operator=(FrameLedger&&) noexcept;
+
+    /// These two from any thread, once a frame each.
+    [[nodiscard]] Status addWritten(int index, std::map<std::string, std::string> sha256s,
+                                    std::vector<ObjectMask> masks);
+    [[nodiscard]] Status addCounted(int index, std::vector<ObjectView> views,
+                                    std::vector<int> well_shown);
+
+    [[nodiscard]] int finishedCount() const;
+    [[nodiscard]] Status sync();
+
+    /// Of a finished frame.
+    [[nodiscard]] const JournalEntry& entry(int index) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack::render
