@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/progress_bar.h"
+#include "app/cli/progress_lines.h"
 
 namespace dollytrack::cli {
 
@@ -22,6 +23,7 @@ int exitCodeFor(ErrorCode code) {
 }
 
 JobContext Session::job() const {
+    if (lines) return lines->context(cancelled);
     return {cancelled, quiet ? JobContext::Progress{} : ProgressBar().callback()};
 }
 

@@ -26,13 +26,16 @@ enum ExitCode : int {
 
 int exitCodeFor(ErrorCode code);
 
+class ProgressLines;
+
 /// What all subcommands share. The parsed subcommand leaves its work in `action`.
 struct Session {
     std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
     std::function<Result<ExitCode>()> action;
     bool quiet = false;
+    std::shared_ptr<ProgressLines> lines;  // where progress goes to a program, not to a person
 
-    /// Progress on stderr (none when quiet), stopped by Ctrl-C.
+    /// Progress on stderr (none when quiet, but for a program), stopped by Ctrl-C.
     [[nodiscard]] JobContext job() const;
 };
 

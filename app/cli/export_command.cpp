@@ -5,12 +5,15 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
 #include "render/dataset_job.h"
+#include "render/formats/formats.h"
 #include "render/gl/osmesa_context.h"
+#include "render/modalities.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <span>
 
 namespace dollytrack::cli {
 namespace {
@@ -19,26 +22,20 @@ struct ExportArguments {
     SceneArguments scene;
     std::string out;
     std::string range = "::";
+    std::vector<std::string> modalities;
+    std::vector<std::string> formats;
     bool overwrite = false;
+    bool resume = false;
     bool as_json = false;
 };
 
 nlohmann::json summaryJson(const render::DatasetSummary& summary, const ExportArguments& arguments,
                            const nlohmann::json& planned) {
-    const CaptureMetrics& counted = summary.counted;
     return {{"out", arguments.out},
             {"frames", summary.frames},
             {"contact_sheet", summary.contact_sheet.string()},
             {"planned", planned},
-            {"counted",
-             {{"objects", counted.objects},
-              {"captured", counted.captured},
-              {"well_captured", counted.well_captured},
-              {"capture_rate", counted.capture_rate},
-              {"well_captured_rate", counted.well_captured_rate},
-              {"small_capture_rate", counted.small_capture_rate},
-              {"area_share_box", counted.area_share_box},
-              {"area_share_mask", counted.area_share_mask}}}};
+            {"counted", captureMetricsJson(summary.counted)}};
 }
 
 void printSummary(const render::DatasetSummary& summary, const ExportArguments& arguments,
@@ -66,13 +63,40 @@ void printSummary(const render::DatasetSummary& summary, const ExportArguments& 
     fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
 }
 
+template <class Row>
+void printTable(const char* title, std::span<const Row> rows) {
+    fmt::print("{}\n", title);
+    for (const Row& row : rows) fmt::print("  {:<14} {}\n", row.name, row.text);
+}
+
+/// What --modalities and --formats can name.
+void printChoices() {
+    printTable("modalities", render::modalities());
+    printTable("formats", render::formats());
+    fmt::print("dataset.json, which describes the dataset, and a contact sheet come with each.\n");
+}
+
+template <class Row>
+std::string names(std::span<const Row> rows) {
+    std::string all;
+    for (const Row& row : rows) all += (all.empty() ? "" : ",") + std::string(row.name);
+    return all;
+}
+
 Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
     render::DatasetSettings settings;
     const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
     if (!range) return tl::unexpected<Error>(range.error());
     settings.folder = arguments.out;
     settings.range = *range;
+    settings.modalities = arguments.modalities;
+    settings.formats = arguments.formats;
     settings.overwrite = arguments.overwrite;
+    settings.resume = arguments.resume;
+    // Said before the work, not after it.
+    if (Status status = render::checkSettings(settings); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
 
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
@@ -99,7 +123,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const RayCaster rays(*planned->scene);
     const Result<render::DatasetSummary> summary = render::exportDataset(
         std::move(*context), *planned->scene, rays, planned->trajectory, planned->params.camera,
-        settings, std::move(origin), job.stage(0.06, 1.0, "rendering"));
+        settings, std::move(origin), job.stage(0.06, 1.0, ""));
     if (!summary) return tl::unexpected<Error>(summary.error());
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(summaryJson(*summary, arguments, planned->metrics)));
@@ -124,12 +148,36 @@ void addExportCommand(CLI::App& app, Session& session) {
         ->add_option("--range", arguments->range,
                      "Frames a to b (b not included), every s-th: 100:200, ::5")
         ->type_name("a:b:s");
+    command
+        ->add_option("--modalities", arguments->modalities,
+                     "Images to write: " + names(render::modalities()) + " (default: all)")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command
+        ->add_option("--formats", arguments->formats,
+                     "Annotations to write: " + names(render::formats()) + " (default: all)")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command->add_flag_callback(
+        "--list",
+        [] {
+            printChoices();
+            throw CLI::Success();
+        },
+        "Say what --modalities and --formats can name, and nothing else");
+    command->add_flag("--resume", arguments->resume,
+                      "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,
                       "Write into a folder that holds other files; they stay");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
         "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"
         "changed here or its scene file has changed: then it is planned again, with a warning.\n"
+        "An export that is stopped keeps its finished frames; the same command with --resume goes "
+        "on\n"
+        "from there and ends with the same files. Without it, an unfinished dataset begins anew.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runExport(*arguments, session); };

@@ -1,4 +1,6 @@
 #include "app/cli/command_line.h"
+#include "app/cli/progress_lines.h"
+#include "app/cli/suggestion.h"
 #include "engine/core/log.h"
 #include "engine/jobs/parallel.h"
 
@@ -9,6 +11,8 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -22,29 +26,59 @@ void onSignal(int signal) {
     cancel_flag->store(true);
 }
 
+/// The program's last word: for a person, or in the lines that another program reads.
+int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& error, int code) {
+    dollytrack::log::flush();
+    if (session.lines) {
+        dollytrack::cli::ProgressLines::fail(error, code);
+    } else {
+        std::cerr << "dollytrack: " << describe(error) << "\n";
+    }
+    return code;
+}
+
 int runAction(const dollytrack::cli::Session& session) {
     using namespace dollytrack;
     const Result<cli::ExitCode> result = session.action();
-    log::flush();
     // What was printed may still be in the buffer of a full disk.
     if (result && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
-        std::cerr << "dollytrack: the results cannot be written to the standard output.\n";
-        return cli::kCannotWrite;
+        return endWith(
+            session,
+            {ErrorCode::CannotWrite, "the results cannot be written to the standard output.", {}},
+            cli::kCannotWrite);
     }
-    if (result) return *result;
-    if (caught_signal != 0) {
-        std::cerr << "dollytrack: stopped.\n";
-        return 128 + caught_signal;
+    if (!result) {
+        const bool stopped = caught_signal != 0 && result.error().code == ErrorCode::Cancelled;
+        return endWith(session, result.error(),
+                       stopped ? 128 + caught_signal : cli::exitCodeFor(result.error().code));
     }
-    std::cerr << "dollytrack: " << describe(result.error()) << "\n";
-    return cli::exitCodeFor(result.error().code);
+    log::flush();
+    if (session.lines) session.lines->finish(*result);
+    return *result;
+}
+
+/// Before the arguments are parsed, so that what is wrong with them can be said that way, too.
+bool wantsLines(const std::vector<std::string>& arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == "--progress=json") return true;
+        if (arguments[i] == "--progress" && i + 1 < arguments.size() &&
+            arguments[i + 1] == "json") {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace dollytrack;
+    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
     cli::Session session;
+    if (wantsLines(arguments)) {
+        session.lines = std::make_shared<cli::ProgressLines>();
+        log::setSink(cli::ProgressLines::logSink());
+    }
     cancel_flag = session.cancelled.get();
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
@@ -69,6 +103,11 @@ int main(int argc, char** argv) {
     app.add_flag("-v,--verbose", verbose, "Say more on stderr");
     app.add_option("--threads", threads, "Worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
+    std::string progress = "bar";
+    app.add_option("--progress", progress,
+                   "How to tell progress on stderr: to a person, or an object a line to a program")
+        ->check(CLI::IsMember({"bar", "json"}))
+        ->type_name("bar|json");
     app.fallthrough();
 
     cli::addInfoCommand(app, session);
@@ -80,10 +119,14 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const bool asked_for_help = error.get_exit_code() == 0;
-        if (!asked_for_help) std::cerr << "dollytrack: ";
-        app.exit(error);
-        return asked_for_help ? cli::kDone : cli::kUsage;
+        if (error.get_exit_code() == 0) {  // asked for help, and the like
+            app.exit(error);
+            return cli::kDone;
+        }
+        std::string message = cli::explainUnknownName(app, arguments);
+        if (message.empty()) message = error.what();
+        if (!session.lines) message += "\nRun with --help for more information.";
+        return endWith(session, {ErrorCode::Usage, message, {}}, cli::kUsage);
     }
     log::setLevel(session.quiet ? log::Level::Warning
                   : verbose     ? log::Level::Debug
@@ -92,10 +135,14 @@ int main(int argc, char** argv) {
     try {
         return runAction(session);
     } catch (const std::bad_alloc&) {
-        std::cerr << "dollytrack: out of memory; try a larger octree_resolution_m or a smaller "
-                     "image.\n";
+        return endWith(session,
+                       {ErrorCode::Failed,
+                        "out of memory; try a larger octree_resolution_m or a smaller image.",
+                        {}},
+                       cli::kFailed);
     } catch (const std::exception& error) {
-        std::cerr << "dollytrack: unexpected failure: " << error.what() << "\n";
+        return endWith(session,
+                       {ErrorCode::Failed, std::string("unexpected failure: ") + error.what(), {}},
+                       cli::kFailed);
     }
-    return cli::kFailed;
 }

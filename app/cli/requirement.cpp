@@ -1,12 +1,12 @@
 #include "app/cli/requirement.h"
 
 #include "engine/core/field_list.h"
+#include "engine/core/log.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <cstdio>
 
 namespace dollytrack::cli {
 
@@ -63,8 +63,9 @@ bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& 
         const double measured = metrics.at(requirement.metric).get<double>();
         if (requirement.holds(measured)) continue;
         all = false;
-        fmt::print(stderr, "not met: {} is {:.4g}, required {} {:.4g}\n", requirement.metric,
-                   measured, requirement.comparison, requirement.value);
+        log::warn("require",
+                  fmt::format("not met: {} is {:.4g}, required {} {:.4g}", requirement.metric,
+                              measured, requirement.comparison, requirement.value));
     }
     return all;
 }

@@ -24,7 +24,7 @@ Result<Requirement> parseRequirement(std::string_view text);
 /// Error: Usage when a requirement names no number of the metrics; says the closest name.
 Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
 
-/// Whether all hold for metrics that have their names; says on stderr which does not.
+/// Whether all hold for metrics that have their names; a warning says which does not.
 bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
 
 }  // namespace dollytrack::cli

@@ -3,13 +3,11 @@
 
 Usage: command_line_test.py PROGRAM [unittest arguments]
 """
-import hashlib
 import json
 import os
 import pathlib
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
@@ -18,22 +16,7 @@ import cv2
 import numpy
 
 import tiny_room
-
-PROGRAM = sys.argv.pop(1)
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, **options)
-
-
-def hashes(folder):
-    """Relative path -> SHA-256 of every file below a folder."""
-    return {
-        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in sorted(pathlib.Path(folder).rglob("*"))
-        if path.is_file()
-    }
-
+from program import PROGRAM, hashes, run
 
 def decode_rle(counts, height, width):
     """COCO's compressed run lengths, from its published description."""
@@ -130,7 +113,18 @@ class CommandLine(unittest.TestCase):
         self.assertFails(run("plan", self.room, "--require", "objects"), 2, "--require")
         self.assertFails(run("plan", self.room, "--require", "objets>=1"), 2, "'objects'")
         self.assertEqual(run("plan").returncode, 2)
-        self.assertEqual(run("paln", self.room).returncode, 2)
+        self.assertFails(run("paln", self.room), 2)
+        for arguments, words in [
+            (["paln", self.room], ["subcommand 'paln'", "'plan'"]),
+            (["plan", self.room, "--max-frame=3"], ["option '--max-frame'", "'--max-frames'"]),
+            (["--thread", 2, "plan", self.room], ["option '--thread'", "'--threads'"]),
+            (["--threads", 2, "export", self.room, "--oot", "x"], ["'--oot'", "'--out'"]),
+            (["zzzzzzzz"], ["no subcommand 'zzzzzzzz'."]),
+        ]:
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2)
+            for word in words:
+                self.assertIn(word, result.stderr)
         self.assertEqual(run("--help").returncode, 0)
 
     def test_bad_scenes_are_one_sentence_and_exit_code_4(self):

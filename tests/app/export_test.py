@@ -1,0 +1,315 @@
+#!/usr/bin/python3
+"""Exports that are chosen, watched, stopped, killed and continued, judged by the files they leave.
+
+Usage: export_test.py PROGRAM APARTMENT [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from program import hashes, run, start, wait_for
+
+APARTMENT = sys.argv.pop(1)
+FRAMES = 24
+MARK = ".dollytrack-export"
+CHOICES = ["rgb", "depth", "instance", "semantic", "coco", "camera_json"]
+
+
+def lines_of(text):
+    """The objects that --progress json wrote; every line must be one."""
+    return [json.loads(line) for line in text.splitlines()]
+
+
+class Export(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.project = cls.folder / "apartment.dolly"
+        planned = run("plan", APARTMENT, "-o", cls.project, "--max-frames", FRAMES,
+                      "--set", "width_px=96", "--set", "height_px=72")
+        assert planned.returncode == 0, planned.stderr
+        cls.unbroken = cls.folder / "unbroken"
+        begin = time.time()
+        exported = run("export", cls.project, "--out", cls.unbroken)
+        cls.seconds = time.time() - begin
+        assert exported.returncode == 0, exported.stderr
+        cls.expected = hashes(cls.unbroken)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def new_folder(self):
+        return pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+
+    def assertFails(self, result, code, *words):
+        self.assertEqual(result.returncode, code, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+    def assertContinues(self, out, *arguments):
+        result = run("export", self.project, "--out", out, "--resume", *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(hashes(out), self.expected)
+        return result
+
+    def part_of_export(self, frames=3):
+        """A folder with an export that was killed after some frames."""
+        out = self.new_folder()
+        process = start("export", self.project, "--out", out)
+        journal = out / MARK
+        self.assertTrue(wait_for(lambda: process.poll() is not None or (
+            journal.exists() and journal.read_bytes().count(b"\n") > frames)))
+        process.kill()
+        process.communicate()
+        self.assertFalse((out / "dataset.json").exists())
+        return out
+
+    # --- continuing
+
+    def test_killed_at_random_moments_it_ends_with_the_same_bytes(self):
+        seed = random.randrange(10**6)
+        moments = random.Random(seed)
+        kills = 0
+        for _ in range(3):
+            out = self.new_folder()
+            for _ in range(3):  # each goes on where the one before was killed
+                process = start("export", self.project, "--out", out, "--resume")
+                try:
+                    process.communicate(timeout=moments.uniform(0.1, 1.0) * self.seconds)
+                except subprocess.TimeoutExpired:
+                    kills += 1
+                process.kill()
+                process.communicate()
+            with self.subTest(seed=seed):
+                self.assertContinues(out)
+        self.assertGreater(kills, 0)
+
+    def test_a_killed_export_is_continued_and_not_repeated(self):
+        out = self.part_of_export(frames=8)
+        listed = (out / MARK).read_bytes().count(b"\n") - 1
+        times = {path: path.stat().st_mtime_ns for path in out.glob("rgb/*.png")}
+        result = self.assertContinues(out)
+        self.assertIn("continuing", result.stderr)
+        kept = sum(path.stat().st_mtime_ns == written for path, written in times.items())
+        self.assertGreaterEqual(kept, listed)
+
+    def test_damaged_frames_are_rendered_again(self):
+        out = self.part_of_export(frames=8)
+        pictures = sorted(out.glob("rgb/*.png"))
+        pictures[1].write_bytes(pictures[1].read_bytes()[:-20])
+        pictures[2].unlink()
+        self.assertContinues(out)
+
+    def test_changes_are_refused_and_named(self):
+        out = self.part_of_export()
+        before = hashes(out)
+        for arguments, word in [
+            (["--set", "fill=0.5"], "the parameters"),
+            (["--set", "width_px=80"], "the camera"),
+            (["--range", "::2"], "the frame range"),
+            (["--modalities", "rgb"], "the modalities"),
+            (["--formats", "coco"], "the formats"),
+        ]:
+            result = run("export", self.project, "--out", out, "--resume", *arguments)
+            self.assertFails(result, 2, word, "leave out --resume")
+            self.assertEqual(hashes(out), before)
+        self.assertContinues(out)
+
+    def test_nothing_to_continue_begins_anew(self):
+        self.assertContinues(self.folder / "not_there_yet")
+        # Complete: only checked. Incomplete in a way that cannot be mended: never a success.
+        out = self.new_folder()
+        shutil.copytree(self.unbroken, out, dirs_exist_ok=True)
+        self.assertContinues(out)
+        (out / "depth" / "000001.png").unlink()
+        self.assertFails(run("export", self.project, "--out", out, "--resume"), 4, "000001.png")
+
+    def test_without_resume_it_begins_anew(self):
+        out = self.part_of_export()
+        result = run("export", self.project, "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(hashes(out), self.expected)
+
+    # --- stopping
+
+    def test_signals_keep_the_finished_frames_and_say_how_to_go_on(self):
+        for number, code in [(signal.SIGINT, 130), (signal.SIGTERM, 143)]:
+            out = self.new_folder()
+            process = start("export", self.project, "--out", out)
+            self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                     list(out.glob("rgb/*.png"))))
+            process.send_signal(number)
+            _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, code, errors)
+            self.assertIn("--resume", errors)
+            self.assertFalse((out / "dataset.json").exists())
+            self.assertEqual([path for path in out.rglob("*") if ".tmp." in path.name], [])
+            # What was drawn is kept: a line for the header, and one for each frame's files.
+            lines = (out / MARK).read_bytes().count(b"\n")
+            self.assertEqual(lines, 1 + len(list(out.glob("semantic/*.png"))))
+            self.assertContinues(out)
+
+    def test_two_exports_do_not_share_a_folder(self):
+        out = self.new_folder()
+        process = start("export", self.project, "--out", out)
+        self.assertTrue(wait_for(lambda: (out / MARK).exists() or process.poll() is not None))
+        os.kill(process.pid, signal.SIGSTOP)
+        try:
+            for more in [[], ["--resume"], ["--overwrite"]]:
+                second = run("export", self.project, "--out", out, *more)
+                self.assertFails(second, 6, "another export")
+        finally:
+            os.kill(process.pid, signal.SIGCONT)
+        _, errors = process.communicate()
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertEqual(hashes(out), self.expected)
+
+    def test_a_full_disk_is_said_and_continued_from(self):
+        disk = self.new_folder()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", disk],
+                                 capture_output=True)
+        if mounted.returncode != 0:
+            self.skipTest("no small disk can be mounted here")
+        try:
+            out = disk / "dataset"
+            process = start("export", self.project, "--out", out)
+            self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                     list(out.glob("semantic/*.png"))))
+            os.kill(process.pid, signal.SIGSTOP)
+            filler = disk / "filler"
+            with open(filler, "wb", buffering=0) as file:
+                try:
+                    while True:
+                        file.write(bytes(4096))
+                except OSError:
+                    pass
+            os.kill(process.pid, signal.SIGCONT)
+            _, errors = process.communicate()
+            self.assertEqual(process.returncode, 6, errors)
+            self.assertIn("full", errors)
+            self.assertFalse((out / "dataset.json").exists())
+            # Still full: refused before anything is drawn, and nothing is lost.
+            self.assertFails(run("export", self.project, "--out", out, "--resume"), 6)
+            filler.unlink()
+            self.assertContinues(out)
+            # Too full for another dataset: the one that is there stays.
+            with open(filler, "wb") as file:
+                file.truncate(0)
+            bigger = run("export", self.project, "--out", out, "--set", "width_px=4000",
+                         "--set", "height_px=3000")
+            self.assertFails(bigger, 6, "MB are needed")
+            self.assertEqual(hashes(out), self.expected)
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_a_folder_that_cannot_be_written_is_told_at_once(self):
+        begin = time.time()
+        self.assertFails(run("export", self.project, "--out", "/proc/nothing"), 6, "/proc/nothing")
+        self.assertLess(time.time() - begin, 0.5 * self.seconds + 0.5)
+
+    # --- watching
+
+    def test_progress_for_programs_rises_to_the_end(self):
+        out = self.new_folder()
+        begin = time.time()
+        result = run("export", self.project, "--out", out, "--progress", "json", "--json")
+        elapsed = time.time() - begin
+        lines = lines_of(result.stderr)
+        json.loads(result.stdout)
+        steps = [line for line in lines if "fraction" in line]
+        self.assertGreater(len(steps), 2)
+        fractions = [step["fraction"] for step in steps]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertTrue(all(0 <= fraction <= 1 for fraction in fractions))
+        self.assertLessEqual(len(steps), 10 * elapsed + 1)
+        counted = [step for step in steps if "frames" in step]
+        self.assertTrue(counted)
+        self.assertEqual({step["frames"] for step in counted}, {len(list(out.glob("rgb/*.png")))})
+        done = [step["frames_done"] for step in counted]
+        self.assertEqual(done, sorted(done))
+        for step in counted:
+            if "frames_per_s" in step:
+                self.assertAlmostEqual(step["seconds_left"] * step["frames_per_s"],
+                                       step["frames"] - step["frames_done"], delta=0.5)
+        self.assertTrue(lines[-1]["done"])
+        self.assertEqual(lines[-1]["exit_code"], 0)
+        self.assertEqual(lines[-1]["frames_done"], lines[-1]["frames"])
+
+    def test_errors_and_notes_for_programs(self):
+        def last(*arguments):
+            result = run(*arguments, "--progress", "json")
+            error = lines_of(result.stderr)[-1]["error"]
+            self.assertEqual(error["exit_code"], result.returncode)
+            return error
+
+        error = last("export", self.folder / "none.dolly", "--out", self.folder / "x")
+        self.assertEqual((error["code"], error["exit_code"]), ("bad_input", 4))
+        self.assertIn("none.dolly", error["where"])
+        self.assertEqual(last("export", self.project, "--out", "/proc/x")["code"], "cannot_write")
+        self.assertEqual(last("plan", APARTMENT, "--set", "fil=1")["code"], "usage")
+        self.assertIn("--ranges", last("export", self.project, "--ranges", "1:2")["message"])
+        self.assertEqual(last("exprot")["code"], "usage")
+        unmet = run("plan", self.project, "--require", "objects>=100000", "--progress=json")
+        lines = lines_of(unmet.stderr)
+        self.assertTrue(any("not met" in line.get("log", {}).get("message", "") for line in lines))
+        self.assertEqual(lines[-1]["exit_code"], 3)
+
+        process = start("export", self.project, "--out", self.new_folder(), "--progress", "json")
+        for line in process.stderr:
+            if json.loads(line).get("frames_done", 0) > 0:
+                break
+        process.send_signal(signal.SIGTERM)
+        rest = lines_of(process.communicate()[1])
+        self.assertEqual(process.returncode, 143)
+        self.assertEqual(rest[-1]["error"]["code"], "cancelled")
+
+    # --- choosing
+
+    def test_modalities_and_formats_are_those_asked_for(self):
+        out = self.new_folder()
+        result = run("export", self.project, "--out", out, "--modalities", "depth,rgb",
+                     "--formats", "coco", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        files = hashes(out)
+        self.assertEqual({name.split("/")[0] for name in files},
+                         {"rgb", "depth", "annotations.json", "contact_sheet.jpg", "dataset.json"})
+        self.assertFalse((out / "instance").exists())
+        for name in files.keys() - {"dataset.json"}:
+            self.assertEqual(files[name], self.expected[name])
+        card = json.loads((out / "dataset.json").read_text())
+        whole = json.loads((self.unbroken / "dataset.json").read_text())
+        self.assertEqual(card["modalities"], ["rgb", "depth"])
+        self.assertEqual(card["formats"], ["coco"])
+        self.assertEqual(card["files"].keys(), files.keys() - {"dataset.json"})
+        self.assertNotIn("instance", card["conventions"])
+        self.assertEqual(card["metrics"], whole["metrics"])
+        # A folder of fewer modalities takes the place of one of more.
+        shutil.copytree(self.unbroken, out, dirs_exist_ok=True)
+        run("export", self.project, "--out", out, "--modalities", "depth,rgb", "--formats", "coco")
+        self.assertEqual(hashes(out), files)
+
+    def test_unknown_choices_are_usage_errors(self):
+        out = self.new_folder()
+        self.assertFails(run("export", self.project, "--out", out, "--modalities", "rgb,dept"), 2,
+                         "did you mean 'depth'")
+        self.assertFails(run("export", self.project, "--out", out, "--formats", "cocoa"), 2,
+                         "did you mean 'coco'")
+        listed = run("export", "--list")
+        self.assertEqual(listed.returncode, 0)
+        for word in CHOICES:
+            self.assertIn(word, listed.stdout)
+            self.assertIn(word, run("export", "--help").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,36 @@
+"""What the tests of the whole program share."""
+import hashlib
+import pathlib
+import subprocess
+import sys
+import time
+
+PROGRAM = sys.argv.pop(1)
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, **options)
+
+
+def start(*arguments):
+    return subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True)
+
+
+def wait_for(condition, seconds=120):
+    """Until the condition holds; False when it does not in time."""
+    deadline = time.time() + seconds
+    while time.time() < deadline:
+        if condition():
+            return True
+        time.sleep(0.005)
+    return False
+
+
+def hashes(folder):
+    """Relative path -> SHA-256 of every file below a folder."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(pathlib.Path(folder).rglob("*"))
+        if path.is_file()
+    }
