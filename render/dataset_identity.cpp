@@ -59,13 +59,14 @@ std::string names(const std::vector<const Row*>& rows) {
 
 }  // namespace
 
-DatasetIdentity identityOf(const DatasetContents& contents, const DatasetCard& card,
-                           const DatasetSettings& settings, const DatasetOrigin& origin) {
+DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
+                           const DatasetOrigin& origin) {
+    const DatasetContents& contents = order.contents;
     const auto hash = [](const std::string& of) { return io::sha256Of(std::string_view(of)); };
     const CameraParams& camera = contents.camera;
     const CaptureRules& rules = settings.rules;
     return {
-        {"the scene", hash(sceneText(contents.scene, card))},
+        {"the scene", hash(sceneText(contents.scene, order.card))},
         {"the rooms", hash(roomsText(origin))},
         {"the trajectory", hash(trajectoryText(contents))},
         {"the frame range", toText(settings.range)},
@@ -74,7 +75,7 @@ DatasetIdentity identityOf(const DatasetContents& contents, const DatasetCard& c
         {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
                                           rules.min_visible_px, rules.min_box_share)},
         {"the modalities", names(contents.modalities)},
-        {"the formats", names(card.formats)},
+        {"the formats", names(order.card.formats)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
         {"the planned metrics", hash(origin.planned_metrics_json)},
         {"the program's version", origin.product_version},

@@ -1,81 +1,41 @@
 #include "render/dataset_job.h"
 
 #include "engine/core/log.h"
-#include "render/capture_counter.h"
 #include "render/dataset_files.h"
 #include "render/dataset_identity.h"
 #include "render/dataset_resume.h"
 #include "render/frame_ledger.h"
+#include "render/frame_pipeline.h"
 #include "render/frame_writer.h"
-#include "render/scene_hash.h"
-#include "render/scene_renderer.h"
 
 #include <array>
+#include <cstdio>
 #include <optional>
 
 namespace dollytrack::render {
 namespace {
-
-Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
-    nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-    if (value.is_discarded()) {
-        return fail(ErrorCode::Failed, std::string(what) + " handed to the export are no JSON");
-    }
-    return value;
-}
-
-std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const FrameRange& range) {
-    std::vector<DatasetFrame> frames;
-    for (const int source : framesOf(range, static_cast<int>(trajectory.frames.size()))) {
-        DatasetFrame frame;
-        frame.camera = trajectory.frames[static_cast<std::size_t>(source)];
-        frame.source_frame = source;
-        frame.room = "room " + std::to_string(std::max(frame.camera.component, 0) + 1);
-        frames.push_back(std::move(frame));
-    }
-    return frames;
-}
 
 bool needMasks(const FormatSet& formats) {
     return std::any_of(formats.begin(), formats.end(),
                        [](const Format* format) { return format->needs_masks; });
 }
 
-tl::unexpected<Error> cancelled() {
-    return fail(ErrorCode::Cancelled, "the export was cancelled");
-}
-
 }  // namespace
 
 struct DatasetJob::Impl {
     DatasetSettings settings;
-    DatasetOrigin origin;
-    DatasetContents contents;
-    DatasetCard card;
+    DatasetOrder order;
     std::optional<DatasetFolder> folder;
     std::optional<CaptureMetrics> already_counted;  // the folder holds the complete dataset
 
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
-    std::optional<SceneRenderer> renderer;
-    // Two, so that one frame's triangles are set up while the other's pixels are still computed.
-    std::array<std::optional<RenderTarget>, 2> targets;
-
-    CaptureCounter counter;
-    std::map<int, std::vector<ObjectView>> restored;  // views of the frames of an earlier export
-    std::vector<int> to_draw;                         // the other frames
-    std::size_t started = 0;                          // of to_draw
-    std::size_t drawn = 0;
-    int silhouettes_of = -1;  // the frame whose silhouettes are being drawn
-    int fed = 0;              // frames below this one are counted, if they were restored
+    std::optional<FramePipeline> pipeline;
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
 
-    Impl(const Scene& scene, const CameraParams& camera, DatasetSettings set, DatasetOrigin from)
-        : settings(std::move(set)),
-          origin(std::move(from)),
-          contents{scene, camera, {}, {}},
-          counter(scene, settings.rules) {}
+    Impl(DatasetSettings set, DatasetOrder wanted)
+        : settings(std::move(set)), order(std::move(wanted)) {}
     ~Impl() {
         // Another context may be the current one by now, and would lose its own names.
         if (context && !context->makeCurrent()) {
@@ -85,71 +45,15 @@ struct DatasetJob::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    [[nodiscard]] int frameCount() const { return static_cast<int>(contents.frames.size()); }
-    [[nodiscard]] const DatasetFrame& frame(int index) const {
-        return contents.frames[static_cast<std::size_t>(index)];
-    }
-    [[nodiscard]] View viewOf(int index) const {
-        return makeView(contents.camera, frame(index).camera.pose);
-    }
+    [[nodiscard]] int frameCount() const { return static_cast<int>(order.contents.frames.size()); }
 
-    Status describeWanted(const Trajectory& trajectory);
-    Result<JournalContents> findEarlier(const DatasetIdentity& identity, const JobContext& job);
-    Status prepareDrawing(const RayCaster& rays, const JobContext& job);
+    /// An earlier dataset in the folder goes here, when nothing is left that could fail early.
     Status beginFolder(const DatasetIdentity& identity, JournalContents earlier);
-
-    Status startNext() {
-        if (started == to_draw.size()) return {};
-        RenderTarget& target = *targets[started % 2];
-        return renderer->draw(viewOf(to_draw[started++]), target);
-    }
-
-    Status takeSilhouettes() {
-        if (silhouettes_of < 0) return {};
-        counter.addSilhouettes(renderer->finishSilhouettes());
-        const std::span<const ObjectView> views = counter.lastViews();
-        const int index = std::exchange(silhouettes_of, -1);
-        return ledger->addCounted(index, {views.begin(), views.end()}, counter.wellShown());
-    }
-
-    /// What silhouettes a frame needs depends on the frames before it, so these must be counted in
-    /// their order, wherever they come from.
-    void countRestored(int before) {
-        for (; fed < before; ++fed) {
-            const auto views = restored.find(fed);
-            if (views != restored.end()) counter.addCounted(views->second);
-        }
-    }
-
-    Status drawNext() {
-        while (started < std::min(drawn + 2, to_draw.size())) {
-            if (Status status = startNext(); !status) return status;
-        }
-        const RenderTarget& target = *targets[drawn % 2];
-        FrameRecord record;
-        record.index = to_draw[drawn];
-        record.time_s = frame(record.index).camera.time_s;
-        record.pose = frame(record.index).camera.pose;
-        record.width = contents.camera.width_px;
-        record.height = contents.camera.height_px;
-        target.readIds(record.instance);
-        if (Status status = takeSilhouettes(); !status) return status;
-        countRestored(record.index);
-        const std::vector<int> wanted = counter.addFrame(record);
-        if (Status status = renderer->startSilhouettes(viewOf(record.index), wanted); !status) {
-            return status;
-        }
-        silhouettes_of = record.index;
-        if (contains(contents.modalities, "rgb")) target.readRgb(record.rgb);
-        if (contains(contents.modalities, "depth")) target.readDepth(record.depth_m);
-        ++drawn;
-        return writer->write(std::move(record));
-    }
 
     /// Ends what is on its way, also after an error: it is in the journal then.
     Status drain() {
         Status status = context->makeCurrent();
-        if (status) status = takeSilhouettes();
+        if (status) status = pipeline->countLast(*ledger);
         Status written = writer->finish();
         return status ? written : status;
     }
@@ -157,98 +61,20 @@ struct DatasetJob::Impl {
     Result<DatasetSummary> finish();
 };
 
-Status DatasetJob::Impl::describeWanted(const Trajectory& trajectory) {
-    contents.frames = plannedFrames(trajectory, settings.range);
-    if (contents.frames.empty()) {
-        return fail(ErrorCode::Usage,
-                    "the range holds none of the trajectory's " +
-                        std::to_string(trajectory.frames.size()) + " frames",
-                    "--range");
-    }
-    Result<ModalitySet> modalities = chooseModalities(settings.modalities);
-    if (!modalities) return tl::unexpected(modalities.error());
-    contents.modalities = std::move(*modalities);
-    Result<FormatSet> formats = chooseFormats(settings.formats);
-    if (!formats) return tl::unexpected(formats.error());
-    card.formats = std::move(*formats);
-    Result<nlohmann::json> parameters = parseJson(origin.parameters_json, "the parameters");
-    if (!parameters) return tl::unexpected(parameters.error());
-    card.parameters = std::move(*parameters);
-    Result<nlohmann::json> metrics = parseJson(origin.planned_metrics_json, "the metrics");
-    if (!metrics) return tl::unexpected(metrics.error());
-    card.planned_metrics = std::move(*metrics);
-    card.product_version = origin.product_version;
-    card.seed = origin.seed;
-    card.geometry_sha256 = geometryHash(contents.scene);
-    card.appearance_sha256 = appearanceHash(contents.scene);
-    return {};
-}
-
-/// The frames that need not be rendered again, by the journal they are in.
-Result<JournalContents> DatasetJob::Impl::findEarlier(const DatasetIdentity& identity,
-                                                      const JobContext& job) {
-    if (!settings.resume) return JournalContents{};
-    JournalContents earlier = readJournal(folder->journal());
-    if (!earlier.identity && folder->isComplete()) {
-        const Result<CaptureMetrics> counted = checkComplete(*folder, contents, card, job);
-        if (!counted) return tl::unexpected(counted.error());
-        already_counted = *counted;
-        return JournalContents{};
-    }
-    if (!earlier.identity) {
-        log::info("export", "there is nothing to continue in the folder: beginning anew");
-        return JournalContents{};
-    }
-    if (*earlier.identity != identity) {
-        return fail(ErrorCode::Usage,
-                    "the unfinished dataset in the folder is another one (it differs in " +
-                        differences(*earlier.identity, identity) +
-                        "); continue it as it was begun, or leave out --resume to begin anew",
-                    folder->path().string());
-    }
-    const std::size_t listed = earlier.entries.size();
-    earlier.entries = wholeFrames(*folder, std::move(earlier.entries), contents.modalities, job);
-    if (job.cancelled()) return cancelled();
-    const std::size_t found = earlier.entries.size();
-    log::info("export", "continuing: " + std::to_string(found) + " of " +
-                            std::to_string(frameCount()) + " frames are finished");
-    if (found < listed) {
-        log::warn("export", std::to_string(listed - found) +
-                                " finished frames are missing or damaged: rendering them again");
-    }
-    return earlier;
-}
-
-Status DatasetJob::Impl::prepareDrawing(const RayCaster& rays, const JobContext& job) {
-    const LightVolume light = bakeLightVolume(
-        contents.scene, rays, makeLightRig(contents.scene, rays, origin.rooms), {}, job);
-    if (job.cancelled()) return cancelled();
-    Result<SceneRenderer> created = SceneRenderer::create(contents.scene, light);
-    if (!created) return tl::unexpected(created.error());
-    renderer.emplace(std::move(*created));
-    for (auto& target : targets) {
-        Result<RenderTarget> image =
-            RenderTarget::create(contents.camera.width_px, contents.camera.height_px);
-        if (!image) return tl::unexpected(image.error());
-        target.emplace(std::move(*image));
-    }
-    return {};
-}
-
-/// An earlier dataset in the folder goes here, when nothing is left that could fail early.
 Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalContents earlier) {
+    const DatasetContents& contents = order.contents;
     const std::set<std::string> keep = filesOf(earlier.entries);
-    const std::uint64_t bytes = estimateBytes(contents.modalities, static_cast<int>(to_draw.size()),
+    const std::uint64_t bytes = estimateBytes(contents.modalities, pipeline->missingCount(),
                                               contents.camera.width_px, contents.camera.height_px);
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
     if (Status status = folder->begin(contents.modalities, keep); !status) return status;
-    Result<DatasetJournal> journal = earlier.identity
-                                         ? DatasetJournal::resume(folder->journal(), earlier)
-                                         : DatasetJournal::begin(folder->journal(), identity);
+    Result<DatasetJournal> journal =
+        earlier.identity ? DatasetJournal::resume(folder->journal(), earlier)
+                         : DatasetJournal::begin(folder->journal(), identity, gl::rendererName());
     if (!journal) return tl::unexpected(journal.error());
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
     writer.emplace(
-        FrameWriter::Settings{folder->path(), contents.modalities, needMasks(card.formats)},
+        FrameWriter::Settings{folder->path(), contents.modalities, needMasks(order.card.formats)},
         contents.scene, [this](WrittenFrame written) {
             return ledger->addWritten(written.index, std::move(written.sha256s),
                                       std::move(written.masks));
@@ -264,20 +90,21 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         summary.counted = *already_counted;
         return summary;
     }
-    if (drawn != to_draw.size()) {
+    if (pipeline->doneCount() != frameCount()) {
         return fail(ErrorCode::Failed, "finish() came before the last frame");
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
-    countRestored(frameCount());
-    summary.captures = bestCaptures(contents.scene, counter.views(), settings.rules);
+    DatasetContents& contents = order.contents;
+    DatasetCard& card = order.card;
+    summary.captures = bestCaptures(contents.scene, pipeline->views(), settings.rules);
     summary.counted = summarize(contents.scene, summary.captures);
     card.counted = summary.counted;
     card.captures = summary.captures;
     for (int i = 0; i < frameCount(); ++i) {
-        const JournalEntry& entry = ledger->entry(i);
+        JournalEntry entry = ledger->take(i);
         DatasetFrame& row = contents.frames[static_cast<std::size_t>(i)];
-        row.well_shown = entry.well_shown;
-        row.masks = entry.masks;
+        row.well_shown = std::move(entry.well_shown);
+        row.masks = std::move(entry.masks);
         card.sha256s.insert(entry.sha256s.begin(), entry.sha256s.end());
     }
     std::array<char, 160> title{};
@@ -300,37 +127,34 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
                                      const RayCaster& rays, const Trajectory& trajectory,
                                      const CameraParams& camera, DatasetSettings settings,
                                      DatasetOrigin origin, const JobContext& job) {
-    auto impl = std::make_unique<Impl>(scene, camera, std::move(settings), std::move(origin));
+    Result<DatasetOrder> order = describeOrder(scene, camera, trajectory, settings, origin);
+    if (!order) return tl::unexpected(order.error());
+    auto impl = std::make_unique<Impl>(std::move(settings), std::move(*order));
     impl->context = std::move(context);
-    if (Status status = impl->describeWanted(trajectory); !status) {
-        return tl::unexpected(status.error());
-    }
     Result<DatasetFolder> folder =
         DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     impl->folder.emplace(std::move(*folder));
 
-    const DatasetIdentity identity =
-        identityOf(impl->contents, impl->card, impl->settings, impl->origin);
-    Result<JournalContents> earlier = impl->findEarlier(identity, job.stage(0.0, 0.3, "checking"));
-    if (!earlier) return tl::unexpected(earlier.error());
-    if (impl->already_counted) return DatasetJob(std::move(impl));
-    for (int i = 0; i < impl->frameCount(); ++i) {
-        const auto entry = earlier->entries.find(i);
-        if (entry == earlier->entries.end()) {
-            impl->to_draw.push_back(i);
-        } else {
-            impl->restored[i] = entry->second.views;
-        }
+    const DatasetIdentity identity = identityOf(impl->order, impl->settings, origin);
+    Earlier earlier;
+    if (impl->settings.resume) {
+        Result<Earlier> found =
+            findEarlier(*impl->folder, impl->order, identity, job.stage(0.0, 0.3, "checking"));
+        if (!found) return tl::unexpected(found.error());
+        earlier = std::move(*found);
     }
-    if (!impl->to_draw.empty()) {
-        if (Status status = impl->prepareDrawing(rays, job.stage(0.3, 1.0, "light")); !status) {
-            return tl::unexpected(status.error());
-        }
+    if (earlier.complete) {
+        impl->already_counted = earlier.complete;
+        return DatasetJob(std::move(impl));
     }
-    if (Status status = impl->beginFolder(identity, std::move(*earlier)); !status) {
-        return tl::unexpected(status.error());
-    }
+    std::map<int, std::vector<ObjectView>> restored;
+    for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;
+    FramePipeline& pipeline =
+        impl->pipeline.emplace(impl->order.contents, impl->settings.rules, std::move(restored));
+    Status status = pipeline.prepare(rays, origin.rooms, job.stage(0.3, 1.0, "light"));
+    if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
+    if (!status) return tl::unexpected(status.error());
     return DatasetJob(std::move(impl));
 }
 
@@ -339,15 +163,14 @@ int DatasetJob::frameCount() const {
 }
 
 int DatasetJob::framesDone() const {
-    return frameCount() - static_cast<int>(impl_->to_draw.size() - impl_->drawn);
+    return impl_->pipeline ? impl_->pipeline->doneCount() : frameCount();
 }
 
 Result<bool> DatasetJob::step() {
     if (framesDone() == frameCount()) return false;
-    if (Status status = impl_->context->makeCurrent(); !status) {
-        return tl::unexpected(status.error());
-    }
-    if (Status status = impl_->drawNext(); !status) return tl::unexpected(status.error());
+    Status status = impl_->context->makeCurrent();
+    if (status) status = impl_->pipeline->drawNext(*impl_->writer, *impl_->ledger);
+    if (!status) return tl::unexpected(status.error());
     return true;
 }
 
@@ -385,7 +208,7 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
         DatasetJob::begin(std::move(context), scene, rays, trajectory, camera, std::move(settings),
                           std::move(origin), job.stage(0.0, 0.05, ""));
     if (!dataset) return tl::unexpected(dataset.error());
-    const JobContext frames = job.stage(0.05, 1.0, "frames");
+    const JobContext frames = job.stage(0.05, 0.97, "frames");
     const auto stop = [&](Error error) -> tl::unexpected<Error> {
         const int kept = dataset->keep();
         if (kept > 0) {
@@ -397,10 +220,11 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
     };
     while (true) {
         frames.reportItems(dataset->framesDone(), dataset->frameCount());
-        if (job.cancelled()) return stop(cancelled().value());
+        if (job.cancelled()) return stop({ErrorCode::Cancelled, "the export was cancelled", {}});
         const Result<bool> more = dataset->step();
         if (!more) return stop(more.error());
         if (*more) continue;
+        job.stage(0.97, 1.0, "finishing").report(0.0);
         Result<DatasetSummary> summary = dataset->finish();
         if (!summary) return stop(std::move(summary.error()));
         return summary;

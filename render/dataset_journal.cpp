@@ -115,6 +115,7 @@ JournalContents readJournal(const std::filesystem::path& path) {
             if (value.contains("identity")) {
                 if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;
                 contents.identity = value.at("identity").get<DatasetIdentity>();
+                contents.drawn_by = value.value("drawn_by", "");
             } else {
                 JournalEntry entry = entryFrom(value);
                 const int index = entry.index;
@@ -163,10 +164,12 @@ Result<DatasetJournal> DatasetJournal::open(const std::filesystem::path& path,
 }
 
 Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
-                                             const DatasetIdentity& identity) {
+                                             const DatasetIdentity& identity,
+                                             const std::string& drawn_by) {
     Result<DatasetJournal> journal = open(path, 0);
     if (!journal) return journal;
-    const json header = {{"dollytrack_journal", kVersion}, {"identity", identity}};
+    const json header = {
+        {"dollytrack_journal", kVersion}, {"identity", identity}, {"drawn_by", drawn_by}};
     Status status =
         journal->appendLine(header.dump(-1, ' ', false, json::error_handler_t::replace));
     if (status) status = journal->sync();

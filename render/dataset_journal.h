@@ -34,6 +34,7 @@ struct JournalEntry {
 /// What an earlier export left. Damaged and torn lines are as if never written.
 struct JournalContents {
     std::optional<DatasetIdentity> identity;  // none: nothing that could be continued
+    std::string drawn_by;                     // the OpenGL driver
     std::map<int, JournalEntry> entries;      // by index
     std::uint64_t whole_bytes = 0;            // up to where a torn last line begins
 };
@@ -45,7 +46,8 @@ class DatasetJournal {
   public:
     /// Writes over what is there.
     [[nodiscard]] static Result<DatasetJournal> begin(const std::filesystem::path& path,
-                                                      const DatasetIdentity& identity);
+                                                      const DatasetIdentity& identity,
+                                                      const std::string& drawn_by);
     /// Writes behind what readJournal() found.
     [[nodiscard]] static Result<DatasetJournal> resume(const std::filesystem::path& path,
                                                        const JournalContents& contents);

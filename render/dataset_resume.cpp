@@ -1,8 +1,10 @@
 #include "render/dataset_resume.h"
 
+#include "engine/core/log.h"
 #include "engine/io/sha256.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
+#include "render/gl/context.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,8 +52,8 @@ tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& fi
                 (folder.path() / file).string());
 }
 
-}  // namespace
-
+/// Those of the journal's frames whose files of all modalities are there and whole. Fewer when
+/// cancelled.
 std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
                                         std::map<int, JournalEntry> entries,
                                         const ModalitySet& modalities, const JobContext& job) {
@@ -71,20 +73,13 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
     return entries;
 }
 
-std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries) {
-    std::set<std::string> files;
-    for (const auto& [index, entry] : entries) {
-        for (const auto& [file, hash] : entry.sha256s) files.insert(file);
-    }
-    return files;
-}
-
-Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetContents& wanted,
-                                     const DatasetCard& card, const JobContext& job) {
+/// As far as can be said before it is rendered, the complete dataset must be the one wanted.
+Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
+                                     const JobContext& job) {
     const Json found = readCard(folder);
     if (!found.is_object()) return damaged(folder, "dataset.json", 1);
     std::string differing;
-    const Json expected = datasetCardJson(wanted, card);
+    const Json expected = datasetCardJson(order.contents, order.card);
     for (const auto& [name, value] : expected.items()) {
         // These follow from the pictures; all others decide over them.
         if (name == "files" || name == "metrics") continue;
@@ -117,6 +112,62 @@ Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetC
     } catch (const nlohmann::json::exception&) {
         return damaged(folder, "dataset.json", 1);
     }
+}
+
+}  // namespace
+
+std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries) {
+    std::set<std::string> files;
+    for (const auto& [index, entry] : entries) {
+        for (const auto& [file, hash] : entry.sha256s) files.insert(file);
+    }
+    return files;
+}
+
+Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& order,
+                            const DatasetIdentity& identity, const JobContext& job) {
+    Earlier earlier;
+    JournalContents& journal = earlier.journal;
+    journal = readJournal(folder.journal());
+    if (!journal.identity) {
+        if (!folder.isComplete()) {
+            log::info("export", "there is nothing to continue in the folder: beginning anew");
+            return Earlier{};
+        }
+        const Result<CaptureMetrics> counted = checkComplete(folder, order, job);
+        if (!counted) return tl::unexpected(counted.error());
+        log::info("export", "the dataset in the folder is complete and whole");
+        earlier.complete = *counted;
+        return earlier;
+    }
+    if (*journal.identity != identity) {
+        return fail(ErrorCode::Usage,
+                    "the unfinished dataset in the folder is another one (it differs in " +
+                        differences(*journal.identity, identity) +
+                        "); continue it as it was begun, or leave out --resume to begin anew",
+                    folder.path().string());
+    }
+    // Nothing to refuse, but the bytes may not be those of one run.
+    if (journal.drawn_by != gl::rendererName()) {
+        log::warn("export", "the finished frames were drawn by " + journal.drawn_by +
+                                ", the others will be by " + gl::rendererName() +
+                                "; they may differ in shades");
+    }
+    const int count = static_cast<int>(order.contents.frames.size());
+    std::erase_if(journal.entries,
+                  [&](const auto& one) { return one.first < 0 || one.first >= count; });
+    const std::size_t listed = journal.entries.size();
+    journal.entries =
+        wholeFrames(folder, std::move(journal.entries), order.contents.modalities, job);
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
+    const std::size_t found = journal.entries.size();
+    log::info("export", "continuing: " + std::to_string(found) + " of " + std::to_string(count) +
+                            " frames are done");
+    if (found < listed) {
+        log::warn("export", "missing or damaged, and rendered again: " +
+                                std::to_string(listed - found) + " of the finished frames");
+    }
+    return earlier;
 }
 
 }  // namespace dollytrack::render

@@ -3,29 +3,28 @@
 #include "engine/jobs/job.h"
 #include "render/dataset_folder.h"
 #include "render/dataset_journal.h"
-#include "render/formats/dataset_card.h"
+#include "render/dataset_order.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 namespace dollytrack::render {
 
-/// Those of the journal's frames whose files of all modalities are there and whole. Reads every
-/// file. Fewer when cancelled.
-[[nodiscard]] std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
-                                                      std::map<int, JournalEntry> entries,
-                                                      const ModalitySet& modalities,
-                                                      const JobContext& job);
+/// What an export that is to be continued finds in its folder.
+struct Earlier {
+    JournalContents journal;                 // entries only of frames whose files are whole
+    std::optional<CaptureMetrics> complete;  // counted in the complete dataset that is there
+};
 
-/// The relative paths of their files.
+/// Looks for a dataset to continue; reads each of its files. Errors: Usage when it is of something
+/// else, saying what differs; BadInput when a complete one misses a file or has a damaged one;
+/// Cancelled.
+[[nodiscard]] Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& order,
+                                          const DatasetIdentity& identity, const JobContext& job);
+
+/// The relative paths of the frames' files.
 [[nodiscard]] std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries);
-
-/// Whether the complete dataset in the folder is the one wanted, as far as can be said before it is
-/// rendered, and all its files are whole; what was counted then. Errors: Usage when it is another,
-/// saying what differs; BadInput for a missing or damaged file.
-[[nodiscard]] Result<CaptureMetrics> checkComplete(const DatasetFolder& folder,
-                                                   const DatasetContents& wanted,
-                                                   const DatasetCard& card, const JobContext& job);
 
 }  // namespace dollytrack::render

@@ -78,8 +78,9 @@ Status FrameLedger::sync() {
     return impl_->journal.sync();
 }
 
-const JournalEntry& FrameLedger::entry(int index) const {
-    return impl_->row(index).entry;
+JournalEntry FrameLedger::take(int index) {
+    const std::lock_guard lock(impl_->mutex);
+    return std::move(impl_->row(index).entry);
 }
 
 }  // namespace dollytrack::render

@@ -26,8 +26,8 @@ class FrameLedger {
     [[nodiscard]] int finishedCount() const;
     [[nodiscard]] Status sync();
 
-    /// Of a finished frame.
-    [[nodiscard]] const JournalEntry& entry(int index) const;
+    /// Hands out what is known of a frame; the ledger keeps no copy.
+    [[nodiscard]] JournalEntry take(int index);
 
   private:
     struct Impl;

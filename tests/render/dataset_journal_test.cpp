@@ -27,7 +27,7 @@ JournalEntry entryOf(int index) {
 class Journal : public testing::Test {
   protected:
     void write(int count) {
-        auto journal = DatasetJournal::begin(path_, identity_);
+        auto journal = DatasetJournal::begin(path_, identity_, "a driver");
         ASSERT_TRUE(journal);
         for (int i = 0; i < count; ++i) ASSERT_TRUE(journal->append(entryOf(i)));
     }
@@ -49,6 +49,7 @@ TEST_F(Journal, GivesBackWhatWasWritten) {
     const JournalContents contents = readJournal(path_);
     ASSERT_TRUE(contents.identity);
     EXPECT_EQ(*contents.identity, identity_);
+    EXPECT_EQ(contents.drawn_by, "a driver");
     ASSERT_EQ(contents.entries.size(), 3U);
     EXPECT_EQ(contents.whole_bytes, fs::file_size(path_));
     const JournalEntry expected = entryOf(2);

@@ -1,0 +1,62 @@
+#include "render/dataset_order.h"
+
+#include "render/scene_hash.h"
+
+#include <algorithm>
+
+namespace dollytrack::render {
+namespace {
+
+Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
+    nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+    if (value.is_discarded()) {
+        return fail(ErrorCode::Failed, std::string(what) + " handed to the export are no JSON");
+    }
+    return value;
+}
+
+std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const FrameRange& range) {
+    std::vector<DatasetFrame> frames;
+    for (const int source : framesOf(range, static_cast<int>(trajectory.frames.size()))) {
+        DatasetFrame frame;
+        frame.camera = trajectory.frames[static_cast<std::size_t>(source)];
+        frame.source_frame = source;
+        frame.room = "room " + std::to_string(std::max(frame.camera.component, 0) + 1);
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
+}  // namespace
+
+Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
+                                   const Trajectory& trajectory, const DatasetSettings& settings,
+                                   const DatasetOrigin& origin) {
+    DatasetOrder order{{scene, camera, {}, plannedFrames(trajectory, settings.range)}, {}};
+    if (order.contents.frames.empty()) {
+        return fail(ErrorCode::Usage,
+                    "the range holds none of the trajectory's " +
+                        std::to_string(trajectory.frames.size()) + " frames",
+                    "--range");
+    }
+    Result<ModalitySet> modalities = chooseModalities(settings.modalities);
+    if (!modalities) return tl::unexpected(modalities.error());
+    order.contents.modalities = std::move(*modalities);
+    DatasetCard& card = order.card;
+    Result<FormatSet> formats = chooseFormats(settings.formats);
+    if (!formats) return tl::unexpected(formats.error());
+    card.formats = std::move(*formats);
+    Result<nlohmann::json> parameters = parseJson(origin.parameters_json, "the parameters");
+    if (!parameters) return tl::unexpected(parameters.error());
+    card.parameters = std::move(*parameters);
+    Result<nlohmann::json> metrics = parseJson(origin.planned_metrics_json, "the metrics");
+    if (!metrics) return tl::unexpected(metrics.error());
+    card.planned_metrics = std::move(*metrics);
+    card.product_version = origin.product_version;
+    card.seed = origin.seed;
+    card.geometry_sha256 = geometryHash(scene);
+    card.appearance_sha256 = appearanceHash(scene);
+    return order;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/dataset_contents.h"
+#include "render/dataset_job.h"
+#include "render/formats/dataset_card.h"
+
+namespace dollytrack::render {
+
+/// A dataset as far as it is known before its pictures are.
+struct DatasetOrder {
+    DatasetContents contents;
+    DatasetCard card;
+};
+
+/// Error: Usage for unknown names and for a range that holds no frame.
+[[nodiscard]] Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
+                                                 const Trajectory& trajectory,
+                                                 const DatasetSettings& settings,
+                                                 const DatasetOrigin& origin);
+
+}  // namespace dollytrack::render

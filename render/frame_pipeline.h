@@ -1,0 +1,65 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/job.h"
+#include "render/capture_counter.h"
+#include "render/dataset_contents.h"
+#include "render/frame_ledger.h"
+#include "render/frame_writer.h"
+#include "render/scene_renderer.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// Draws the frames of a dataset that are missing, one a call, counts what all frames show, and
+/// hands the images to the writer. Needs its OpenGL context current, to the end.
+class FramePipeline {
+  public:
+    /// `restored`: the views of the frames that need not be drawn. `contents` must outlive this.
+    FramePipeline(const DatasetContents& contents, const CaptureRules& rules,
+                  std::map<int, std::vector<ObjectView>> restored);
+
+    /// Computes the light and loads the scene, where there is anything to draw.
+    [[nodiscard]] Status prepare(const RayCaster& rays,
+                                 const std::vector<Eigen::AlignedBox3d>& rooms,
+                                 const JobContext& job);
+
+    [[nodiscard]] int frameCount() const { return static_cast<int>(contents_.frames.size()); }
+    [[nodiscard]] int missingCount() const { return static_cast<int>(missing_.size()); }
+    [[nodiscard]] int doneCount() const {
+        return frameCount() - missingCount() + static_cast<int>(drawn_);
+    }
+
+    /// Draws the next missing frame; there must be one.
+    [[nodiscard]] Status drawNext(FrameWriter& writer, FrameLedger& ledger);
+
+    /// Counts the last frame drawn, whose silhouettes are still on their way.
+    [[nodiscard]] Status countLast(FrameLedger& ledger);
+
+    /// What decides about captures, from all frames; when all are drawn and counted.
+    [[nodiscard]] const std::vector<ObjectView>& views();
+
+  private:
+    [[nodiscard]] View viewOf(int index) const;
+    [[nodiscard]] FrameRecord emptyRecord(int index) const;
+    void countRestored(int before);
+
+    const DatasetContents& contents_;
+    std::optional<SceneRenderer> renderer_;
+    // Two, so that one frame's triangles are set up while the other's pixels are still computed.
+    std::array<std::optional<RenderTarget>, 2> targets_;
+    CaptureCounter counter_;
+    std::map<int, std::vector<ObjectView>> restored_;
+    std::vector<int> missing_;  // indices of frames
+    std::size_t started_ = 0;   // of those missing
+    std::size_t drawn_ = 0;
+    int silhouettes_of_ = -1;  // the frame whose silhouettes are being drawn
+    int restored_until_ = 0;   // the frames below are counted, if they were restored
+};
+
+}  // namespace dollytrack::render
