@@ -21,6 +21,18 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     return {};
 }
 
+/// "fill, width_px": the parameters in which two differ, for a note.
+std::string changedNames(planning::PlanParams a, planning::PlanParams b) {
+    const FieldList fields_a = planning::listFields(a);
+    const FieldList fields_b = planning::listFields(b);
+    std::string names;
+    for (std::size_t i = 0; i < fields_a.size(); ++i) {
+        if (fields_a[i].valueText() == fields_b[i].valueText()) continue;
+        names += (names.empty() ? "" : ", ") + fields_a[i].name;
+    }
+    return names;
+}
+
 /// What the command line says of the scene, over what the project says.
 nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json stored) {
     if (arguments.unit_m) stored["unit_m"] = *arguments.unit_m;
@@ -171,11 +183,14 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     }
     if (!opened.stored_result.is_null()) {
         const bool other_scene = planned_sha256 != opened.scene->source_sha256;
-        const bool other_params = !(stored == opened.params) || opened.import != stored_import;
-        if (other_scene || other_params) {
+        const bool other_import = opened.import != stored_import;
+        if (other_scene || other_import || !(stored == opened.params)) {
+            const std::string changed =
+                other_import ? "how to read the scene" : changedNames(stored, opened.params);
             log::warn("project", other_scene ? "the scene file has changed since it was planned: "
                                                "planning again"
-                                             : "parameters were changed: planning again");
+                                             : "changed since it was planned: " + changed +
+                                                   "; planning again");
             opened.stored_result = nullptr;
         }
     }

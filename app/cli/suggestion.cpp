@@ -23,7 +23,9 @@ std::string optionName(const std::string& argument) {
 
 /// Whether the option takes the argument after it.
 bool takesValue(const CLI::App* app, const std::string& argument) {
-    if (app == nullptr || argument.find('=') != std::string::npos) return false;
+    const bool holds_it = argument.find('=') != std::string::npos ||
+                          (!argument.starts_with("--") && argument.size() > 2);
+    if (app == nullptr || holds_it) return false;
     const CLI::Option* option = app->get_option_no_throw(optionName(argument));
     return option != nullptr && option->get_items_expected_max() > 0;
 }
