@@ -12,13 +12,16 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 
 namespace dollytrack::planning {
 namespace {
 
 constexpr int kExactGrid = 64;
-constexpr double kLooksAt_m = 2.0;  // where a view that meets nothing is said to look
+constexpr int kGlanceGrid = 8;
+constexpr double kWorthALook = 0.6;  // visible fraction at a glance
+constexpr double kLooksAt_m = 2.0;   // where a view that meets nothing is said to look
 constexpr double kFarthest_m = 10.0;
 
 std::vector<int> idsOf(const std::vector<ObjectRef>& objects, const Scene& scene) {
@@ -41,6 +44,21 @@ std::string metres(double value) {
     return text.data();
 }
 
+/// The object that a place is inside of: its surface is met in five of six directions at least
+/// (what stands on a floor may share its underside with it). 0: none.
+int enclosing(const RayCaster& rays, const Eigen::Vector3d& place) {
+    std::map<int, int> met;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+            ++met[rays.cast(place, sign * Eigen::Vector3d::Unit(axis)).object_id];
+        }
+    }
+    for (const auto& [object_id, count] : met) {
+        if (count >= 5) return object_id;
+    }
+    return 0;
+}
+
 /// Why a pinned point is not legal, in words; nothing when it is.
 std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surroundings& around) {
     RefusedPin refused;
@@ -51,6 +69,15 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
     refused.name = pin.name;
     const Scene& scene = around.views.scene();
     const AllowedRegion* region = around.sphere.region();
+    if (refused.verdict == Verdict::OutsideRoom) {
+        const int inside = enclosing(around.views.rays(), place);
+        if (inside != 0 && !scene.object(inside).structure) {
+            refused.verdict = Verdict::InObstacle;
+            refused.object_id = inside;
+            refused.reason = "inside " + scene.object(inside).name;
+            return refused;
+        }
+    }
     switch (refused.verdict) {
         case Verdict::NoGo: {
             const NoGoBox* box =
@@ -150,16 +177,29 @@ class HandPlacing {
                                          point.pose.position);
             point.fill = std::isfinite(fill) ? fill : 0.0;
         }
-        for (const int id : target.objects) {
-            if (scene_.object(id).role != Role::Target) continue;
-            const ObjectView view =
-                makeView(around_.views.estimate(point.pose, id, kExactGrid), id, 0);
-            if (isWellCaptured(view)) point.well_captured.push_back(id);
-            if (isCaptured(view)) point.captured.push_back(id);
+        if (target.objects.empty()) {
+            for (const Object& object : scene_.objects) {
+                const auto glance = [&] { return estimate(point.pose, object.id, kGlanceGrid); };
+                if (object.role != Role::Target || glance().visible_fraction < kWorthALook)
+                    continue;
+                addCaptured(point, object.id);
+            }
+        } else {
+            for (const int id : target.objects) addCaptured(point, id);
         }
         points.searches[target_index].position_point =
             static_cast<int>(points.position_points.size());
         points.position_points.push_back(std::move(point));
+    }
+
+    [[nodiscard]] ViewEstimator::Estimate estimate(const Pose& pose, int id, int grid) const {
+        return around_.views.estimate(pose, id, grid);
+    }
+
+    void addCaptured(PositionPoint& point, int id) const {
+        const ObjectView view = makeView(estimate(point.pose, id, kExactGrid), id, 0);
+        if (isWellCaptured(view)) point.well_captured.push_back(id);
+        if (isCaptured(view)) point.captured.push_back(id);
     }
 
     /// A pin for which the search has no observation point gets one of its own.
