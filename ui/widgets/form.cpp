@@ -1,0 +1,101 @@
+#include "ui/widgets/form.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+namespace dollytrack::ui {
+
+bool beginForm(const char* id) {
+    if (!ImGui::BeginTable(id, 2)) return false;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.36F);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.64F);
+    return true;
+}
+
+void endForm() {
+    ImGui::EndTable();
+}
+
+void formLabel(const char* label, const std::string& tip) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(palette().text_dim, "%s", label);
+    tooltip(tip);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
+}
+
+void formText(const char* label, const std::string& value, const std::string& tip) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(palette().text_dim, "%s", label);
+    tooltip(tip);
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", value.c_str());
+    tooltip(tip);
+}
+
+void heading(const char* text) {
+    ImGui::Spacing();
+    ImGui::PushFont(fonts().bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+void paragraph(const std::string& text, const ImVec4& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void paragraph(const std::string& text) {
+    paragraph(text, ImGui::GetStyleColorVec4(ImGuiCol_Text));
+}
+
+void tooltip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(scaled(340));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool button(const char* label, std::string_view name, const ButtonOptions& options) {
+    const bool enabled = options.why_not.empty();
+    ImVec4 fill = palette().accent;
+    fill.w = 0.45F;
+    if (options.primary && enabled) ImGui::PushStyleColor(ImGuiCol_Button, fill);
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {options.width, 0});
+    ImGui::EndDisabled();
+    if (options.primary && enabled) ImGui::PopStyleColor();
+    nameItem(name, enabled);
+    tooltip(enabled ? options.tip : options.why_not);
+    return pressed;
+}
+
+bool link(const std::string& text, std::string_view name, const std::string& tip) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
+    ImGui::PushID(name.data(), name.data() + name.size());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const bool pressed = ImGui::Selectable(text.c_str(), false, 0, size);
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+    nameItem(name);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(tip);
+    return pressed;
+}
+
+void flowTo(const char* next_label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(next_label, nullptr, true).x + 2 * style.FramePadding.x;
+    const float right_end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right_end) ImGui::SameLine();
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,131 @@
+#include "ui/widgets/message_box.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace dollytrack::ui {
+namespace {
+
+/// "Don't save" as the item map has it: "dont_save".
+std::string itemName(const std::string& label) {
+    std::string name = "message.";
+    for (const char c : label) {
+        if (c == ' ') name += '_';
+        if (std::isalnum(static_cast<unsigned char>(c))) {
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+    }
+    return name;
+}
+
+void drawTitle(const MessageBox& box) {
+    const ImVec4 color = box.is_error ? palette().bad : palette().accent;
+    ImGui::PushFont(fonts().bold);
+    ImGui::TextColored(color, box.is_error ? "\u26a0" : "\u2139");
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(box.title.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::Spacing();
+}
+
+/// Text that is longer than the window scrolls; its end can always be read.
+void drawText(const MessageBox& box) {
+    const float wrap = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::CalcTextSize(box.text.c_str(), nullptr, false, wrap).y;
+    const float most = ImGui::GetIO().DisplaySize.y * 0.6F;
+    const bool scrolls = height > most;
+    if (scrolls) ImGui::BeginChild("text", {0, most});
+    paragraph(box.text);
+    if (scrolls) ImGui::EndChild();
+}
+
+int drawButtons(const MessageBox& box) {
+    int pressed = -1;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 0.0F;
+    for (const std::string& label : box.buttons) {
+        width +=
+            std::max(scaled(80), ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x) +
+            style.ItemSpacing.x;
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x +
+                                                                     style.ItemSpacing.x - width));
+    for (int i = 0; i < static_cast<int>(box.buttons.size()); ++i) {
+        const std::string& label = box.buttons[static_cast<std::size_t>(i)];
+        const float wide =
+            std::max(scaled(80), ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x);
+        if (i > 0) ImGui::SameLine();
+        if (button(label.c_str(), itemName(label), {.width = wide, .primary = i == 0})) pressed = i;
+    }
+    return pressed;
+}
+
+int drawContent(const MessageBox& box) {
+    drawTitle(box);
+    drawText(box);
+    ImGui::Dummy({0, scaled(6)});
+    int pressed = drawButtons(box);
+    const int last = static_cast<int>(box.buttons.size()) - 1;
+    // Not in the frame it appears in: the key that caused the message must not answer it.
+    if (!ImGui::IsWindowAppearing()) {
+        if (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
+            ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false)) {
+            pressed = 0;
+        }
+        if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+            pressed = box.escape >= 0 ? std::min(box.escape, last) : last;
+        }
+    }
+    return pressed;
+}
+
+}  // namespace
+
+int drawMessageBox(const MessageBox& box) {
+    constexpr const char* kId = "##message_box";
+    if (!ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float width = std::min(scaled(460), screen.x - scaled(40));
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(18), scaled(14)});
+    int pressed = -1;
+    if (ImGui::BeginPopupModal(kId, nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoSavedSettings)) {
+        pressed = drawContent(box);
+        if (pressed >= 0) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
+UnsavedAnswer askUnsaved(const std::string& project, const std::string& what_next) {
+    const int pressed = drawMessageBox({false,
+                                        "Save the changes to " + project + "?",
+                                        "They are lost if you do not save them " + what_next + ".",
+                                        {"Save", "Don't save", "Cancel"}});
+    switch (pressed) {
+        case 0:
+            return UnsavedAnswer::Save;
+        case 1:
+            return UnsavedAnswer::Discard;
+        case 2:
+            return UnsavedAnswer::Cancel;
+        default:
+            return UnsavedAnswer::None;
+    }
+}
+
+}  // namespace dollytrack::ui
