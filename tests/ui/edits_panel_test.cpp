@@ -1,0 +1,152 @@
+#include "ui/panels/edits_panel.h"
+
+#include "engine/document/operation.h"
+#include "tests/support/scene_builder.h"
+#include "tests/ui/screen.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack::ui {
+namespace {
+
+using nlohmann::json;
+
+/// The panel over a furnished room. What it asks for is applied at once, as the editor does, so
+/// that an operation that the document would refuse fails the test.
+class EditsPanelTest : public testing::Test {
+  protected:
+    EditsPanelTest() {
+        apply({{"op", "exclude"}, {"object", "sofa"}});
+        apply({{"op", "pin"},
+               {"objects", json::array({"picture"})},
+               {"position", {1.0, 1.0, 1.5}},
+               {"target", {1.0, 3.0, 1.5}}});
+        apply({{"op", "add_point"}, {"position", {2.0, 1.0, 1.5}}, {"yaw_deg", 30.0}});
+        apply({{"op", "remove_point"}, {"objects", json::array({"table"})}});
+        apply({{"op", "add_no_go"}, {"center", {2.0, 1.5, 1.0}}, {"size", {1.0, 0.5, 2.0}}});
+        screen.frame(2);
+    }
+    void apply(const json& operation) {
+        const SetParameter set = [](json& parameters, const std::string& name, const json& value) {
+            parameters["free_space"][name] = value;
+            return Status();
+        };
+        const auto done = applyOperation(state, {scene, set}, operation);
+        ASSERT_TRUE(done) << describe(done.error()) << " " << operation.dump();
+    }
+    void draw() {
+        EditsView view;
+        view.edits = &state.edits;
+        view.scene = &scene;
+        view.plan = &plan;
+        view.plan_is_current = true;
+        view.pivot = {1.0, 2.0, 0.5};
+        view.around_selection = around;
+        const json heights = state.parameters.value("free_space", json::object());
+        view.min_height_m = heights.value("min_height_m", 0.0);
+        view.max_height_m = heights.value("max_height_m", 100.0);
+        const EditsActions now = drawEditsPanel(view);
+        if (now.edit.asks()) {
+            asked.push_back(now.edit);
+            apply(now.edit.operation);
+        }
+        drag_ended = drag_ended || now.edit.ends_merge;
+        if (now.select) selected = now.select;
+        if (now.look_through) looked = now.look_through;
+        if (now.frame) framed = now.frame;
+    }
+    Scene scene = test::furnishedRoom();
+    Plan plan;
+    ProjectState state;
+    std::optional<OrientedBox> around;
+    std::vector<EditRequest> asked;
+    bool drag_ended = false;
+    std::optional<Selection> selected;
+    std::optional<Pose> looked;
+    std::optional<OrientedBox> framed;
+    test::Screen screen{[this] { draw(); }, 340, 900};
+};
+
+TEST_F(EditsPanelTest, ResetTakesBackWhatWasSaidOfAnObject) {
+    const int sofa = state.edits.scene.changes.front().object.id;
+    const std::string name = "edits.object." + std::to_string(sofa);
+    ASSERT_TRUE(screen.click(name + ".select")) << screen.names();
+    EXPECT_EQ(selected, Selection::ofObject(sofa));
+    ASSERT_TRUE(screen.click(name + ".reset"));
+    EXPECT_TRUE(state.edits.scene.changes.empty());
+    EXPECT_FALSE(screen.shows(name + ".reset"));
+}
+
+TEST_F(EditsPanelTest, PinsCanBeLookedThroughAndUnpinned) {
+    const Pose pose = state.edits.plan.pinned[0].pose;
+    ASSERT_TRUE(screen.click("edits.pin.0.look")) << screen.names();
+    EXPECT_EQ(looked, pose);
+    ASSERT_TRUE(screen.click("edits.pin.0.unpin"));
+    ASSERT_EQ(state.edits.plan.pinned.size(), 1U);
+    EXPECT_TRUE(state.edits.plan.pinned[0].objects.empty());
+}
+
+TEST_F(EditsPanelTest, RemovedPointsCanBeRestored) {
+    ASSERT_TRUE(screen.click("edits.removed.0.restore")) << screen.names();
+    EXPECT_TRUE(state.edits.plan.removed.empty());
+}
+
+TEST_F(EditsPanelTest, DraggingABoxIsOneMergeOfManyMoves) {
+    const double before = state.edits.plan.no_go[0].box.center.x();
+    ASSERT_TRUE(screen.drag("edits.box.0.center.x", 50, 0)) << screen.names();
+    ASSERT_GT(asked.size(), 1U);
+    for (const EditRequest& edit : asked) {
+        EXPECT_EQ(edit.operation["op"], "move_no_go");
+        EXPECT_EQ(edit.merge_key, asked.front().merge_key);
+        EXPECT_FALSE(edit.merge_key.empty());
+    }
+    EXPECT_TRUE(drag_ended);
+    EXPECT_GT(state.edits.plan.no_go[0].box.center.x(), before + 0.1);
+    EXPECT_DOUBLE_EQ(state.edits.plan.no_go[0].box.center.y(), 1.5);
+}
+
+TEST_F(EditsPanelTest, ATypedSizeAndTurnArriveExactly) {
+    ASSERT_TRUE(screen.typeInto("edits.box.0.size.z", "1.25"));
+    EXPECT_DOUBLE_EQ(state.edits.plan.no_go[0].box.half_size.z(), 0.625);
+    ASSERT_TRUE(screen.typeInto("edits.box.0.yaw", "45"));
+    EXPECT_NEAR(state.edits.plan.no_go[0].box.yaw, std::acos(-1.0) / 4, 1e-12);
+}
+
+TEST_F(EditsPanelTest, BoxesAreAddedGoneToAndDeleted) {
+    ASSERT_TRUE(screen.click("edits.add_box")) << screen.names();
+    ASSERT_EQ(state.edits.plan.no_go.size(), 2U);
+    EXPECT_EQ(state.edits.plan.no_go[1].box.center, Eigen::Vector3d(1.0, 2.0, 0.5));
+    EXPECT_FALSE(screen.enabled("edits.add_box_around"));
+    around = scene.object(1).box;
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("edits.add_box_around"));
+    ASSERT_EQ(state.edits.plan.no_go.size(), 3U);
+    // The floor is flat, its box is not.
+    const OrientedBox& box = state.edits.plan.no_go[2].box;
+    EXPECT_EQ(box.center, around->center);
+    EXPECT_EQ(box.half_size.head<2>(), around->half_size.head<2>());
+    EXPECT_GT(box.half_size.z(), 0.01);
+    ASSERT_TRUE(screen.click("edits.box.0.go_to"));
+    EXPECT_EQ(framed, state.edits.plan.no_go[0].box);
+    ASSERT_TRUE(screen.click("edits.box.0.delete"));
+    EXPECT_EQ(state.edits.plan.no_go.size(), 2U);
+}
+
+TEST_F(EditsPanelTest, HeightBandIsTypedAndTakenBack) {
+    EXPECT_FALSE(screen.shows("edits.height.reset"));
+    ASSERT_TRUE(screen.typeInto("edits.height.max", "1.8")) << screen.names();
+    ASSERT_TRUE(screen.typeInto("edits.height.min", "0.5"));
+    EXPECT_EQ(state.parameters["free_space"]["min_height_m"], 0.5);
+    EXPECT_EQ(state.parameters["free_space"]["max_height_m"], 1.8);
+    ASSERT_TRUE(screen.click("edits.height.reset"));
+    EXPECT_EQ(state.parameters["free_space"]["max_height_m"], 100.0);
+}
+
+TEST_F(EditsPanelTest, ALowerEndAboveTheUpperOneIsKeptOut) {
+    ASSERT_TRUE(screen.typeInto("edits.height.max", "1.8"));
+    ASSERT_TRUE(screen.typeInto("edits.height.min", "5"));
+    EXPECT_LT(state.parameters["free_space"]["min_height_m"].get<double>(), 1.8);
+}
+
+}  // namespace
+}  // namespace dollytrack::ui

@@ -1,0 +1,250 @@
+#include "ui/panels/edits_panel.h"
+
+#include "engine/document/apply_scene_edits.h"
+#include "engine/scene/labels.h"
+#include "ui/panels/edit_parts.h"
+#include "ui/theme.h"
+#include "ui/widgets/drag_fields.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kNoLimit_m = 100.0;  // of the height band: as good as none
+
+bool section(const char* title, std::size_t count, const std::string& name) {
+    const std::string label = fmt::format("{}  {}###{}", title, count, name);
+    ImGui::PushFont(fonts().bold);
+    const bool open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PopFont();
+    nameItem(name);
+    return open;
+}
+
+std::string namesOf(const std::vector<ObjectRef>& objects) {
+    std::string text;
+    for (const ObjectRef& object : objects) text += (text.empty() ? "" : ", ") + object.name;
+    return text;
+}
+
+json keysOf(const Scene& scene, const std::vector<ObjectRef>& objects) {
+    std::vector<int> ids;
+    for (const ObjectRef& object : objects) ids.push_back(findObject(scene, object));
+    if (std::ranges::find(ids, 0) != ids.end()) return nullptr;
+    return objectKeys(scene, ids);
+}
+
+std::string changeText(const ObjectChange& change) {
+    std::vector<std::string> parts;
+    if (change.role) parts.emplace_back(*change.role == Role::Target ? "target" : "excluded");
+    if (change.nyu40) parts.emplace_back(nyu40Name(*change.nyu40));
+    if (change.front) {
+        const double angle = std::atan2(change.front->y(), change.front->x());
+        parts.push_back(fmt::format("front {:.0f}\u00b0", angle * 180.0 / std::numbers::pi));
+    }
+    if (change.large) parts.emplace_back(*change.large ? "large" : "small");
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void drawChanges(const EditsView& view, EditsActions& actions) {
+    const auto& changes = view.edits->scene.changes;
+    if (changes.empty() || !section("Objects", changes.size(), "edits.objects")) return;
+    for (const ObjectChange& change : changes) {
+        const int id = findObject(*view.scene, change.object);
+        const std::string name = "edits.object." + std::to_string(change.object.id);
+        if (id == 0) {
+            ImGui::TextColored(palette().warning, "%s", change.object.name.c_str());
+            tooltip("This object is no longer in the scene; the change waits for it.");
+        } else {
+            if (link(change.object.name, name + ".select")) {
+                actions.select = Selection::ofObject(id);
+            }
+            ImGui::SameLine();
+            ImGui::TextColored(palette().text_dim, "%s", changeText(change).c_str());
+            flowTo("Reset");
+            if (button(("Reset##" + name).c_str(), name + ".reset",
+                       {.tip = "As the scene has it"})) {
+                actions.edit.operation = {{"op", "reset_object"},
+                                          {"object", objectKey(*view.scene, id)}};
+            }
+        }
+    }
+}
+
+void drawDefinitions(const EditsView& view) {
+    const auto& definitions = view.edits->scene.definitions;
+    if (definitions.empty() || !section("New objects", definitions.size(), "edits.definitions")) {
+        return;
+    }
+    for (const ObjectDefinition& definition : definitions) {
+        const bool merge = definition.kind == ObjectDefinition::Kind::Merge;
+        const std::string from = namesOf(definition.objects);
+        ImGui::TextWrapped("%s",
+                           merge ? fmt::format("{}: merged from {}", definition.name, from).c_str()
+                                 : fmt::format("{}: split into its pieces", from).c_str());
+        tooltip("Undo, or the history, takes it back.");
+    }
+}
+
+/// Whether planning kept the pin, as far as is known.
+void drawPinState(const EditsView& view, const PinnedPoint& point) {
+    if (view.plan == nullptr || !view.plan_is_current) {
+        ImGui::TextColored(palette().text_dim, "being checked \u2026");
+        return;
+    }
+    const auto refused = std::ranges::find(view.plan->refused_pins, point.name, &RefusedPin::name);
+    if (refused == view.plan->refused_pins.end()) {
+        ImGui::TextColored(palette().good, "\u25cf visited");
+        tooltip("Planning keeps this pose and visits it.");
+    } else {
+        paragraph("\u25cb not possible: " + refused->reason, palette().bad);
+    }
+}
+
+void drawPins(const EditsView& view, EditsActions& actions) {
+    const auto& pinned = view.edits->plan.pinned;
+    if (pinned.empty() || !section("Pinned points", pinned.size(), "edits.pins")) return;
+    for (std::size_t i = 0; i < pinned.size(); ++i) {
+        const PinnedPoint& point = pinned[i];
+        const std::string name = "edits.pin." + std::to_string(i);
+        ImGui::PushID(name.c_str());
+        ImGui::TextUnformatted(point.name.c_str());
+        const std::string for_what =
+            point.objects.empty() ? "Placed from a view" : "For " + namesOf(point.objects);
+        tooltip(for_what + ", at " + placeText(point.pose.position));
+        ImGui::SameLine();
+        drawPinState(view, point);
+        if (button("Look through", name + ".look")) actions.look_through = point.pose;
+        ImGui::SameLine();
+        const bool added = point.objects.empty();
+        if (button(added ? "Delete" : "Unpin", name + ".unpin",
+                   {.tip = added ? "Removes this point" : "Leaves it to the planner again"})) {
+            actions.edit.operation = {{"op", "unpin"}, {"point", point.name}};
+        }
+        ImGui::PopID();
+    }
+}
+
+void drawRemoved(const EditsView& view, EditsActions& actions) {
+    const auto& removed = view.edits->plan.removed;
+    if (removed.empty() || !section("Removed points", removed.size(), "edits.removed")) return;
+    for (std::size_t i = 0; i < removed.size(); ++i) {
+        const std::string name = "edits.removed." + std::to_string(i);
+        const json keys = keysOf(*view.scene, removed[i].objects);
+        const std::string why_not =
+            keys.is_null() ? "An object of this point is no longer in the scene." : "";
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextWrapped("%s", namesOf(removed[i].objects).c_str());
+        flowTo("Restore");
+        if (button(("Restore##" + name).c_str(), name + ".restore", {.why_not = why_not})) {
+            actions.edit.operation = {{"op", "restore_point"}, {"objects", keys}};
+        }
+    }
+}
+
+/// A picture or a rug may be flat, a box may not.
+json newBox(const OrientedBox& box) {
+    constexpr double kThinnest_m = 0.05;
+    const Eigen::Vector3d size = (2.0 * box.half_size).cwiseMax(kThinnest_m);
+    return {{"op", "add_no_go"},
+            {"center", pointJson(box.center)},
+            {"size", pointJson(size)},
+            {"yaw_deg", box.yaw * 180.0 / std::numbers::pi}};
+}
+
+void drawBoxes(const EditsView& view, EditsActions& actions) {
+    const auto& boxes = view.edits->plan.no_go;
+    if (!section("No-go boxes", boxes.size(), "edits.boxes")) return;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const std::string name = "edits.box." + std::to_string(i);
+        ImGui::PushID(name.c_str());
+        if (link(boxes[i].name, name + ".select")) {
+            actions.select = Selection::ofItem(Selection::Kind::NoGoBox, static_cast<int>(i));
+        }
+        if (beginForm("box")) {
+            noGoRows(boxes[i], name, actions.edit);
+            endForm();
+        }
+        if (button("Go to", name + ".go_to")) actions.frame = boxes[i].box;
+        ImGui::SameLine();
+        if (button("Delete", name + ".delete")) {
+            actions.edit.operation = {{"op", "remove_no_go"}, {"name", boxes[i].name}};
+        }
+        ImGui::PopID();
+        ImGui::Spacing();
+    }
+    if (button("Add box", "edits.add_box", {.tip = "A box of 1 m in the middle of the view"})) {
+        actions.edit.operation = newBox({view.pivot, Eigen::Vector3d::Constant(0.5), 0.0});
+    }
+    flowTo("Add around selection");
+    const std::string why_not = view.around_selection ? "" : "Select an object first.";
+    if (button("Add around selection", "edits.add_box_around", {.why_not = why_not})) {
+        actions.edit.operation = newBox(*view.around_selection);
+    }
+}
+
+void drawHeights(const EditsView& view, EditsActions& actions) {
+    heading("Camera height");
+    if (!beginForm("heights")) return;
+    double low = view.min_height_m;
+    double high = view.max_height_m;
+    constexpr double kNarrowest_m = 0.05;
+    formLabel("At least", "Above the floor below the camera");
+    const FieldEdit lower =
+        dragNumber(low, {0.0, high - kNarrowest_m, 0.01F, low > 0.0 ? "%.2f m" : "no limit"},
+                   "edits.height.min");
+    formLabel("At most", "Above the floor below the camera");
+    const bool limited = high < kNoLimit_m;
+    // From "no limit" a drag would take minutes to arrive at a room's height.
+    const FieldEdit upper = dragNumber(
+        high,
+        {low + kNarrowest_m, kNoLimit_m, limited ? 0.01F : 1.0F, limited ? "%.2f m" : "no limit"},
+        "edits.height.max", "Ctrl+click to type");
+    endForm();
+    if (limited || low > 0.0) {
+        if (button("No limits", "edits.height.reset")) {
+            actions.edit.operation = {{"op", "height_band"}};
+        }
+    }
+    if (lower.changed || upper.changed) {
+        actions.edit.operation = {{"op", "height_band"}, {"min_m", low}, {"max_m", high}};
+        actions.edit.merge_key = lower.changed ? "height.min" : "height.max";
+    }
+    actions.edit.ends_merge = actions.edit.ends_merge || lower.finished || upper.finished;
+}
+
+}  // namespace
+
+EditsActions drawEditsPanel(const EditsView& view) {
+    EditsActions actions;
+    if (view.edits == nullptr || view.scene == nullptr) {
+        ImGui::TextDisabled("No project is open.");
+        return actions;
+    }
+    ImGui::BeginChild("edits");
+    const Edits& edits = *view.edits;
+    if (edits.scene == SceneEdits{} && edits.plan == PlanEdits{}) {
+        paragraph("Nothing was changed by hand. Select an object or a position point to change it.",
+                  palette().text_dim);
+    }
+    drawChanges(view, actions);
+    drawDefinitions(view);
+    drawPins(view, actions);
+    drawRemoved(view, actions);
+    drawBoxes(view, actions);
+    drawHeights(view, actions);
+    ImGui::EndChild();
+    return actions;
+}
+
+}  // namespace dollytrack::ui
