@@ -1,0 +1,146 @@
+#include "ui/panels/timeline_panel.h"
+
+#include "tests/ui/screen.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace dollytrack::ui {
+namespace {
+
+/// A timeline as the editor uses it: what is asked for happens.
+struct Timeline {
+    explicit Timeline(int count) {
+        series.clearance_m.assign(static_cast<std::size_t>(count), 0.5);
+        series.speed_mps = series.turn_dps = series.score = series.clearance_m;
+        series.in_view.assign(static_cast<std::size_t>(count), 3);
+        series.captured_so_far = series.in_view;
+        series.newly_captured.resize(static_cast<std::size_t>(count));
+        view.frame_count = count;
+        view.series = &series;
+        view.keys = &keys;
+        view.bands = &bands;
+    }
+
+    void draw() {
+        const TimelineActions actions = drawTimelinePanel(view, state);
+        if (actions.go_to) view.frame = *actions.go_to;
+        if (actions.toggle_play) view.playing = !view.playing;
+    }
+
+    FrameSeries series;
+    std::vector<TimelineKey> keys = {{20, "Captures the bed"}, {100, ""}, {180, ""}};
+    std::vector<TimelineBand> bands = {{0, 120, "Room 1"}, {120, 300, "Room 2"}};
+    TimelineView view;
+    TimelineState state;
+};
+
+void clickAt(test::Screen& screen, float x, float y) {
+    ImGui::GetIO().MousePos = {x, y};
+    screen.frame(2);
+    ImGui::GetIO().MouseDown[0] = true;
+    screen.frame();
+    ImGui::GetIO().MouseDown[0] = false;
+    screen.frame(2);
+}
+
+TEST(TimelinePanel, MovesWithItsButtons) {
+    Timeline timeline(300);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    EXPECT_FALSE(screen.enabled("timeline.back"));
+    EXPECT_FALSE(screen.enabled("timeline.previous_key"));
+    const std::pair<const char*, int> clicks[] = {
+        {"timeline.forward", 1},        {"timeline.next_key", 20}, {"timeline.next_key", 100},
+        {"timeline.previous_key", 20},  {"timeline.back", 19},     {"timeline.end", 299},
+        {"timeline.previous_key", 180}, {"timeline.start", 0}};
+    for (const auto& [name, frame] : clicks) {
+        ASSERT_TRUE(screen.click(name)) << name << " among " << screen.names();
+        EXPECT_EQ(timeline.view.frame, frame) << name;
+    }
+    screen.click("timeline.play");
+    EXPECT_TRUE(timeline.view.playing);
+    screen.click("timeline.loop");
+    EXPECT_TRUE(timeline.state.loop);
+    screen.click("timeline.speed");
+    ASSERT_TRUE(screen.click("timeline.speed.4"));
+    EXPECT_EQ(timeline.state.speed, 4.0);
+}
+
+TEST(TimelinePanel, TakesAFrameAndATimeThatAreTyped) {
+    Timeline timeline(300);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    ASSERT_TRUE(screen.typeInto("timeline.frame", "123"));
+    EXPECT_EQ(timeline.view.frame, 123);
+    ASSERT_TRUE(screen.typeInto("timeline.time", "4.5"));
+    EXPECT_EQ(timeline.view.frame, 45);
+    ASSERT_TRUE(screen.typeInto("timeline.frame", "99999"));
+    EXPECT_EQ(timeline.view.frame, 299);
+}
+
+TEST(TimelinePanel, GoesToTheFrameUnderTheMouse) {
+    Timeline timeline(300);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    const auto axis = screen.find("timeline.axis");
+    ASSERT_TRUE(axis);
+    const float width = axis->right - axis->left;
+    for (const int frame : {0, 37, 150, 299}) {
+        const float x = axis->left + width * (static_cast<float>(frame) + 0.5F) / 300.0F;
+        clickAt(screen, x, axis->bottom - 5);
+        EXPECT_EQ(timeline.view.frame, frame);
+    }
+    // A little beside a key frame's sign.
+    const auto key = screen.find("timeline.key.100");
+    ASSERT_TRUE(key);
+    clickAt(screen, (key->left + key->right) / 2 + 5, (key->top + key->bottom) / 2);
+    EXPECT_EQ(timeline.view.frame, 100);
+}
+
+TEST(TimelinePanel, ZoomsWithTheWheelAndShowsAllAgain) {
+    Timeline timeline(20'000);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    EXPECT_FALSE(screen.enabled("timeline.fit"));
+    screen.hover("timeline.axis");
+    for (int i = 0; i < 10; ++i) {
+        ImGui::GetIO().MouseWheel = 1.0F;
+        screen.frame();
+    }
+    EXPECT_GT(timeline.state.shown, 0.0);
+    EXPECT_LT(timeline.state.shown, 3000.0);
+    const double first = timeline.state.first;
+    ImGuiIO& io = ImGui::GetIO();
+    io.MouseDown[2] = true;
+    screen.frame();
+    io.MousePos.x += 100;
+    screen.frame();
+    io.MouseDown[2] = false;
+    screen.frame();
+    EXPECT_LT(timeline.state.first, first);
+    EXPECT_EQ(timeline.view.frame, 0) << "panning must not scrub";
+    // What plays comes into view.
+    timeline.view.frame = 19'000;
+    screen.frame();
+    EXPECT_GE(timeline.state.first + timeline.state.shown, 19'000.0);
+    ASSERT_TRUE(screen.click("timeline.fit"));
+    EXPECT_EQ(timeline.state.shown, 0.0);
+}
+
+TEST(TimelinePanel, SwitchesStrips) {
+    Timeline timeline(300);
+    timeline.state.strips.fill(true);
+    test::Screen screen([&] { timeline.draw(); });
+    screen.click("timeline.strips");
+    ASSERT_TRUE(screen.click("timeline.strip.turn")) << screen.names();
+    EXPECT_FALSE(timeline.state.strips[static_cast<std::size_t>(TimelineStrip::Turn)]);
+}
+
+TEST(TimelinePanel, SaysWhyNothingCanBePlayed) {
+    Timeline timeline(0);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    for (const char* name : {"timeline.play", "timeline.start", "timeline.end", "timeline.frame"}) {
+        EXPECT_FALSE(screen.enabled(name)) << name;
+    }
+    EXPECT_FALSE(screen.shows("timeline.axis"));
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
