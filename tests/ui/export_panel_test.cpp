@@ -1,0 +1,149 @@
+#include "ui/panels/export_panel.h"
+
+#include "tests/ui/screen.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack::ui {
+namespace {
+
+struct Export {
+    Export() {
+        view.project = "room";
+        view.frame_count = 100;
+        view.current_frame = 42;
+        view.modalities = {{"rgb", ""}, {"depth", ""}, {"instance", ""}};
+        view.formats = {{"coco", ""}, {"camera_json", ""}};
+        draft.folder = "/tmp/dataset";
+    }
+    void addJob(ExportState state) {
+        ExportJob job;
+        job.id = static_cast<int>(view.jobs.size()) + 1;
+        job.state = state;
+        job.request.name = "room";
+        job.request.folder = "/tmp/dataset";
+        job.frames_done = state == ExportState::Waiting ? 0 : 10;
+        job.frames = 100;
+        view.jobs.push_back(job);
+    }
+    void draw() {
+        const ExportActions now = drawExportPanel(view, draft);
+        const auto keep = [](int& kept, int asked) { kept = asked != 0 ? asked : kept; };
+        actions.add_current = actions.add_current || now.add_current;
+        actions.choose_folder = actions.choose_folder || now.choose_folder;
+        actions.add_files = actions.add_files || now.add_files;
+        actions.toggle_hold = actions.toggle_hold || now.toggle_hold;
+        keep(actions.cancel, now.cancel);
+        keep(actions.resume, now.resume);
+        keep(actions.remove, now.remove);
+        keep(actions.earlier, now.earlier);
+        keep(actions.later, now.later);
+        keep(actions.open_folder, now.open_folder);
+        keep(actions.show_sheet, now.show_sheet);
+    }
+    ExportView view;
+    ExportDraft draft;
+    ExportActions actions;
+};
+
+TEST(ExportPanel, AsksForWhatItsButtonsSay) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    for (const char* name : {"export.add", "export.add_files", "export.choose_folder"}) {
+        ASSERT_TRUE(screen.click(name)) << name << " among " << screen.names();
+    }
+    EXPECT_TRUE(panel.actions.add_current);
+    EXPECT_TRUE(panel.actions.add_files);
+    EXPECT_TRUE(panel.actions.choose_folder);
+}
+
+TEST(ExportPanel, MakesTheRequestThatItShows) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "0:100:1");
+    EXPECT_TRUE(requestOf(panel.view, panel.draft).modalities.empty()) << "all, unasked";
+    screen.typeInto("export.first", "10");
+    screen.typeInto("export.last", "19");
+    screen.typeInto("export.step", "3");
+    screen.click("export.modality.depth");
+    screen.click("export.format.coco");
+    screen.click("export.overwrite");
+    const ExportRequest request = requestOf(panel.view, panel.draft);
+    EXPECT_EQ(request.range, "10:20:3");
+    EXPECT_EQ(frameCountOf(panel.view, panel.draft), 4);  // 10, 13, 16, 19
+    EXPECT_EQ(request.modalities, (std::vector<std::string>{"rgb", "instance"}));
+    EXPECT_EQ(request.formats, std::vector<std::string>{"camera_json"});
+    EXPECT_TRUE(request.overwrite);
+    EXPECT_EQ(request.name, "room");
+    screen.click("export.current_only");
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "42:43:1");
+    EXPECT_EQ(frameCountOf(panel.view, panel.draft), 1);
+}
+
+TEST(ExportPanel, FitsItsFramesToAShorterTrajectory) {
+    Export panel;
+    panel.draft.first = 80;
+    panel.draft.last = 90;
+    panel.view.frame_count = 50;
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "49:50:1");
+    panel.draft.last = -1;
+    panel.draft.first = 0;
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "0:50:1");
+}
+
+TEST(ExportPanel, CannotExportNothing) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_TRUE(screen.enabled("export.add"));
+    for (const char* name : {"rgb", "depth", "instance"}) {
+        screen.click(std::string("export.modality.") + name);
+    }
+    EXPECT_FALSE(screen.enabled("export.add"));
+    screen.click("export.modality.rgb");
+    EXPECT_TRUE(screen.enabled("export.add"));
+    panel.draft.folder.clear();
+    screen.frame();
+    EXPECT_FALSE(screen.enabled("export.add"));
+    panel.draft.folder = "/tmp/dataset";
+    panel.view.why_not = "Open a scene first.";
+    screen.frame();
+    EXPECT_FALSE(screen.enabled("export.add"));
+}
+
+TEST(ExportPanel, OffersWhatAJobsStateAllows) {
+    Export panel;
+    for (const ExportState state : {ExportState::Running, ExportState::Waiting, ExportState::Done,
+                                    ExportState::Cancelled, ExportState::Failed}) {
+        panel.addJob(state);
+    }
+    panel.view.jobs[2].contact_sheet = "/tmp/dataset/contact_sheet.jpg";
+    test::Screen screen([&] { panel.draw(); }, 380, 1400);
+    EXPECT_FALSE(screen.shows("export.job.1.resume"));
+    EXPECT_FALSE(screen.shows("export.job.3.cancel"));
+    EXPECT_FALSE(screen.shows("export.job.2.open"));
+    EXPECT_FALSE(screen.enabled("export.job.1.earlier"));
+    EXPECT_FALSE(screen.enabled("export.job.5.later"));
+    for (const char* name :
+         {"export.job.1.cancel", "export.job.2.earlier", "export.job.2.later", "export.job.3.sheet",
+          "export.job.3.open", "export.job.4.resume", "export.job.5.remove", "export.hold"}) {
+        ASSERT_TRUE(screen.click(name)) << name << " among " << screen.names();
+    }
+    EXPECT_EQ(panel.actions.cancel, 1);
+    EXPECT_EQ(panel.actions.earlier, 2);
+    EXPECT_EQ(panel.actions.later, 2);
+    EXPECT_EQ(panel.actions.show_sheet, 3);
+    EXPECT_EQ(panel.actions.open_folder, 3);
+    EXPECT_EQ(panel.actions.resume, 4);
+    EXPECT_EQ(panel.actions.remove, 5);
+    EXPECT_TRUE(panel.actions.toggle_hold);
+}
+
+TEST(ExportPanel, SaysTimesAsPeopleDo) {
+    EXPECT_EQ(durationText(9.4), "9 s");
+    EXPECT_EQ(durationText(250), "4 min 10 s");
+    EXPECT_EQ(durationText(7265), "2 h 1 min");
+    EXPECT_EQ(durationText(-3), "0 s");
+}
+
+}  // namespace
+}  // namespace dollytrack::ui

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "engine/camera/camera_params.h"
+#include "ui/export_job.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack::ui {
+
+/// Something a dataset can hold.
+struct ExportChoice {
+    std::string name;  // as the command line takes it
+    std::string text;  // what it is, for people
+};
+
+/// What the panel may read this frame.
+struct ExportView {
+    std::string project;  // name of the open one
+    std::string why_not;  // why the open project cannot be exported; empty when it can
+    int frame_count = 0;  // of its trajectory
+    int current_frame = 0;
+    CameraParams camera;
+    double bytes_per_frame = 0.0;  // an estimate; 0: unknown
+    std::vector<ExportChoice> modalities;
+    std::vector<ExportChoice> formats;
+    std::vector<ExportJob> jobs;  // in the queue's order
+    bool held = false;            // nothing new begins
+    std::string why_no_folder;    // why folders cannot be opened; empty when they can
+};
+
+/// The settings of the next export, as the user has made them so far. All frames are those from
+/// `first` to `last`, both included; `last` -1: to the end.
+struct ExportDraft {
+    std::string folder;
+    bool current_only = false;
+    int first = 0;
+    int last = -1;
+    int step = 1;
+    std::vector<std::string> left_out_modalities;
+    std::vector<std::string> left_out_formats;
+    bool overwrite = false;
+};
+
+/// What the user asked for; jobs by their number, 0: none.
+struct ExportActions {
+    bool choose_folder = false;
+    bool add_current = false;  // with requestOf(view, state)
+    bool add_files = false;    // other projects, with the same settings
+    bool toggle_hold = false;
+    int cancel = 0;
+    int resume = 0;
+    int remove = 0;
+    int earlier = 0;
+    int later = 0;
+    int open_folder = 0;
+    int show_sheet = 0;
+};
+
+/// What to export, and the queue of what is being exported.
+ExportActions drawExportPanel(const ExportView& view, ExportDraft& state);
+
+/// The request that the settings make. Their range fits the trajectory.
+[[nodiscard]] ExportRequest requestOf(const ExportView& view, const ExportDraft& state);
+[[nodiscard]] int frameCountOf(const ExportView& view, const ExportDraft& state);
+
+/// "4 min 10 s"
+[[nodiscard]] std::string durationText(double seconds);
+
+}  // namespace dollytrack::ui
