@@ -39,6 +39,15 @@ struct Metrics {
 
 using V = unsigned;  // version of an earlier stage's output
 
+/// What tells floors from walls; other classes are of no account to where the camera may be.
+std::vector<int> structureClasses(const Scene& scene) {
+    std::vector<int> classes;
+    for (const Object& object : scene.objects) {
+        if (object.structure) classes.push_back(object.nyu40);
+    }
+    return classes;
+}
+
 /// A budget of frames may be smaller than the number of pinned points.
 void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
     for (std::size_t p = 0; p < plan.position_points.size(); ++p) {
@@ -59,7 +68,8 @@ struct Pipeline::Stages {
     V scene_version = 0;
     Stage<std::tuple<>, RayCaster> rays;
     Stage<std::tuple<double, double>, FreeSpace> free_space;
-    Stage<std::tuple<V, std::vector<NoGoBox>, double, double>, AllowedRegion> region;
+    Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double>, AllowedRegion>
+        region;
     Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
     Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
     Stage<std::tuple<V, V, V, ViewpointParams, int>, Viewpoints> found;
@@ -76,6 +86,10 @@ struct Pipeline::Stages {
     // Searches that hold for the inputs beside them.
     SearchMemo searches;
     std::optional<std::tuple<V, CameraParams, ViewpointParams, int>> searched_with;
+
+    // What poses show in the views of this version.
+    ShownMemo shown;
+    V shown_in = 0;
 
     std::vector<StageTime> times;
 
@@ -117,8 +131,8 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             const FreeSpaceParams& limits = params.free_space;
             return run("region", region,
-                       std::tuple(free_space.version(), edits.no_go, limits.min_height_m,
-                                  limits.max_height_m),
+                       std::tuple(free_space.version(), structureClasses(*scene), edits.no_go,
+                                  limits.min_height_m, limits.max_height_m),
                        job.stage(0.4, 0.4, "region"), [&]() -> Result<AllowedRegion> {
                            return AllowedRegion(*scene, *rays, *free_space, edits.no_go, limits,
                                                 params.camera.camera_radius_m);
@@ -156,10 +170,12 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
+            if (shown_in != views.version()) shown.clear();
+            shown_in = views.version();
             return run("by_hand", placed,
                        std::tuple(found.version(), views.version(), edits.pinned, edits.removed),
                        job.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
-                           return placeByHand(*found, edits, around);
+                           return placeByHand(*found, edits, around, &shown);
                        });
         })
         .and_then([&] {

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
+#include "engine/scene/labels.h"
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
@@ -15,13 +16,20 @@ constexpr double kLevel = 0.5;  // |z| of the normal: stairs and ramps count, wa
 constexpr int kMostSurfaces = 256;
 constexpr double kApart_m = 0.001;
 
-bool isFloor(const Scene& scene, const RayHit& hit) {
-    if (!scene.object(hit.object_id).structure) return false;
+enum class Ground { None, Floor, Wall };
+
+Ground groundAt(const Scene& scene, const RayHit& hit) {
+    const Object& object = scene.object(hit.object_id);
+    if (!object.structure || object.nyu40 == kNyuDoor || object.nyu40 == kNyuWindow) {
+        return Ground::None;
+    }
     const Triangle& t = scene.triangles[hit.triangle];
     const Eigen::Vector3f& a = scene.positions[t[0]];
     const Eigen::Vector3f normal =
         (scene.positions[t[1]] - a).cross(scene.positions[t[2]] - a).normalized();
-    return std::abs(normal.z()) > kLevel;
+    if (std::abs(normal.z()) <= kLevel) return Ground::None;
+    const bool wall = object.nyu40 == kNyuWall || object.nyu40 == kNyuCeiling;
+    return wall ? Ground::Wall : Ground::Floor;
 }
 
 }  // namespace
@@ -53,14 +61,17 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
                 });
             if (!in_a_room) continue;
             double reached = 0.0;
+            std::vector<float> of_walls;
             for (int k = 0; k < kMostSurfaces; ++k) {
                 const RayHit hit = rays.cast(from, -Eigen::Vector3d::UnitZ(), depth, reached);
                 if (hit.object_id == 0) break;
-                if (isFloor(scene, hit)) {
-                    floors_[i].push_back(static_cast<float>(top - hit.distance));
-                }
+                const Ground ground = groundAt(scene, hit);
+                const auto height = static_cast<float>(top - hit.distance);
+                if (ground == Ground::Floor) floors_[i].push_back(height);
+                if (ground == Ground::Wall) of_walls.push_back(height);
                 reached = hit.distance + kApart_m;
             }
+            if (floors_[i].empty()) floors_[i] = std::move(of_walls);
             std::reverse(floors_[i].begin(), floors_[i].end());
         }
     });

@@ -14,10 +14,12 @@ namespace dollytrack::planning {
 
 class FreeSpace;
 
-/// How high the floor is below a place: the highest level surface of the building (not of
-/// furniture, rugs or lamps) under it, found at the middle of each column of the map's cells. So
-/// storeys joined by stairs, and rooms a step higher than others, have floors of their own. Where
-/// the scene has no floor it is the height at which the room's free space begins. Const.
+/// How high the floor is below a place: the highest level surface of a floor or other structure
+/// (not of furniture or rugs) under it, found at the middle of each column of the map's cells. So
+/// storeys joined by stairs, and rooms a step higher than others, have floors of their own. In
+/// columns without a floor's surface, walls' level ones count (a shell that is all one wall); doors
+/// and window sills never. Where there is nothing it is the height at which the room's free space
+/// begins. Const.
 class FloorHeights {
   public:
     FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,

@@ -106,7 +106,7 @@ class HandPlacing {
     HandPlacing(const Viewpoints& found, const PlanEdits& edits, const Surroundings& around)
         : found_(found), edits_(edits), around_(around), scene_(around.views.scene()) {}
 
-    PlacedPoints run() {
+    PlacedPoints run(ShownMemo* memo) {
         pins_.resize(edits_.pinned.size());
         for (std::size_t i = 0; i < pins_.size(); ++i) {
             const auto index = static_cast<int>(i);
@@ -121,7 +121,7 @@ class HandPlacing {
             if (!pins_[i].done) addPin(static_cast<int>(i));
         }
         Viewpoints& points = placed_.viewpoints;
-        findCaptured(around_.views, points.position_points);
+        findCaptured(around_.views, points.position_points, memo);
         for (const PositionPoint& point : points.position_points) {
             auto& target =
                 points.observation_points[static_cast<std::size_t>(point.observation_point)];
@@ -236,8 +236,8 @@ class HandPlacing {
 }  // namespace
 
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around) {
-    return HandPlacing(found, edits, around).run();
+                         const Surroundings& around, ShownMemo* memo) {
+    return HandPlacing(found, edits, around).run(memo);
 }
 
 }  // namespace dollytrack::planning

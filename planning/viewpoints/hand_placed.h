@@ -8,6 +8,8 @@
 
 namespace dollytrack::planning {
 
+class ShownMemo;
+
 /// Points as they are after what a person placed and removed by hand.
 struct PlacedPoints {
     Viewpoints viewpoints;
@@ -19,6 +21,6 @@ struct PlacedPoints {
 /// found one stays. Then completes what every point captures (see findCaptured()); a pin that was
 /// placed from a view gets an observation point that stands for what it captures.
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around);
+                         const Surroundings& around, ShownMemo* memo = nullptr);
 
 }  // namespace dollytrack::planning

@@ -27,28 +27,52 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 
+std::vector<ShownObject> shownFrom(const ViewEstimator& views, const Pose& pose) {
+    std::vector<ShownObject> shown;
+    for (const Object& object : views.scene().objects) {
+        if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
+        const auto estimate = views.estimate(pose, object.id, kGrid);
+        if (isSafelyWellCaptured(estimate)) shown.push_back({object.id, estimate.box_share});
+    }
+    return shown;
+}
+
+std::array<double, 7> keyOf(const Pose& pose) {
+    const Eigen::Vector3d& p = pose.position;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
 }  // namespace
 
-void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points) {
-    struct Shown {
-        int object_id = 0;
-        double box_share = 0.0;
-    };
-    std::vector<std::vector<Shown>> shown(position_points.size());
+const std::vector<ShownObject>* ShownMemo::find(const Pose& pose) const {
+    const auto found = shown_.find(keyOf(pose));
+    return found == shown_.end() ? nullptr : &found->second;
+}
+
+void ShownMemo::keep(const Pose& pose, std::vector<ShownObject> shown) {
+    // The drag of a point would fill it without end.
+    constexpr std::size_t kMost = 20'000;
+    if (shown_.size() >= kMost) shown_.clear();
+    shown_.insert_or_assign(keyOf(pose), std::move(shown));
+}
+
+void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
+                  ShownMemo* memo) {
+    std::vector<std::vector<ShownObject>> shown(position_points.size());
     parallelFor(position_points.size(), [&](std::size_t i) {
-        for (const Object& object : views.scene().objects) {
-            if (object.role != Role::Target) continue;
-            const Pose& pose = position_points[i].pose;
-            if (!mayShowWell(views, pose, object.id)) continue;
-            const auto estimate = views.estimate(pose, object.id, kGrid);
-            if (isSafelyWellCaptured(estimate)) shown[i].push_back({object.id, estimate.box_share});
-        }
+        const Pose& pose = position_points[i].pose;
+        const auto* known = memo ? memo->find(pose) : nullptr;
+        shown[i] = known ? *known : shownFrom(views, pose);
     });
+    for (std::size_t i = 0; memo && i < shown.size(); ++i) {
+        memo->keep(position_points[i].pose, shown[i]);
+    }
 
     std::map<int, double> own_share;
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         const auto& own = position_points[i].well_captured;
-        for (const Shown& one : shown[i]) {
+        for (const ShownObject& one : shown[i]) {
             if (std::find(own.begin(), own.end(), one.object_id) == own.end()) continue;
             double& share = own_share[one.object_id];
             share = std::max(share, one.box_share);
@@ -57,7 +81,7 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         PositionPoint& point = position_points[i];
         std::set<int> well(point.well_captured.begin(), point.well_captured.end());
-        for (const Shown& one : shown[i]) {
+        for (const ShownObject& one : shown[i]) {
             if (one.box_share >= kRidesAlong * own_share[one.object_id]) well.insert(one.object_id);
         }
         std::set<int> captured(point.captured.begin(), point.captured.end());

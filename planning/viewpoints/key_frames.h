@@ -2,16 +2,37 @@
 
 #include "engine/plan/viewpoint.h"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace dollytrack::planning {
 
 class ViewEstimator;
 
+/// An object that a view captures well, with a margin.
+struct ShownObject {
+    int object_id = 0;
+    double box_share = 0.0;
+};
+
+/// Remembers what poses show, so that moving one point by hand does not look from all others again.
+/// Whoever keeps one clears it when the views change: the scene, its targets, or the camera.
+class ShownMemo {
+  public:
+    [[nodiscard]] const std::vector<ShownObject>* find(const Pose& pose) const;
+    void keep(const Pose& pose, std::vector<ShownObject> shown);
+    void clear() { shown_.clear(); }
+
+  private:
+    std::map<std::array<double, 7>, std::vector<ShownObject>> shown_;  // by position and rotation
+};
+
 /// CaptureGet of the paper's Algorithm 1: completes the lists of objects that each position point
 /// captures and captures well, its own and every other. Another point's object counts only while
 /// it shows nearly as large as in its own best view, so that sharing never trades fill away.
-void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points);
+void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
+                  ShownMemo* memo = nullptr);
 
 /// A small choice of position points that together capture all that all of them capture (greedy
 /// set cover; well captured counts first), in order of what each adds. Pinned ones come first, all

@@ -191,6 +191,8 @@ TEST(Edits, KeepsToTheHeightBandAboveTheFloorBelow) {
     builder.room({0, 0, 0}, {6, 3, 2.8});
     builder.object("platform", {kNyuFloor, Role::Structure, {0.6F, 0.6F, 0.6F}})
         .box({4.5, 1.5, 0.15}, {3.0, 3.0, 0.3});
+    builder.object("sill", {kNyuWindow, Role::Structure, {0.6F, 0.6F, 0.6F}})
+        .box({1.5, 2.8, 0.6}, {2.0, 0.4, 0.05});
     builder.object("crate").box({1.0, 0.6, 0.25}, {0.5, 0.5, 0.5});
     builder.object("trunk").box({5.2, 2.4, 0.55}, {0.5, 0.5, 0.5});
     const Scene scene = builder.build();
