@@ -1,0 +1,236 @@
+#include "tests/ui/overlays/planned_room.h"
+#include "ui/overlays/candidates_overlay.h"
+#include "ui/overlays/palette.h"
+#include "ui/overlays/pick_tag.h"
+#include "ui/overlays/points_overlay.h"
+#include "ui/overlays/roadmap_overlay.h"
+#include "ui/overlays/trajectory_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace dollytrack::ui {
+namespace {
+
+const test::PlannedRoom& furnished() {
+    static const test::PlannedRoom room = test::planRoom(dollytrack::test::furnishedRoom());
+    return room;
+}
+
+int countOf(const Legend& legend, const std::string& name) {
+    for (const LegendEntry& entry : legend.entries) {
+        if (entry.name == name) return entry.count;
+    }
+    return -1;
+}
+
+/// The different indices that elements of one kind carry.
+std::set<int> tagged(const render::Overlay& overlay, Picked kind) {
+    std::set<int> indices;
+    const auto take = [&](std::int32_t tag) {
+        if (fromTag(tag).kind == kind) indices.insert(fromTag(tag).index);
+    };
+    for (const auto& line : overlay.lines) take(line.tag);
+    for (const auto& mark : overlay.marks) take(mark.tag);
+    return indices;
+}
+
+/// A plan made by hand: four key frames in a row, 1 m apart, and one of each kind of edge.
+Plan smallPlan() {
+    Plan plan;
+    plan.observation_points.resize(1);
+    plan.observation_points[0].objects = {1};
+    for (int i = 0; i < 5; ++i) {
+        PositionPoint point;
+        point.pose = lookAt({double(i), 0, 1}, {double(i), 1, 1});
+        point.component = i < 3 ? 0 : 1;
+        plan.position_points.push_back(point);
+        plan.key_frames.push_back(i);
+    }
+    plan.roadmap.edges = {{0, 1, {}, 1.0, true, false},
+                          {1, 2, {}, 1.0, false, false},
+                          {2, 3, {{2.5, 1, 1}, {2.7, 1, 1}}, 2.0, true, true},
+                          {3, 4, {}, 1.0, true, false}};
+    plan.roadmap.refused = {{0, 4, {1.5, 0, 1}, 7}, {1, 3, {2.0, 0, 1}, 0}};
+    plan.roadmap.samples = {{2.4, 1, 1}, {2.5, 1, 1}, {2.7, 1, 1}};
+    plan.paths = {{0, {{{0, 0, 1}, 0}, {{1, 0, 1}, 1}, {{2, 0, 1}, 2}}}};
+    return plan;
+}
+
+TEST(PointsLayer, HasEveryPointOnceInTheLegend) {
+    const auto& room = furnished();
+    const PlanLayer layer = pointsLayer(*room.scene, *room.plan, room.params.camera, {});
+    const auto observation = tagged(layer.overlay, Picked::ObservationPoint);
+    EXPECT_EQ(observation.size(), room.plan->observation_points.size());
+    EXPECT_EQ(countOf(layer.legend, "Observation point, large") +
+                  countOf(layer.legend, "Observation point, small"),
+              static_cast<int>(observation.size()));
+    EXPECT_EQ(countOf(layer.legend, "Key frame"), static_cast<int>(room.plan->key_frames.size()));
+    EXPECT_EQ(tagged(layer.overlay, Picked::PositionPoint).size(),
+              room.plan->position_points.size());
+}
+
+TEST(PointsLayer, ArrowsPointWhereTheCameraLooks) {
+    const auto& room = furnished();
+    const PlanLayer layer = pointsLayer(*room.scene, *room.plan, room.params.camera, {});
+    int arrows = 0;
+    for (const render::OverlayMark& mark : layer.overlay.marks) {
+        if (mark.shape != render::OverlayMark::Shape::Arrow) continue;
+        ++arrows;
+        const auto& point =
+            room.plan->position_points[static_cast<std::size_t>(fromTag(mark.tag).index)];
+        const auto& target =
+            room.plan->observation_points[static_cast<std::size_t>(point.observation_point)];
+        EXPECT_NEAR(angleBetween(mark.direction, target.position - point.pose.position), 0.0, 0.35);
+        EXPECT_NEAR(angleBetween(mark.direction, mark.at - point.pose.position), 0.0, 1e-6);
+    }
+    EXPECT_EQ(arrows, static_cast<int>(room.plan->position_points.size()));
+}
+
+TEST(PointsLayer, RingsWhatHasNoViewAndWhatIsSelected) {
+    const auto& room = furnished();
+    Plan plan = *room.plan;
+    plan.searches[0].position_point = -1;
+    PointsOverlayOptions options;
+    options.selected_position_point = 1;
+    const PlanLayer layer = pointsLayer(*room.scene, plan, room.params.camera, options);
+    EXPECT_EQ(countOf(layer.legend, "without a position point"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Selected"), 1);
+    std::multiset<std::pair<Picked, int>> rings;
+    for (const render::OverlayMark& mark : layer.overlay.marks) {
+        if (mark.shape != render::OverlayMark::Shape::Ring) continue;
+        rings.emplace(fromTag(mark.tag).kind, fromTag(mark.tag).index);
+    }
+    const std::multiset<std::pair<Picked, int>> expected = {{Picked::ObservationPoint, 0},
+                                                            {Picked::PositionPoint, 1}};
+    EXPECT_EQ(rings, expected);
+}
+
+TEST(RoadmapLayer, DrawsEachKindOfEdgeAsItIs) {
+    const Plan plan = smallPlan();
+    const PlanLayer layer = roadmapLayer(plan, {});
+    // Before linking 0-1-2 were one part (the dropped edge joined them, too) and 3-4 another.
+    EXPECT_EQ(countOf(layer.legend, "Accepted, part 1"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Accepted, part 2"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Link by RRT*"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Dropped: closes a cycle"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Refused, with the point of collision"), 2);
+    EXPECT_EQ(countOf(layer.legend, "RRT* sample"), 3);
+    std::map<int, int> lines_of_edge;
+    for (const render::OverlayLine& line : layer.overlay.lines) {
+        if (fromTag(line.tag).kind != Picked::Edge) continue;
+        ++lines_of_edge[fromTag(line.tag).index];
+        EXPECT_EQ(line.dash_px > 0.0, fromTag(line.tag).index == 1);
+    }
+    EXPECT_EQ(lines_of_edge, (std::map<int, int>{{0, 1}, {1, 1}, {2, 3}, {3, 1}}));
+    int crosses = 0;
+    for (const render::OverlayMark& mark : layer.overlay.marks) {
+        if (fromTag(mark.tag).kind != Picked::RefusedEdge) continue;
+        ++crosses;
+        const auto& edge = plan.roadmap.refused[static_cast<std::size_t>(fromTag(mark.tag).index)];
+        EXPECT_EQ(mark.at, edge.collision);
+    }
+    EXPECT_EQ(crosses, 2);
+    // The path lies on top: its lines come last.
+    EXPECT_EQ(layer.overlay.lines.back().rgba, kPathColor);
+    EXPECT_EQ(layer.overlay.lines.back().b, plan.paths[0].vertices.back().position);
+}
+
+TEST(RoadmapLayer, SwitchesLeaveNothingBehind) {
+    RoadmapOverlayOptions none;
+    none.accepted = none.links = none.samples = none.refused = none.dropped = none.path = false;
+    const PlanLayer layer = roadmapLayer(smallPlan(), none);
+    EXPECT_TRUE(layer.overlay.lines.empty());
+    EXPECT_TRUE(layer.overlay.marks.empty());
+    EXPECT_TRUE(layer.legend.entries.empty());
+}
+
+TEST(RoadmapLayer, ColoursByRoomWhenAsked) {
+    RoadmapOverlayOptions options;
+    options.color = EdgeColor::Room;
+    const PlanLayer layer = roadmapLayer(smallPlan(), options);
+    EXPECT_EQ(countOf(layer.legend, "Accepted, room 1"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Accepted, room 2"), 1);
+}
+
+TEST(TrajectoryLayer, ColoursFramesByTheirValues) {
+    const auto& room = furnished();
+    const FrameSeries& series = room.plan->series;
+    const std::map<TrajectoryColor, const std::vector<double>*> cases = {
+        {TrajectoryColor::Clearance, &series.clearance_m},
+        {TrajectoryColor::Speed, &series.speed_mps},
+        {TrajectoryColor::TurnRate, &series.turn_dps},
+        {TrajectoryColor::Score, &series.score},
+    };
+    for (const auto& [color, values] : cases) {
+        TrajectoryOverlayOptions options;
+        options.color = color;
+        const PlanLayer layer = trajectoryLayer(*room.plan, options);
+        ASSERT_TRUE(layer.legend.scale);
+        EXPECT_DOUBLE_EQ(layer.legend.scale->max,
+                         *std::max_element(values->begin(), values->end()));
+        std::size_t lines = 0;
+        for (const render::OverlayLine& line : layer.overlay.lines) {
+            const auto frame = static_cast<std::size_t>(fromTag(line.tag).index);
+            ASSERT_EQ(fromTag(line.tag).kind, Picked::Frame);
+            ++lines;
+            EXPECT_EQ(line.b, room.plan->trajectory.frames[frame].pose.position);
+            const LegendScale& scale = *layer.legend.scale;
+            const double share = ((*values)[frame] - scale.min) / (scale.max - scale.min);
+            EXPECT_LT((line.rgba - scaleColor(share)).norm(), 1e-5F);
+        }
+        EXPECT_EQ(lines, room.plan->trajectory.frames.size() - room.plan->paths.size());
+    }
+}
+
+TEST(TrajectoryLayer, DotsAreWhereSomethingNewIsCaptured) {
+    const auto& room = furnished();
+    TrajectoryOverlayOptions options;
+    options.color = TrajectoryColor::NewlyCaptured;
+    const PlanLayer layer = trajectoryLayer(*room.plan, options);
+    std::size_t captured = 0;
+    for (const render::OverlayMark& mark : layer.overlay.marks) {
+        if (mark.shape != render::OverlayMark::Shape::Dot) continue;
+        const auto frame = static_cast<std::size_t>(fromTag(mark.tag).index);
+        captured += room.plan->series.newly_captured[frame].size();
+    }
+    EXPECT_EQ(captured, static_cast<std::size_t>(room.plan->capture_metrics.captured));
+}
+
+TEST(CandidatesLayer, ColoursEveryCandidateByItsVerdict) {
+    const auto& room = furnished();
+    for (int o = 0; o < static_cast<int>(room.plan->observation_points.size()); ++o) {
+        CandidatesOverlayOptions options;
+        options.observation_point = o;
+        const PlanLayer layer = candidatesLayer(*room.plan, options);
+        const auto& search = room.plan->searches[static_cast<std::size_t>(o)];
+        std::map<std::string, int> counts;
+        for (const Candidate& candidate : search.candidates) {
+            std::string words(inWords(candidate.verdict));
+            words[0] = static_cast<char>(std::toupper(words[0]));
+            ++counts[words];
+        }
+        for (const auto& [words, count] : counts) EXPECT_EQ(countOf(layer.legend, words), count);
+        EXPECT_EQ(tagged(layer.overlay, Picked::Candidate).size(), search.candidates.size());
+        for (const render::OverlayMark& mark : layer.overlay.marks) {
+            if (fromTag(mark.tag).kind != Picked::Candidate) continue;
+            const auto i = static_cast<std::size_t>(fromTag(mark.tag).index);
+            EXPECT_EQ(mark.rgba, colorOf(search.candidates[i].verdict));
+        }
+        // The cone has its tip at the target and opens by the angle asked for.
+        for (const render::OverlayTriangle& triangle : layer.overlay.triangles) {
+            const auto& point = room.plan->observation_points[static_cast<std::size_t>(o)];
+            EXPECT_EQ(triangle.a, point.position);
+            EXPECT_NEAR(angleBetween(triangle.b - triangle.a, point.direction),
+                        40.0 * 3.14159265358979 / 180.0, 1e-6);
+        }
+        EXPECT_EQ(countOf(layer.legend, "Taken"), search.position_point >= 0 ? 1 : -1);
+    }
+    EXPECT_TRUE(candidatesLayer(*room.plan, {}).overlay.marks.empty());
+}
+
+}  // namespace
+}  // namespace dollytrack::ui

@@ -1,0 +1,169 @@
+#include "ui/overlays/candidates_overlay.h"
+
+#include "ui/overlays/palette.h"
+#include "ui/overlays/pick_tag.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+using Mark = render::OverlayMark;
+using Shape = LegendEntry::Shape;
+
+constexpr int kVerdicts = static_cast<int>(Verdict::HeightBand) + 1;
+constexpr int kConeSides = 36;
+const Eigen::Vector4f kCone(0.98F, 0.85F, 0.35F, 1.0F);
+
+/// The cone from the observation point, as long as the candidates in it are far.
+void addCone(render::Overlay& overlay, const ObservationPoint& point,
+             const std::vector<Candidate>& candidates, double half_angle_deg) {
+    const double half_angle = std::min(half_angle_deg, 89.0) * std::numbers::pi / 180.0;
+    double length = 0.0;
+    for (const Candidate& candidate : candidates) {
+        const Eigen::Vector3d way = candidate.position - point.position;
+        const double distance = way.norm();
+        if (distance <= 0.0) continue;
+        const double cosine = way.dot(point.direction) / distance;
+        if (cosine > std::cos(half_angle) - 1e-3) length = std::max(length, distance);
+    }
+    if (length <= 0.0) return;
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), point.direction);
+    const auto rim = [&](int i) {
+        const double angle = 2.0 * std::numbers::pi * i / kConeSides;
+        const Eigen::Vector3d way(std::sin(half_angle) * std::cos(angle),
+                                  std::sin(half_angle) * std::sin(angle), std::cos(half_angle));
+        return Eigen::Vector3d(point.position + length * (turn * way));
+    };
+    for (int i = 0; i < kConeSides; ++i) {
+        overlay.triangles.push_back(
+            {point.position, rim(i), rim(i + 1), withOpacity(kCone, 0.16F)});
+        overlay.lines.push_back({rim(i), rim(i + 1), withOpacity(kCone, 0.9F), 1.5});
+        if (i % 9 == 0) {
+            overlay.lines.push_back({point.position, rim(i), withOpacity(kCone, 0.6F), 1.2});
+        }
+    }
+    overlay.lines.push_back({point.position, point.position + length * point.direction,
+                             withOpacity(kCone, 0.8F), 1.2, 5.0});
+}
+
+}  // namespace
+
+std::string_view inWords(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Legal:
+            return "legal";
+        case Verdict::InObstacle:
+            return "in an obstacle";
+        case Verdict::OutsideRoom:
+            return "outside the room";
+        case Verdict::OccludedBy:
+            return "occluded";
+        case Verdict::TooClose:
+            return "too close";
+        case Verdict::Cropped:
+            return "cropped by the image";
+        case Verdict::TooSmall:
+            return "too small in the image";
+        case Verdict::NoGo:
+            return "in a no-go box";
+        case Verdict::HeightBand:
+            return "outside the height band";
+    }
+    return "";
+}
+
+Eigen::Vector4f colorOf(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Legal:
+            return {0.20F, 0.78F, 0.30F, 1.0F};
+        case Verdict::InObstacle:
+            return {0.85F, 0.15F, 0.15F, 1.0F};
+        case Verdict::OutsideRoom:
+            return {0.45F, 0.45F, 0.50F, 1.0F};
+        case Verdict::OccludedBy:
+            return {0.97F, 0.55F, 0.10F, 1.0F};
+        case Verdict::TooClose:
+            return {0.62F, 0.30F, 0.85F, 1.0F};
+        case Verdict::Cropped:
+            return {0.16F, 0.50F, 0.90F, 1.0F};
+        case Verdict::TooSmall:
+            return {0.60F, 0.42F, 0.25F, 1.0F};
+        case Verdict::NoGo:
+            return {0.85F, 0.15F, 0.55F, 1.0F};
+        case Verdict::HeightBand:
+            return {0.45F, 0.70F, 0.75F, 1.0F};
+    }
+    return {1, 1, 1, 1};
+}
+
+PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& options) {
+    PlanLayer layer;
+    layer.legend.title = "Candidates";
+    const int index = options.observation_point;
+    const auto count =
+        static_cast<int>(std::min(plan.observation_points.size(), plan.searches.size()));
+    if (index < 0 || index >= count) return layer;
+    const ObservationPoint& point = plan.observation_points[static_cast<std::size_t>(index)];
+    const ViewpointSearch& search = plan.searches[static_cast<std::size_t>(index)];
+    if (options.cone) {
+        addCone(layer.overlay, point, search.candidates, options.cone_half_angle_deg);
+    }
+    std::array<int, kVerdicts> counts{};
+    for (std::size_t i = 0; i < search.candidates.size(); ++i) {
+        const Candidate& candidate = search.candidates[i];
+        ++counts[static_cast<std::size_t>(candidate.verdict)];
+        const bool legal = candidate.verdict == Verdict::Legal;
+        layer.overlay.marks.push_back({candidate.position,
+                                       Mark::Shape::Dot,
+                                       colorOf(candidate.verdict),
+                                       legal ? 8.0 : 6.0,
+                                       {0, 0, 0},
+                                       toTag(Picked::Candidate, static_cast<int>(i))});
+    }
+    layer.overlay.marks.push_back({point.position,
+                                   Mark::Shape::Dot,
+                                   kLargeTargetColor,
+                                   12.0,
+                                   {0, 0, 0},
+                                   toTag(Picked::ObservationPoint, index)});
+    auto& entries = layer.legend.entries;
+    entries.push_back({"Observation point", Shape::Dot, kLargeTargetColor, 1});
+    for (int verdict = 0; verdict < kVerdicts; ++verdict) {
+        const int number = counts[static_cast<std::size_t>(verdict)];
+        if (number == 0) continue;
+        const auto kind = static_cast<Verdict>(verdict);
+        std::string words(inWords(kind));
+        words[0] = static_cast<char>(words[0] - 'a' + 'A');
+        entries.push_back({std::move(words), Shape::SmallDot, colorOf(kind), number});
+    }
+    if (search.position_point >= 0) {
+        const Eigen::Vector3d& best =
+            plan.position_points[static_cast<std::size_t>(search.position_point)].pose.position;
+        const std::int32_t tag = toTag(Picked::PositionPoint, search.position_point);
+        layer.overlay.lines.push_back({best, point.position, kKeyFrameColor, 2.0, 0.0, tag});
+        layer.overlay.marks.push_back(
+            {best, Mark::Shape::Ring, kKeyFrameColor, 16.0, {0, 0, 0}, tag});
+        layer.overlay.marks.push_back(
+            {best, Mark::Shape::Cross, kKeyFrameColor, 9.0, {0, 0, 0}, tag});
+        entries.push_back({"Taken", Shape::Ring, kKeyFrameColor, 1});
+    }
+    const int selected = options.selected_candidate;
+    if (selected >= 0 && selected < static_cast<int>(search.candidates.size())) {
+        const Eigen::Vector3d& at = search.candidates[static_cast<std::size_t>(selected)].position;
+        const std::int32_t tag = toTag(Picked::Candidate, selected);
+        layer.overlay.lines.push_back({at, point.position, kSelectedColor, 1.6, 5.0, tag});
+        layer.overlay.marks.push_back(
+            {at, Mark::Shape::Ring, kSelectedColor, 16.0, {0, 0, 0}, tag});
+        entries.push_back({"Selected", Shape::Ring, kSelectedColor, 1});
+    }
+    return layer;
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/plan/plan.h"
+#include "ui/overlays/legend.h"
+
+#include <string_view>
+
+namespace dollytrack::ui {
+
+struct CandidatesOverlayOptions {
+    int observation_point = -1;  // index; -1: nothing is shown
+    double cone_half_angle_deg = 40.0;
+    bool cone = true;
+    int selected_candidate = -1;
+    bool operator==(const CandidatesOverlayOptions&) const = default;
+};
+
+/// Why an observation point is seen from where it is, or from nowhere: the cone that was searched,
+/// every place tried there and elsewhere by the reason it was not taken, and the one that was.
+[[nodiscard]] PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& options);
+
+/// A verdict in words: "in an obstacle".
+[[nodiscard]] std::string_view inWords(Verdict verdict);
+[[nodiscard]] Eigen::Vector4f colorOf(Verdict verdict);
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace dollytrack::ui {
+
+/// Colours that mean one thing in all overlays. sRGB.
+inline const Eigen::Vector4f kLargeTargetColor(0.98F, 0.80F, 0.10F, 1.0F);
+inline const Eigen::Vector4f kSmallTargetColor(0.90F, 0.12F, 0.12F, 1.0F);
+inline const Eigen::Vector4f kKeyFrameColor(0.10F, 0.78F, 0.93F, 1.0F);
+inline const Eigen::Vector4f kSpareColor(0.55F, 0.62F, 0.70F, 1.0F);
+inline const Eigen::Vector4f kSelectedColor(1.0F, 0.25F, 0.80F, 1.0F);
+inline const Eigen::Vector4f kRefusedColor(0.88F, 0.10F, 0.10F, 1.0F);
+inline const Eigen::Vector4f kAcceptedColor(0.20F, 0.72F, 0.30F, 1.0F);
+inline const Eigen::Vector4f kLinkColor(0.98F, 0.52F, 0.08F, 1.0F);
+inline const Eigen::Vector4f kSampleColor(0.60F, 0.35F, 0.85F, 1.0F);
+inline const Eigen::Vector4f kDroppedColor(0.45F, 0.45F, 0.48F, 1.0F);
+inline const Eigen::Vector4f kPathColor(1.0F, 1.0F, 1.0F, 1.0F);
+
+/// The same colour, more or less opaque.
+[[nodiscard]] Eigen::Vector4f withOpacity(const Eigen::Vector4f& rgba, float opacity);
+
+/// Colours that are easy to tell apart, for the parts of something; they repeat after ten.
+[[nodiscard]] Eigen::Vector4f partColor(int part);
+
+/// From low to high, 0..1 (clamped): dark violet, blue, teal, green, yellow. Brightness rises all
+/// the way, so that it can also be read without colours.
+[[nodiscard]] Eigen::Vector4f scaleColor(double share);
+
+}  // namespace dollytrack::ui

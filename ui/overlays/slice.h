@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace dollytrack::ui {
+
+/// A thin slab through the map, square to an axis.
+struct Slice {
+    int axis = 2;  // 0: x, 1: y, 2: z
+    double position_m = 1.2;
+    double thickness_m = 0.05;
+    bool operator==(const Slice&) const = default;
+};
+
+/// The same in whole cells, counted from the world's origin: at least one, and the cell at the
+/// slice's position is among them.
+struct CellRange {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+};
+
+[[nodiscard]] inline CellRange cellsOf(const Slice& slice, double cell_m) {
+    const auto middle = static_cast<std::int64_t>(std::floor(slice.position_m / cell_m));
+    const std::int64_t count = std::max<std::int64_t>(1, std::llround(slice.thickness_m / cell_m));
+    return {middle - (count - 1) / 2, middle - (count - 1) / 2 + count};
+}
+
+}  // namespace dollytrack::ui
