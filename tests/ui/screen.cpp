@@ -171,6 +171,7 @@ bool Screen::typeInto(const std::string& name, const std::string& text) {
     press(GLFW_KEY_A, true);
     type(text);
     press(GLFW_KEY_ENTER);
+    frame(30);
     return true;
 }
 

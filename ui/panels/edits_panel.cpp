@@ -73,7 +73,7 @@ void drawChanges(const EditsView& view, EditsActions& actions) {
             ImGui::TextColored(palette().text_dim, "%s", changeText(change).c_str());
             flowTo("Reset");
             if (button(("Reset##" + name).c_str(), name + ".reset",
-                       {.tip = "As the scene has it"})) {
+                       {.tip = "As the scene has it", .small = true})) {
                 actions.edit.operation = {{"op", "reset_object"},
                                           {"object", objectKey(*view.scene, id)}};
             }
@@ -143,10 +143,10 @@ void drawRemoved(const EditsView& view, EditsActions& actions) {
         const json keys = keysOf(*view.scene, removed[i].objects);
         const std::string why_not =
             keys.is_null() ? "An object of this point is no longer in the scene." : "";
-        ImGui::AlignTextToFramePadding();
         ImGui::TextWrapped("%s", namesOf(removed[i].objects).c_str());
         flowTo("Restore");
-        if (button(("Restore##" + name).c_str(), name + ".restore", {.why_not = why_not})) {
+        if (button(("Restore##" + name).c_str(), name + ".restore",
+                   {.why_not = why_not, .small = true})) {
             actions.edit.operation = {{"op", "restore_point"}, {"objects", keys}};
         }
     }

@@ -410,9 +410,13 @@ std::optional<FileAnswer> FileBrowser::draw() {
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(scaled(900), screen.x - scaled(40)),
                               std::min(scaled(560), screen.y - scaled(40))});
-    if (ImGui::BeginPopupModal(kId, nullptr,
+    pushDialogStyle();
+    const bool visible =
+        ImGui::BeginPopupModal(kId, nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+    popDialogStyle();
+    if (visible) {
         impl.drawContent();
         impl.begins = false;
         if (impl.answer) impl.open = false;

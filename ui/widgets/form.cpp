@@ -26,12 +26,16 @@ void formLabel(const char* label, const std::string& tip) {
     ImGui::SetNextItemWidth(-1);
 }
 
-void formText(const char* label, const std::string& value, const std::string& tip) {
+void formLine(const char* label, const std::string& tip) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextColored(palette().text_dim, "%s", label);
     tooltip(tip);
     ImGui::TableNextColumn();
+}
+
+void formText(const char* label, const std::string& value, const std::string& tip) {
+    formLine(label, tip);
     ImGui::TextWrapped("%s", value.c_str());
     tooltip(tip);
 }
@@ -70,7 +74,8 @@ bool button(const char* label, std::string_view name, const ButtonOptions& optio
     fill.w = 0.45F;
     if (options.primary && enabled) ImGui::PushStyleColor(ImGuiCol_Button, fill);
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label, {options.width, 0});
+    const bool pressed =
+        options.small ? ImGui::SmallButton(label) : ImGui::Button(label, {options.width, 0});
     ImGui::EndDisabled();
     if (options.primary && enabled) ImGui::PopStyleColor();
     nameItem(name, enabled);
@@ -89,6 +94,19 @@ bool link(const std::string& text, std::string_view name, const std::string& tip
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     tooltip(tip);
     return pressed;
+}
+
+void pushDialogStyle() {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(18), scaled(14)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    // Fields stand out from the colour of windows, not from that of menus.
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+}
+
+void popDialogStyle() {
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
 }
 
 void flowTo(const char* next_label) {

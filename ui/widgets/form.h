@@ -13,6 +13,8 @@ void endForm();
 
 /// Begins a row and leaves the cursor where its widget goes, with the column's full width.
 void formLabel(const char* label, const std::string& tip = {});
+/// The same for a row of text and links, which is less high than one of widgets.
+void formLine(const char* label, const std::string& tip = {});
 /// A row of text; `tip` appears over both columns.
 void formText(const char* label, const std::string& value, const std::string& tip = {});
 
@@ -30,12 +32,17 @@ struct ButtonOptions {
     std::string why_not = {};  // not empty: disabled, and this says why
     std::string tip = {};
     float width = 0.0F;    // 0: as wide as its text; negative: up to that far from the right
+    bool small = false;    // as high as a line of text
     bool primary = false;  // what Enter would do
 };
 /// A button with its name for the item map.
 bool button(const char* label, std::string_view name, const ButtonOptions& options = {});
 /// The same as a word in running text: for "go to frame 12".
 bool link(const std::string& text, std::string_view name, const std::string& tip = {});
+
+/// What windows over the window look like. Between the two: Begin...().
+void pushDialogStyle();
+void popDialogStyle();
 
 /// Whether a button of this text still fits on the line at hand; if so, goes on in that line.
 /// Begin a row of buttons without it.

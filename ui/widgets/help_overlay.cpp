@@ -105,12 +105,13 @@ void drawBlock(const Block& block) {
     ImGui::TextUnformatted(block.title.c_str());
     ImGui::PopFont();
     for (const Line& line : block.lines) {
-        const float left = ImGui::GetCursorPosX();
-        const float width = ImGui::GetContentRegionAvail().x;
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
         ImGui::TextUnformatted(line.text.c_str());
         if (line.keys.empty()) continue;
         const float keys = ImGui::CalcTextSize(line.keys.c_str()).x;
-        ImGui::SameLine(left + width - keys);
+        ImGui::SameLine();
+        // Not SameLine(x): inside a table it counts from the column.
+        ImGui::SetCursorPosX(right - keys);
         ImGui::TextColored(palette().accent, "%s", line.keys.c_str());
     }
     ImGui::Dummy({0, ImGui::GetTextLineHeight() * 0.6F});
@@ -120,7 +121,10 @@ void drawBlocks(const std::vector<Block>& blocks, float width) {
     const int most_columns = std::clamp(static_cast<int>(width / scaled(270)), 1, 4);
     const int height = leastHeight(blocks, most_columns);
     const int columns = columnsFor(blocks, height);
-    if (!ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(16), 0});
+    const bool begun = ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame);
+    ImGui::PopStyleVar();
+    if (!begun) return;
     ImGui::TableNextColumn();
     int used = 0;
     for (const Block& block : blocks) {
@@ -149,10 +153,10 @@ void drawHelpOverlay(const CommandTable& commands, HelpState& state) {
                          std::min(scaled(760), screen.y - scaled(40))};
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(18), scaled(14)});
+    pushDialogStyle();
     const bool visible =
         ImGui::BeginPopup(kId, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar();
+    popDialogStyle();
     if (!visible) {
         state.open = false;
         state.shown = false;

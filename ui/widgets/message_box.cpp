@@ -97,17 +97,18 @@ int drawMessageBox(const MessageBox& box) {
     const float width = std::min(scaled(460), screen.x - scaled(40));
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(18), scaled(14)});
     int pressed = -1;
-    if (ImGui::BeginPopupModal(kId, nullptr,
-                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoSavedSettings)) {
+    pushDialogStyle();
+    const bool visible = ImGui::BeginPopupModal(
+        kId, nullptr,
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+            ImGuiWindowFlags_NoSavedSettings);
+    popDialogStyle();
+    if (visible) {
         pressed = drawContent(box);
         if (pressed >= 0) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
-    ImGui::PopStyleVar();
     return pressed;
 }
 
