@@ -1,0 +1,225 @@
+#include "engine/scene/labels.h"
+#include "ui/panels/edit_parts.h"
+#include "ui/panels/selection_details.h"
+#include "ui/theme.h"
+#include "ui/widgets/class_combo.h"
+#include "ui/widgets/drag_fields.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+using nlohmann::json;
+
+const char* sourceText(FrontSource source) {
+    switch (source) {
+        case FrontSource::Annotation:
+            return "given by the scene or by hand";
+        case FrontSource::Wall:
+            return "away from the wall it is at";
+        case FrontSource::ShortSide:
+            return "across its longer side";
+        case FrontSource::RoomCentre:
+            return "towards the middle of the room";
+    }
+    return "";
+}
+
+/// An object as it is in the newest edits, which the scene on the screen may not have yet.
+struct Said {
+    int nyu40;
+    Role role;
+    Eigen::Vector3d front;
+    std::string front_source;
+    int size;  // 0: auto, 1: small, 2: large
+};
+
+Said whatIsSaid(const Object& object, const ObjectChange* change) {
+    Said said{object.nyu40, object.role, object.front, sourceText(object.front_source), 0};
+    if (change == nullptr) return said;
+    said.nyu40 = change->nyu40.value_or(object.nyu40);
+    said.role = change->role.value_or(object.role);
+    if (change->front) {
+        said.front = *change->front;
+        said.front_source = "set by hand";
+    }
+    if (change->large) said.size = *change->large ? 2 : 1;
+    return said;
+}
+
+void drawRole(const Object& object, const Said& said, const json& key, EditRequest& edit) {
+    formLabel("Target", "A target is to be captured; others are obstacles and labels only.");
+    bool target = said.role == Role::Target;
+    if (ImGui::Checkbox("##target", &target)) {
+        edit.operation = {{"op", target ? "include" : "exclude"}, {"object", key}};
+    }
+    nameItem("selection.target");
+    ImGui::SameLine();
+    const char* note = said.role == Role::Excluded ? "excluded by hand"
+                       : object.structure          ? "part of the building"
+                                                   : "";
+    ImGui::TextColored(palette().text_dim, "%s", note);
+}
+
+void drawSize(const Object& object, const Said& said, const json& key, EditRequest& edit) {
+    constexpr std::array kSizes = {"auto", "small", "large"};
+    formLabel("Counts as", "Small things are captured in groups with what carries them.");
+    const std::string now = said.size != 0 ? kSizes[static_cast<std::size_t>(said.size)]
+                            : object.large ? "auto (large)"
+                                           : "auto (small)";
+    if (ImGui::BeginCombo("##size", now.c_str())) {
+        for (int i = 0; i < 3; ++i) {
+            const char* size = kSizes[static_cast<std::size_t>(i)];
+            if (ImGui::Selectable(size, said.size == i) && said.size != i) {
+                edit.operation = {{"op", "set_size"}, {"object", key}, {"size", size}};
+            }
+            nameItem("selection.size." + std::string(size));
+        }
+        ImGui::EndCombo();
+    }
+    nameItem("selection.size");
+}
+
+void drawFront(const Said& said, const json& key, EditRequest& edit) {
+    formLabel("Front", "The side it is seen from best. 0\u00b0: along x, 90\u00b0: along y");
+    double angle = std::atan2(said.front.y(), said.front.x()) * 180.0 / std::numbers::pi;
+    const FieldEdit field = dragNumber(angle, {-360.0, 360.0, 1.0F, "%.0f\u00b0"},
+                                       "selection.front", said.front_source);
+    if (field.changed) {
+        edit.operation = {{"op", "set_front"}, {"object", key}, {"front", wrapDegrees(angle)}};
+        edit.merge_key = "front." + key.dump();
+    }
+    edit.ends_merge = edit.ends_merge || field.finished;
+    formText("", said.front_source);
+}
+
+void drawProperties(const SelectionView& view, const Object& object, SelectionState& state,
+                    SelectionActions& actions) {
+    const json key = objectKey(*view.scene, object.id);
+    const ObjectChange* change =
+        view.edits == nullptr ? nullptr : findChange(*view.edits, *view.scene, object.id);
+    const Said said = whatIsSaid(object, change);
+    if (!beginForm("properties")) return;
+    formLabel("Class");
+    if (const auto chosen = classCombo(said.nyu40, state.class_filter, "selection.class")) {
+        actions.edit.operation = {{"op", "set_class"}, {"object", key}, {"class", *chosen}};
+    }
+    drawRole(object, said, key, actions.edit);
+    drawSize(object, said, key, actions.edit);
+    drawFront(said, key, actions.edit);
+    formText("Size", sizeText(2.0 * object.box.half_size));
+    formText("Centre", placeText(object.box.center) + " m");
+    formText("Triangles", fmt::format("{}", object.triangle_count));
+    endForm();
+    if (button("Go to", "selection.frame", {.tip = "Bring it into the viewport"})) {
+        actions.frame = true;
+    }
+    flowTo("Split into pieces");
+    if (button("Split into pieces", "selection.split",
+               {.tip = "Makes an object of every connected piece"})) {
+        actions.edit.operation = {{"op", "split"}, {"object", key}};
+    }
+    flowTo("Reset");
+    if (button("Reset", "selection.reset",
+               {.why_not = change == nullptr ? "Nothing was changed by hand." : "",
+                .tip = "As the scene has it"})) {
+        actions.edit.operation = {{"op", "reset_object"}, {"object", key}};
+    }
+}
+
+/// A frame's number to click, and how the object shows in it.
+void drawView(const char* label, const ObjectView& seen, const std::string& name,
+              SelectionActions& actions) {
+    formLine(label);
+    if (link(fmt::format("Frame {}", seen.frame), name, "Go to this frame")) {
+        actions.go_to_frame = seen.frame;
+    }
+    formText("", fmt::format("{:.0f} % visible, box {:.1f} % of the image",
+                             100.0 * seen.visible_fraction, 100.0 * seen.box_share));
+}
+
+void drawCapture(const SelectionView& view, const Object& object, SelectionActions& actions) {
+    heading("Capture");
+    if (view.plan == nullptr || !view.measured) {
+        ImGui::TextDisabled(view.plan == nullptr ? "There is no plan." : "being counted \u2026");
+        return;
+    }
+    const auto& captures = view.plan->captures;
+    const auto found = std::ranges::find(captures, object.id, &ObjectCapture::object_id);
+    if (found == captures.end()) {
+        ImGui::TextDisabled("No target: nothing has to capture it.");
+        return;
+    }
+    if (found->well_captured) {
+        ImGui::TextColored(palette().good, "\u25cf well captured");
+    } else if (found->captured) {
+        ImGui::TextColored(palette().warning, "\u25d0 captured, but small in the image");
+    } else {
+        ImGui::TextColored(palette().bad, "\u25cb not captured");
+        const auto& uncaptured = view.plan->uncaptured;
+        const auto missing = std::ranges::find(uncaptured, object.id, &UncapturedObject::object_id);
+        if (missing != uncaptured.end()) paragraph(missing->reason);
+    }
+    if (!beginForm("capture")) return;
+    if (found->best.frame >= 0) {
+        drawView("Best frame", found->best, "selection.best_frame", actions);
+    } else {
+        formText("Best frame", "it is never seen");
+    }
+    if (found->well_captured && found->best_well.frame != found->best.frame) {
+        drawView("Best well", found->best_well, "selection.best_well_frame", actions);
+    }
+    endForm();
+}
+
+}  // namespace
+
+void drawObject(const SelectionView& view, int id, SelectionState& state,
+                SelectionActions& actions) {
+    const Object& object = view.scene->object(id);
+    heading(objectName(*view.scene, id).c_str());
+    ImGui::SameLine();
+    ImGui::TextColored(palette().text_dim, "no. %d", id);
+    drawProperties(view, object, state, actions);
+    drawCapture(view, object, actions);
+    if (view.plan == nullptr || object.role != Role::Target) return;
+    const int point = observationPointOf(*view.plan, id);
+    if (point < 0) return;
+    heading("Search for a view");
+    ImGui::Checkbox("Show candidates", &state.show_candidates);
+    nameItem("selection.show_candidates");
+    tooltip("Every place that was tried, coloured by its reason");
+    drawSearch(view, point, actions);
+}
+
+void drawObjects(const SelectionView& view, SelectionState& state, SelectionActions& actions) {
+    const std::vector<int>& ids = view.selection->objects;
+    heading(fmt::format("{} objects", ids.size()).c_str());
+    if (const auto clicked = objectLinks(*view.scene, ids, "selection.object", 24)) {
+        actions.select = clicked;
+    }
+    ImGui::Spacing();
+    if (button("Go to", "selection.frame")) actions.frame = true;
+    heading("Make one object of them");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##name", "Its name", &state.merge_name);
+    nameItem("selection.merge_name");
+    const std::string why_not = state.merge_name.empty() ? "Give the new object a name first." : "";
+    if (button("Merge into one", "selection.merge", {.why_not = why_not})) {
+        actions.edit.operation = {
+            {"op", "merge"}, {"objects", objectKeys(*view.scene, ids)}, {"name", state.merge_name}};
+        state.merge_name.clear();
+    }
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/document/edits.h"
+#include "engine/plan/plan.h"
+#include "ui/edit_request.h"
+#include "ui/selection.h"
+
+#include <optional>
+#include <string>
+
+namespace dollytrack::planning {
+class FreeSpace;
+}
+
+namespace dollytrack::ui {
+
+/// What the panel may read this frame.
+struct SelectionView {
+    const Selection* selection = nullptr;
+    const Scene* scene = nullptr;                     // on the screen; null: no project is open
+    const Plan* plan = nullptr;                       // of that scene; null before planning
+    bool measured = false;                            // the captures belong to this plan
+    const Edits* edits = nullptr;                     // the newest; may be ahead of scene and plan
+    const planning::FreeSpace* free_space = nullptr;  // null before planning
+};
+
+/// What the panel remembers between frames.
+struct SelectionState {
+    bool show_candidates = true;  // of the selected target, in the viewport
+    std::string class_filter;
+    std::string merge_name;
+};
+
+/// What the user asked for.
+struct SelectionActions {
+    EditRequest edit;
+    std::optional<Selection> select;
+    bool frame = false;  // bring what is selected into the viewport
+    int go_to_frame = -1;
+    std::optional<Pose> look_through;
+};
+
+/// What is known of the thing that was clicked, why the plan treats it as it does, and what can be
+/// changed of it.
+SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& state);
+
+}  // namespace dollytrack::ui
