@@ -1,0 +1,88 @@
+#include "app/editor/export_places.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace dollytrack::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool inPath(const char* program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (!folder.empty() && access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+fs::path folderBeside(const fs::path& folder, const fs::path& project,
+                      const std::vector<ui::ExportJob>& jobs) {
+    const fs::path parent =
+        (folder.has_filename() ? folder : folder.parent_path()).lexically_normal().parent_path();
+    const std::string stem = project.stem().string();
+    const auto taken = [&](const fs::path& place) {
+        return place == folder.lexically_normal() ||
+               std::ranges::any_of(jobs, [&](const ui::ExportJob& job) {
+                   return job.request.folder.lexically_normal() == place;
+               });
+    };
+    fs::path place = parent / stem;
+    for (int i = 2; taken(place); ++i) place = parent / (stem + "_" + std::to_string(i));
+    return place;
+}
+
+std::string whyNoFolders() {
+    static const bool there = inPath("xdg-open");
+    return there ? "" : "Install xdg-utils to open folders from here.";
+}
+
+Status openFolder(const fs::path& folder) {
+    if (const std::string why = whyNoFolders(); !why.empty()) {
+        return fail(ErrorCode::Failed, why, folder.string());
+    }
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        return fail(ErrorCode::Failed, "The folder is not there any more.", folder.string());
+    }
+    // By way of a shell that ends at once, so that nobody has to wait for the file manager. The
+    // folder is the shell's $0: no character of it is read as a command.
+    std::string shell = "sh";
+    std::string flag = "-c";
+    std::string script = "xdg-open \"$0\" >/dev/null 2>&1 &";
+    std::string argument = folder.string();
+    char* const arguments[] = {shell.data(), flag.data(), script.data(), argument.data(), nullptr};
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSID);
+    pid_t process = 0;
+    const int failed = posix_spawn(&process, "/bin/sh", &files, &how, arguments, environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed != 0) {
+        return fail(
+            ErrorCode::Failed,
+            std::string("The file manager cannot be started: ") + std::strerror(failed) + ".",
+            folder.string());
+    }
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    return {};
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "ui/export_job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// A folder for another project's dataset, beside `folder` and named after the project; with a
+/// number where a job of the queue writes there already.
+[[nodiscard]] std::filesystem::path folderBeside(const std::filesystem::path& folder,
+                                                 const std::filesystem::path& project,
+                                                 const std::vector<ui::ExportJob>& jobs);
+
+/// Why openFolder() cannot work on this computer; empty when it can.
+[[nodiscard]] std::string whyNoFolders();
+
+/// Shows a folder in the desktop's file manager. Returns at once.
+Status openFolder(const std::filesystem::path& folder);
+
+}  // namespace dollytrack::editor

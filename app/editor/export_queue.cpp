@@ -1,0 +1,333 @@
+#include "app/editor/export_queue.h"
+
+#include "app/editor/child_process.h"
+#include "app/editor/export_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+namespace fs = std::filesystem;
+
+constexpr auto kLook = std::chrono::milliseconds(50);
+// To finish the frame at hand and say goodbye.
+constexpr auto kPatience = std::chrono::seconds(10);
+constexpr auto kPatienceAtExit = std::chrono::seconds(2);
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+    return text;
+}
+
+std::vector<std::string> commandFor(const fs::path& program, const fs::path& project,
+                                    const ui::ExportJob& job) {
+    const ui::ExportRequest& request = job.request;
+    std::vector<std::string> command = {
+        program.string(), "export",      project.string(), "--out", request.folder.string(),
+        "--range",        request.range, "--progress",     "json"};
+    if (!request.modalities.empty()) {
+        command.insert(command.end(), {"--modalities", joined(request.modalities)});
+    }
+    if (!request.formats.empty()) {
+        command.insert(command.end(), {"--formats", joined(request.formats)});
+    }
+    if (request.overwrite) command.emplace_back("--overwrite");
+    if (job.resumes) command.emplace_back("--resume");
+    return command;
+}
+
+bool isProgram(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+}
+
+}  // namespace
+
+Result<fs::path> findExportProgram() {
+    std::error_code error;
+    const fs::path self = fs::read_symlink("/proc/self/exe", error);
+    if (!error && isProgram(self.parent_path() / "dollytrack")) {
+        return self.parent_path() / "dollytrack";
+    }
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (!folder.empty() && isProgram(fs::path(folder) / "dollytrack")) {
+            return fs::path(folder) / "dollytrack";
+        }
+    }
+    return fail(ErrorCode::Failed,
+                "The program 'dollytrack', which does the exporting, is neither beside the editor "
+                "nor in PATH; build or install it.");
+}
+
+ExportQueue::ExportQueue(fs::path snapshot_folder, fs::path program,
+                         std::function<void()> on_change)
+    : snapshot_folder_(std::move(snapshot_folder)),
+      program_(std::move(program)),
+      on_change_(std::move(on_change)),
+      thread_([this] { loop(); }) {}
+
+ExportQueue::~ExportQueue() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    something_to_do_.notify_all();
+    thread_.join();
+    std::error_code error;
+    for (const Entry& entry : entries_) {
+        if (entry.project != nullptr) fs::remove(entry.project_file, error);
+    }
+}
+
+int ExportQueue::add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project) {
+    Entry entry;
+    entry.job.request = std::move(request);
+    entry.project = std::move(project);
+    return addEntry(std::move(entry));
+}
+
+int ExportQueue::addFile(ui::ExportRequest request, fs::path project_file) {
+    Entry entry;
+    entry.job.request = std::move(request);
+    entry.project_file = std::move(project_file);
+    return addEntry(std::move(entry));
+}
+
+int ExportQueue::addEntry(Entry entry) {
+    int id = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        id = ++last_id_;
+        entry.job.id = id;
+        if (entry.project != nullptr) {
+            // Two editors share the folder.
+            entry.project_file = snapshot_folder_ / fmt::format("export-{}-{}.dolly", getpid(), id);
+        }
+        entries_.push_back(std::move(entry));
+    }
+    something_to_do_.notify_all();
+    return id;
+}
+
+void ExportQueue::hold(bool held) {
+    {
+        const std::lock_guard lock(mutex_);
+        held_ = held;
+    }
+    something_to_do_.notify_all();
+}
+
+bool ExportQueue::held() const {
+    const std::lock_guard lock(mutex_);
+    return held_;
+}
+
+void ExportQueue::cancel(int id) {
+    update(id, [](Entry& entry) {
+        if (entry.job.state == ui::ExportState::Waiting) {
+            entry.job.state = ui::ExportState::Cancelled;
+        } else if (entry.job.active()) {
+            entry.cancel_asked = true;
+            entry.job.state = ui::ExportState::Stopping;
+        }
+    });
+}
+
+void ExportQueue::resume(int id) {
+    update(id, [](Entry& entry) {
+        ui::ExportJob& job = entry.job;
+        if (job.state != ui::ExportState::Cancelled && job.state != ui::ExportState::Failed) return;
+        // One that never ran begins as it was asked to.
+        job.resumes = job.frames_done > 0;
+        job.state = ui::ExportState::Waiting;
+        job.error = {};
+        job.last_words.clear();
+        entry.cancel_asked = false;
+    });
+    something_to_do_.notify_all();
+}
+
+void ExportQueue::remove(int id) {
+    fs::path snapshot;
+    {
+        const std::lock_guard lock(mutex_);
+        Entry* entry = find(id);
+        if (entry == nullptr) return;
+        if (entry->job.active()) {
+            entry->cancel_asked = true;
+            entry->remove_asked = true;
+            entry->job.state = ui::ExportState::Stopping;
+            return;
+        }
+        if (entry->project != nullptr) snapshot = entry->project_file;
+        entries_.remove_if([&](const Entry& one) { return one.job.id == id; });
+    }
+    std::error_code error;
+    if (!snapshot.empty()) fs::remove(snapshot, error);
+    changed();
+}
+
+void ExportQueue::move(int id, int by) {
+    const std::lock_guard lock(mutex_);
+    const auto at =
+        std::ranges::find(entries_, id, [](const Entry& entry) { return entry.job.id; });
+    if (at == entries_.end()) return;
+    if (by < 0 && at != entries_.begin()) entries_.splice(std::prev(at), entries_, at);
+    if (by > 0 && std::next(at) != entries_.end()) entries_.splice(at, entries_, std::next(at));
+}
+
+std::vector<ui::ExportJob> ExportQueue::jobs() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<ui::ExportJob> jobs;
+    for (const Entry& entry : entries_) jobs.push_back(entry.job);
+    return jobs;
+}
+
+bool ExportQueue::busy() const {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(entries_, [](const Entry& entry) { return entry.job.active(); });
+}
+
+ExportQueue::Entry* ExportQueue::find(int id) {
+    const auto at =
+        std::ranges::find(entries_, id, [](const Entry& entry) { return entry.job.id; });
+    return at == entries_.end() ? nullptr : &*at;
+}
+
+ExportQueue::Entry* ExportQueue::nextWaiting() {
+    if (held_) return nullptr;
+    const auto at = std::ranges::find(entries_, ui::ExportState::Waiting,
+                                      [](const Entry& entry) { return entry.job.state; });
+    return at == entries_.end() ? nullptr : &*at;
+}
+
+void ExportQueue::changed() const {
+    if (on_change_) on_change_();
+}
+
+void ExportQueue::update(int id, const std::function<void(Entry&)>& change) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (Entry* entry = find(id)) change(*entry);
+    }
+    changed();
+}
+
+/// All programs are started from this thread, which lives as long as the queue: the system ends
+/// them when it ends.
+void ExportQueue::loop() {
+    while (true) {
+        int id = 0;
+        {
+            std::unique_lock lock(mutex_);
+            something_to_do_.wait(lock, [this] { return stopping_ || nextWaiting() != nullptr; });
+            if (stopping_) return;
+            ui::ExportJob& job = nextWaiting()->job;
+            job.state = ui::ExportState::Running;
+            job.stage = "starting";
+            job.fraction = 0.0;
+            job.reported_end = false;
+            id = job.id;
+        }
+        changed();
+        runEntry(id);
+        bool gone = false;
+        update(id, [&](Entry& entry) { gone = entry.remove_asked; });
+        if (gone) remove(id);
+    }
+}
+
+Status ExportQueue::writeSnapshot(int id) {
+    std::shared_ptr<const io::ProjectFile> project;
+    fs::path file;
+    update(id, [&](Entry& entry) {
+        project = entry.project;
+        file = entry.project_file;
+    });
+    std::error_code error;
+    if (project == nullptr || fs::exists(file, error)) return {};
+    fs::create_directories(file.parent_path(), error);
+    if (error) {
+        return fail(ErrorCode::CannotWrite,
+                    "The folder for snapshots cannot be made: " + error.message() + ".",
+                    file.parent_path().string());
+    }
+    return io::saveProject(*project, file);
+}
+
+void ExportQueue::runEntry(int id) {
+    const auto failed = [&](const Error& error) {
+        update(id, [&](Entry& entry) {
+            entry.job.state = ui::ExportState::Failed;
+            entry.job.error = error;
+        });
+    };
+    if (const Status written = writeSnapshot(id); !written) return failed(written.error());
+    std::vector<std::string> command;
+    update(id,
+           [&](Entry& entry) { command = commandFor(program_, entry.project_file, entry.job); });
+    Result<ChildProcess> process = ChildProcess::start(command);
+    if (!process) return failed(process.error());
+    follow(id, *process);
+}
+
+void ExportQueue::follow(int id, ChildProcess& process) {
+    LineCutter lines;
+    std::optional<Clock::time_point> asked_at;
+    bool closing = false;
+    const auto listen = [&](std::chrono::milliseconds wait) {
+        const std::string text = process.read(wait);
+        if (text.empty()) return false;
+        lines.add(text);
+        update(id, [&](Entry& entry) {
+            for (std::string line; lines.take(line);) readProgressLine(line, entry.job);
+        });
+        return true;
+    };
+    while (!process.end()) {
+        listen(kLook);
+        bool stop = false;
+        {
+            const std::lock_guard lock(mutex_);
+            closing = stopping_;
+            stop = closing || find(id)->cancel_asked;
+        }
+        if (stop && !asked_at) {
+            asked_at = Clock::now();
+            process.send(SIGTERM);
+        }
+        if (asked_at && Clock::now() - *asked_at > (closing ? kPatienceAtExit : kPatience)) {
+            process.send(SIGKILL);
+        }
+    }
+    // What it said just before its end; something that it left behind could go on for ever.
+    for (int i = 0; i < 100 && listen(std::chrono::milliseconds(0)); ++i) {
+    }
+    fs::path folder;
+    update(id, [&](Entry& entry) { folder = entry.job.request.folder; });
+    std::error_code error;
+    const bool dataset = fs::exists(folder / "dataset.json", error);
+    const bool sheet = fs::exists(folder / "contact_sheet.jpg", error);
+    update(id, [&](Entry& entry) {
+        readProgressLine(lines.rest(), entry.job);
+        concludeJob({*process.end(), asked_at.has_value(), dataset}, entry.job);
+        if (entry.job.state == ui::ExportState::Done && sheet) {
+            entry.job.contact_sheet = folder / "contact_sheet.jpg";
+        }
+    });
+}
+
+}  // namespace dollytrack::editor

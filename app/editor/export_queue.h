@@ -1,0 +1,90 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/project_file.h"
+#include "ui/export_job.h"
+
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace dollytrack::editor {
+
+class ChildProcess;
+
+/// The command line program that exports: beside this one, else in PATH.
+[[nodiscard]] Result<std::filesystem::path> findExportProgram();
+
+/// Exports one dataset after another, each by a `dollytrack export` of its own on a snapshot of the
+/// project, so that the bytes are those of the command line and a crash costs no more than that
+/// run. All functions return at once, but the destructor, which stops what runs.
+class ExportQueue {
+  public:
+    /// Snapshots are kept in `snapshot_folder` until their job is removed. `on_change` is called
+    /// from a thread of the queue when there is news.
+    ExportQueue(std::filesystem::path snapshot_folder, std::filesystem::path program,
+                std::function<void()> on_change = {});
+    ~ExportQueue();
+    ExportQueue(const ExportQueue&) = delete;
+    ExportQueue& operator=(const ExportQueue&) = delete;
+
+    /// The project as it is now. Returns the job's number.
+    int add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project);
+    /// A project file as it will be when its turn comes.
+    int addFile(ui::ExportRequest request, std::filesystem::path project_file);
+
+    /// While held, what runs goes on and nothing new begins.
+    void hold(bool held);
+    [[nodiscard]] bool held() const;
+
+    // Of the jobs by number; nothing happens where that makes no sense.
+    void cancel(int id);
+    /// Puts a cancelled or failed job back in the queue, to go on where it ended.
+    void resume(int id);
+    /// Also cancels it. The dataset stays as it is.
+    void remove(int id);
+    /// Earlier (-1) or later (1) in the queue.
+    void move(int id, int by);
+
+    [[nodiscard]] std::vector<ui::ExportJob> jobs() const;
+    [[nodiscard]] bool busy() const;
+
+  private:
+    struct Entry {
+        ui::ExportJob job;
+        std::shared_ptr<const io::ProjectFile> project;  // null: it is a file already
+        std::filesystem::path project_file;
+        bool cancel_asked = false;
+        bool remove_asked = false;
+    };
+
+    int addEntry(Entry entry);
+    Entry* find(int id);
+    Entry* nextWaiting();
+    void changed() const;
+    void loop();
+    void runEntry(int id);
+    Status writeSnapshot(int id);
+    void follow(int id, ChildProcess& process);
+    /// Changes the job under the lock.
+    void update(int id, const std::function<void(Entry&)>& change);
+
+    std::filesystem::path snapshot_folder_;
+    std::filesystem::path program_;
+    std::function<void()> on_change_;
+    mutable std::mutex mutex_;
+    std::condition_variable something_to_do_;
+    std::list<Entry> entries_;
+    int last_id_ = 0;
+    bool held_ = false;
+    bool stopping_ = false;
+    std::thread thread_;
+};
+
+}  // namespace dollytrack::editor
