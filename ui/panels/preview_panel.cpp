@@ -261,6 +261,8 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
     back.w = state.full ? 1.0F : 0.94F;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, state.full ? 0.0F : scaled(5));
+    // The viewport's window may have no padding; lists and tooltips need theirs.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(10), scaled(8)});
     ImGui::BeginChild("preview", frame.size, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     actions.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
@@ -278,8 +280,13 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
         drawPicture(view, frame.picture);
     }
     if (state.open && !state.full) drawGrip(state, frame);
+    if (!state.full) {
+        ImGui::GetWindowDrawList()->AddRect(
+            frame.low, {frame.low.x + frame.size.x, frame.low.y + frame.size.y},
+            ImGui::GetColorU32(palette().panel_line), scaled(5));
+    }
     ImGui::EndChild();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
     return actions;
 }
