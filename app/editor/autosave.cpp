@@ -70,11 +70,14 @@ void Autosave::store(io::ProjectFile snapshot, const std::filesystem::path& proj
     last_ = std::chrono::steady_clock::now();
     snapshot.result = nullptr;  // planning makes it again, and the copy stays small
     snapshot.others[kSection] = {{"project", project.string()}};
-    writer_.start([snapshot = std::move(snapshot), file = file_](const JobContext&) {
+    writer_.start([snapshot = std::move(snapshot), file = file_,
+                   old = std::exchange(restored_from_, {})](const JobContext&) {
         std::error_code ignored;
         std::filesystem::create_directories(file.parent_path(), ignored);
         if (const Status status = io::saveProject(snapshot, file); !status) {
             log::warn("autosave", describe(status.error()));
+        } else if (!old.empty()) {
+            std::filesystem::remove(old, ignored);
         }
     });
 }

@@ -29,6 +29,8 @@ class Autosave {
     [[nodiscard]] bool isDue() const;
     /// `project` is where the work was saved last.
     void store(io::ProjectFile snapshot, const std::filesystem::path& project);
+    /// Removes the copy that this work was restored from, once the new one is written.
+    void forgetAfterwards(const LostWork& work) { restored_from_ = work.file; }
     /// The work is saved, or thrown away by its owner: the copy goes.
     void discard();
 
@@ -42,6 +44,7 @@ class Autosave {
 
   private:
     std::filesystem::path file_;
+    std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;
     BackgroundWorker writer_;
 };

@@ -1,12 +1,8 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
-#include "engine/document/operation.h"
-#include "render/look_inside.h"
-#include "ui/panels/metrics_panel.h"
-#include "ui/panels/parameters_panel.h"
 #include "ui/theme.h"
-#include "ui/widgets/item_map.h"
+#include "ui/widgets/field_editor.h"
 #include "ui/widgets/splitter.h"
 
 #include <fmt/format.h>
@@ -22,10 +18,33 @@ constexpr ImGuiWindowFlags kPart = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-bool beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more = 0) {
+void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more = 0) {
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
-    return ImGui::Begin(name, nullptr, kPart | more);
+    ImGui::Begin(name, nullptr, kPart | more);
+}
+
+/// The frames that stand on key frames, and the rooms they pass.
+void describeTimeline(const Scene& scene, const Plan& plan, std::vector<ui::TimelineKey>& keys,
+                      std::vector<ui::TimelineBand>& bands) {
+    keys.clear();
+    bands.clear();
+    const auto& frames = plan.trajectory.frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const int at = static_cast<int>(i);
+        if (bands.empty() || frames[i].path != frames[i - 1].path ||
+            frames[i].component != frames[i - 1].component) {
+            bands.push_back({at, at, fmt::format("room {}", frames[i].component + 1)});
+        }
+        bands.back().end = at + 1;
+        if (frames[i].position_point < 0) continue;
+        std::string text;
+        const PositionPoint& point =
+            plan.position_points[static_cast<std::size_t>(frames[i].position_point)];
+        for (const int id : point.captured)
+            text += (text.empty() ? "" : ", ") + scene.object(id).name;
+        keys.push_back({at, text.empty() ? "captures nothing" : "captures " + text});
+    }
 }
 
 }  // namespace
@@ -37,11 +56,18 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       settings_(std::move(settings)),
       workspace_(&Window::wake),
       drawing_(std::move(drawing), &Window::wake),
+      layers_(&Window::wake),
+      sheet_(&Window::wake),
+      files_(&Window::wake),
       draft_fields_(planning::listFields(draft_)),
       standard_fields_(planning::listFields(standard_)) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
     addCommands();
+    makeExportQueue();
+    for (const Field& field : standard_fields_) {
+        palette_parameters_.push_back({field.name, std::string(field.text())});
+    }
 }
 
 Editor::~Editor() {
@@ -57,28 +83,49 @@ void Editor::setTheme() {
 
 void Editor::refreshScene() {
     if (workspace_.takeOpened()) {
-        selected_.clear();
+        selection_ = {};
         hidden_.clear();
+        frame_ = 0;
+        step_ = 0;
+        playing_ = false;
+        through_camera_ = false;
         scene_sent_ = false;
+        scene_framed_ = false;
         drawn_geometry_ = 0;
-        if (!workspace_.isOpen()) drawing_.setScene(nullptr, nullptr, 0);
-        if (workspace_.isOpen()) {
+        autosaved_.reset();
+        if (!workspace_.isOpen()) {
+            drawing_.setScene(nullptr, nullptr, 0);
+        } else {
             settings_.addRecent(workspace_.path().empty() ? workspace_.sceneFile()
                                                           : workspace_.path());
         }
-        window_.setTitle(workspace_.title());
     }
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.scene) return;
+    if (shown.plan.get() != plan_seen_) {
+        plan_seen_ = shown.plan.get();
+        ++plan_serial_;
+        timeline_keys_.clear();
+        timeline_bands_.clear();
+        if (shown.plan) {
+            describeTimeline(*shown.scene, *shown.plan, timeline_keys_, timeline_bands_);
+            step_ = std::min(step_, shown.plan->roadmap.steps.steps.size());
+        }
+        frame_ = std::clamp(frame_, 0, std::max(frameCount() - 1, 0));
+        // Indices into the plan before mean nothing in this one.
+        if (selection_.objects.empty() && selection_.kind != ui::Selection::Kind::Voxel &&
+            selection_.kind != ui::Selection::Kind::NoGoBox && !gizmo_pose_) {
+            keepSelection();
+        }
+    }
     const auto light = workspace_.light();
     if (scene_sent_ && drawn_geometry_ == shown.geometry && drawn_light_ == light.get()) return;
     if (drawn_geometry_ != shown.geometry) {
-        if (!scene_sent_) {
-            viewport_.camera = {};
-            viewport_.camera.frame(shown.scene->room_bounds, 1.5);
-            viewport_.camera.distance *= 0.8;
-        }
         hidden_.assign(shown.scene->objects.size() + 1, false);
+        std::erase_if(selection_.objects, [&](int id) {
+            return static_cast<std::size_t>(id) > shown.scene->objects.size();
+        });
+        if (selection_.objects.empty()) selection_ = {};
     }
     drawing_.setScene(shown.scene, light, shown.geometry);
     drawn_geometry_ = shown.geometry;
@@ -86,72 +133,89 @@ void Editor::refreshScene() {
     scene_sent_ = true;
 }
 
-void Editor::refreshPicture(const ui::ViewportActions& pane) {
-    const PlanOutcome& shown = workspace_.shown();
-    if (!shown.scene || !scene_sent_) return;
-    ui::ViewRequest request;
-    request.view = viewport_.camera.view(pane.width, pane.height);
-    request.pixel_scale = window_.contentScale() * settings_.zoom;
-    request.view.hidden = hidden_;
-    const Eigen::AlignedBox3d building =
-        render::buildingOf(*shown.scene, shown.plan ? std::span(shown.plan->rooms)
-                                                    : std::span<const Eigen::AlignedBox3d>());
-    const Eigen::Vector3d eye = viewport_.camera.pose().position;
-    const bool outside = !building.isEmpty() && !building.contains(eye);
-    if (cut_open_ && outside) {
-        const std::vector<bool> covers = render::hidesRooms(*shown.scene);
-        for (std::size_t i = 0; i < covers.size() && i < request.view.hidden.size(); ++i) {
-            if (covers[i]) request.view.hidden[i] = true;
-        }
-        const Eigen::Vector3d way = viewport_.camera.towardsViewer();
-        if (way.z() > -0.1) {
-            Eigen::Vector3d aside(way.x(), way.y(), 0.0);
-            // From straight above every wall stays; the lower one looks, the steeper the cut.
-            aside *= std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2);
-            request.view.structure_cut = render::cutTowards(building, building.min().z(), aside);
+void Editor::play() {
+    if (!playing_ || plan() == nullptr || frameCount() < 2) {
+        playing_ = false;
+        return;
+    }
+    window_.animate();
+    played_s_ += ImGui::GetIO().DeltaTime * timeline_.speed;
+    const double interval = plan()->trajectory.frame_interval_s;
+    const int ahead = static_cast<int>(played_s_ / interval);
+    if (ahead == 0) return;
+    played_s_ -= ahead * interval;
+    int next = frame_ + ahead;
+    if (next >= frameCount()) {
+        if (timeline_.loop) {
+            next %= frameCount();
+        } else {
+            next = frameCount() - 1;
+            playing_ = false;
         }
     }
-    const bool dark = settings_.theme == ui::ThemeKind::Dark;
-    request.view.backdrop =
-        dark ? Eigen::Vector3f(0.125F, 0.137F, 0.153F) : Eigen::Vector3f(0.955F, 0.955F, 0.95F);
-    drawing_.requestView(std::move(request));
+    frame_ = next;
 }
 
 bool Editor::frame() {
-    for (const std::string& path : window_.takeDroppedPaths()) workspace_.open(path);
-    if (window_.takeCloseRequest()) quitting_ = true;
-    if (window_.takeScaleChange()) setTheme();
+    for (const std::string& path : window_.takeDroppedPaths()) openAfterAsking(path);
+    if (window_.takeCloseRequest()) commands_.find("file.quit")->run();
+    if (window_.takeScaleChange()) {
+        setTheme();
+        window_.requestFonts(window_.contentScale() * settings_.zoom);
+    }
     workspace_.poll();
+    layers_.poll();
     refreshScene();
-    commands_.runShortcuts();
+    play();
+    if (!files_.isOpen() && !palette_.open && !help_.open && !notice_ && !after_unsaved_) {
+        commands_.runShortcuts();
+        runKeypad();
+    }
     drawMenus();
+    arrange();
+    drawDialogs();
+    requestLayers();
+    requestPicture();
+    requestPreview();
+    autosave();
+    window_.setTitle(workspace_.title());
+    return !quitting_;
+}
 
+void Editor::arrange() {
     const ImGuiViewport* screen = ImGui::GetMainViewport();
     const ImVec2 low = screen->WorkPos;
     const ImVec2 size = screen->WorkSize;
     Layout& layout = settings_.layout;
-    const float status = ImGui::GetFrameHeight() + ui::scaled(4);
-    const float left = layout.show_left ? ui::scaled(layout.left) : 0.0F;
-    const float right = layout.show_right ? ui::scaled(layout.right) : 0.0F;
-    const float bottom = layout.show_bottom ? ui::scaled(layout.bottom) : 0.0F;
-    const float middle_height = size.y - status - bottom;
+    const float scale = ui::scaled(1.0F);
+    const float status = ImGui::GetFrameHeight() + ui::scaled(6);
+    // The viewport keeps a useful size in a small window.
+    const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
+    const float most_bottom = std::max(size.y / scale - 300.0F, 120.0F);
+    layout.left = std::clamp(layout.left, 180.0F, most_side);
+    layout.right = std::clamp(layout.right, 180.0F, most_side);
+    layout.bottom = std::clamp(layout.bottom, 110.0F, most_bottom);
+    const float left = layout.show_left ? scale * layout.left : 0.0F;
+    const float right = layout.show_right ? scale * layout.right : 0.0F;
+    const float bottom = layout.show_bottom ? scale * layout.bottom : 0.0F;
+    const float middle = size.y - status - bottom;
     if (layout.show_left) {
-        beginPart("left", low, {left, middle_height});
+        beginPart("left", low, {left, middle});
         drawLeft();
         ImGui::End();
     }
     if (layout.show_right) {
-        beginPart("right", {low.x + size.x - right, low.y}, {right, middle_height});
+        beginPart("right", {low.x + size.x - right, low.y}, {right, middle});
         drawRight();
         ImGui::End();
     }
     if (layout.show_bottom) {
-        beginPart("bottom", {low.x, low.y + middle_height}, {size.x, bottom});
+        beginPart("bottom", {low.x, low.y + middle}, {size.x, bottom});
         drawBottom();
         ImGui::End();
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    beginPart("centre", {low.x + left, low.y}, {size.x - left - right, middle_height},
+    beginPart("centre", {low.x + left, low.y}, {size.x - left - right, middle},
               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     drawCentre();
@@ -160,11 +224,27 @@ bool Editor::frame() {
               ImGuiWindowFlags_NoScrollbar);
     drawStatus();
     ImGui::End();
-    drawDialogs();
-    refreshPicture(pane_);
-    autosave();
-    window_.setTitle(workspace_.title());
-    return !quitting_;
+    const float grip = ui::scaled(3);
+    const auto drag = [&](const char* name, ImVec2 from, ImVec2 to, bool vertical, float sign,
+                          float& length, float least, float most) {
+        float px = scale * length;
+        ui::splitter(name, from, to, vertical, sign, px, scale * least, scale * most);
+        length = px / scale;
+    };
+    if (layout.show_left) {
+        drag("splitter.left", {low.x + left - grip, low.y}, {low.x + left + grip, low.y + middle},
+             true, 1.0F, layout.left, 180, most_side);
+    }
+    if (layout.show_right) {
+        const float at = low.x + size.x - right;
+        drag("splitter.right", {at - grip, low.y}, {at + grip, low.y + middle}, true, -1.0F,
+             layout.right, 180, most_side);
+    }
+    if (layout.show_bottom) {
+        drag("splitter.bottom", {low.x, low.y + middle - grip},
+             {low.x + size.x, low.y + middle + grip}, false, -1.0F, layout.bottom, 110,
+             most_bottom);
+    }
 }
 
 void Editor::autosave() {
@@ -176,164 +256,128 @@ void Editor::autosave() {
     } else if (autosaved_ != state && autosave_.isDue()) {
         autosave_.store(workspace_.snapshot(), workspace_.path());
         autosaved_ = state;
+        if (restored_) autosave_.forgetAfterwards(*std::exchange(restored_, std::nullopt));
     }
 }
 
-void Editor::drawMenus() {
-    if (!ImGui::BeginMainMenuBar()) return;
-    if (ImGui::BeginMenu("File")) {
-        commands_.drawMenuItem("file.save");
-        commands_.drawMenuItem("file.quit");
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("Edit")) {
-        commands_.drawMenuItem("edit.undo");
-        commands_.drawMenuItem("edit.redo");
-        ImGui::EndMenu();
-    }
-    ImGui::EndMainMenuBar();
-}
-
-void Editor::drawLeft() {
-    const PlanOutcome& shown = workspace_.shown();
-    ui::ObjectsView view;
-    view.scene = shown.scene.get();
-    if (shown.plan && shown.measured) view.captures = &shown.plan->captures;
-    view.selected = &selected_;
-    view.hidden = &hidden_;
-    const ui::ObjectsActions actions = ui::drawObjectsPanel(view, objects_);
-    if (actions.clicked != 0) select(actions.clicked, actions.add_to_selection);
-    if (actions.toggle_hidden != 0) {
-        const auto at = static_cast<std::size_t>(actions.toggle_hidden);
-        hidden_[at] = !hidden_[at];
-    }
-    if (actions.toggle_target != 0) {
-        const bool target = shown.scene->object(actions.toggle_target).role == Role::Target;
-        const Status done = workspace_.apply(
-            {{"op", target ? "exclude" : "include"}, {"object", actions.toggle_target}});
-        if (!done) log::warn("edits", describe(done.error()));
+void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
+    if (const Status done = workspace_.apply(operation, merge_key); !done) {
+        notice_ = Workspace::Notice{true, "That cannot be done", describe(done.error()), {}};
     }
 }
 
-void Editor::select(int object, bool add) {
-    if (!add) selected_.clear();
-    const auto at = std::ranges::find(selected_, object);
-    if (at != selected_.end()) {
-        selected_.erase(at);
+void Editor::applyRequest(const ui::EditRequest& request) {
+    if (request.asks()) apply(request.operation, request.merge_key);
+    if (request.ends_merge) workspace_.endMerge();
+}
+
+void Editor::select(ui::Selection selection) {
+    selection_ = std::move(selection);
+    if (selection_.kind == ui::Selection::Kind::Frame) goToFrame(selection_.index);
+    if (!selection_.objects.empty()) objects_.scroll_to = selection_.objects.back();
+    if (selection_.kind != ui::Selection::Kind::None) focus_tab_ = "Selection";
+}
+
+void Editor::selectObject(int object, bool add) {
+    std::vector<int> objects = add ? selection_.objects : std::vector<int>();
+    const auto at = std::ranges::find(objects, object);
+    if (at != objects.end()) {
+        objects.erase(at);
     } else if (object != 0) {
-        selected_.push_back(object);
-        objects_.scroll_to = object;
+        objects.push_back(object);
+    }
+    ui::Selection selection;
+    if (!objects.empty()) {
+        selection.kind =
+            objects.size() == 1 ? ui::Selection::Kind::Object : ui::Selection::Kind::Objects;
+    }
+    selection.objects = std::move(objects);
+    select(std::move(selection));
+}
+
+void Editor::keepSelection() {
+    using Kind = ui::Selection::Kind;
+    const Plan* now = plan();
+    const auto fits = [&](std::size_t count) {
+        return selection_.index >= 0 && static_cast<std::size_t>(selection_.index) < count;
+    };
+    bool kept = now != nullptr;
+    if (kept && selection_.kind == Kind::Frame) kept = fits(now->trajectory.frames.size());
+    if (kept && selection_.kind == Kind::ObservationPoint) {
+        kept = fits(now->observation_points.size());
+    }
+    if (kept && selection_.kind == Kind::PositionPoint) kept = fits(now->position_points.size());
+    if (kept && selection_.kind == Kind::Edge) kept = fits(now->roadmap.edges.size());
+    if (kept && selection_.kind == Kind::RefusedEdge) kept = fits(now->roadmap.refused.size());
+    if (kept && selection_.kind == Kind::Candidate) {
+        const auto search = static_cast<std::size_t>(selection_.search);
+        kept = search < now->searches.size() && fits(now->searches[search].candidates.size());
+    }
+    if (!kept) selection_ = {};
+}
+
+void Editor::goToFrame(int frame) {
+    frame_ = std::clamp(frame, 0, std::max(frameCount() - 1, 0));
+    preview_.shows_selection = false;
+}
+
+void Editor::lookThroughFrame(bool through) {
+    if (through == through_camera_) return;
+    through_camera_ = through;
+    if (through || plan() == nullptr || frame_ >= frameCount()) return;
+    // Leaves the camera where it was, so that one goes on looking from there.
+    viewport_.camera.orthographic = false;
+    viewport_.camera.standAt(plan()->trajectory.frames[static_cast<std::size_t>(frame_)].pose, 1.5);
+}
+
+void Editor::lookAlongPose(const Pose& pose) {
+    through_camera_ = false;
+    viewport_.camera.orthographic = false;
+    viewport_.camera.standAt(pose, 1.5);
+}
+
+void Editor::runKeypad() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || !workspace_.shown().scene) return;
+    for (const KeypadKey& key : keypad_) {
+        if (ImGui::IsKeyPressed(key.key) && key.ctrl == io.KeyCtrl) key.run();
     }
 }
 
-void Editor::editParameters() {
-    if (!workspace_.isOpen()) {
-        ImGui::TextDisabled("No scene is open.");
-        return;
-    }
-    if (!setFromJson(draft_fields_, workspace_.state().parameters)) return;
-    ui::ParametersView view;
-    view.standard = &standard_fields_;
-    view.has_scene = true;
-    view.filter = &parameter_filter_;
-    const ui::ParametersActions actions = ui::drawParametersPanel(view, draft_fields_);
-    if (actions.reset_all) {
-        draft_ = standard_;
-        workspace_.setParameters(toJson(draft_fields_), "Reset all parameters", "");
-    } else if (!actions.edited.empty()) {
-        const auto field = std::ranges::find(draft_fields_, actions.edited, &Field::name);
-        workspace_.setParameters(toJson(draft_fields_),
-                                 fmt::format("Set {} to {}", actions.edited, field->valueText()),
-                                 "set " + actions.edited);
-    }
-    if (actions.finished) workspace_.endMerge();
+int Editor::frameCount() const {
+    return plan() != nullptr ? static_cast<int>(plan()->trajectory.frames.size()) : 0;
 }
-
-void Editor::drawRight() {
-    if (!ImGui::BeginTabBar("right tabs")) return;
-    if (ImGui::BeginTabItem("Parameters")) {
-        editParameters();
-        ImGui::EndTabItem();
-    }
-    ui::nameItem("tab.parameters");
-    if (ImGui::BeginTabItem("Metrics")) {
-        const PlanOutcome& shown = workspace_.shown();
-        const BackgroundWorker::State job = workspace_.planning();
-        ui::MetricsView view;
-        view.plan = shown.plan.get();
-        view.measured = shown.measured;
-        view.scene = shown.scene.get();
-        view.busy = job.busy;
-        view.stage = job.stage;
-        view.fraction = job.fraction;
-        view.last_run_ms = workspace_.lastLatency_ms();
-        const ui::MetricsActions actions = ui::drawMetricsPanel(view);
-        if (actions.select_object != 0) select(actions.select_object, false);
-        ImGui::EndTabItem();
-    }
-    ui::nameItem("tab.metrics");
-    ImGui::EndTabBar();
-}
-
-void Editor::drawBottom() {
-    if (!ImGui::BeginTabBar("bottom tabs")) return;
-    if (ImGui::BeginTabItem("Log")) {
-        ui::drawLogPanel(log_, log_state_);
-        ImGui::EndTabItem();
-    }
-    ui::nameItem("tab.log");
-    ImGui::EndTabBar();
-}
-
-void Editor::drawCentre() {
-    ui::ViewportView view;
-    view.image = &drawing_.view();
-    const BackgroundWorker::State loading = workspace_.loading();
-    if (loading.busy) {
-        view.message =
-            fmt::format("Opening … {:.0f} %  {}", 100.0 * loading.fraction, loading.stage);
-    } else if (!workspace_.isOpen()) {
-        view.message = "Drop a scene or a project here, or open one with Ctrl+O";
-    } else if (!scene_sent_) {
-        view.message = "Preparing the scene …";
-    }
-    if (!scene_sent_) view.image = nullptr;
-    pane_ = ui::drawViewport(view, viewport_);
-    if (pane_.camera_moved) window_.animate();
-    if (pane_.clicked && view.image != nullptr) {
-        select(ui::objectAt(*view.image, *pane_.clicked), pane_.add_to_selection);
-    }
-}
-
-void Editor::drawStatus() {
-    const BackgroundWorker::State job = workspace_.planning();
-    if (job.busy) {
-        ImGui::ProgressBar(static_cast<float>(job.fraction), {ui::scaled(120), 0}, "");
-        ImGui::SameLine();
-        ImGui::Text("planning: %s", job.stage.c_str());
-    } else if (const std::string error = workspace_.planError(); !error.empty()) {
-        ImGui::TextColored(ui::palette().bad, "%s", error.c_str());
-    } else if (workspace_.isOpen() && workspace_.shown().plan) {
-        const Plan& plan = *workspace_.shown().plan;
-        ImGui::Text("%zu frames, %zu key frames, %d of %d captured", plan.trajectory.frames.size(),
-                    plan.key_frames.size(), plan.capture_metrics.captured,
-                    plan.capture_metrics.objects);
-    }
-    const std::string right = fmt::format("{:.0f} ms  picture {:.0f} ms", window_.lastFrame_ms(),
-                                          drawing_.view().milliseconds);
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x -
-                    ui::scaled(12));
-    ImGui::TextDisabled("%s", right.c_str());
-}
-
-void Editor::drawDialogs() {}
 
 Eigen::AlignedBox3d Editor::selectedBox() const {
+    using Kind = ui::Selection::Kind;
     Eigen::AlignedBox3d box;
     const auto& scene = workspace_.shown().scene;
     if (!scene) return box;
-    for (const int id : selected_) {
+    for (const int id : selection_.objects) {
         for (const Eigen::Vector3d& corner : scene->object(id).box.corners()) box.extend(corner);
+    }
+    const auto around = [&](const Eigen::Vector3d& place) {
+        box.extend(place - Eigen::Vector3d::Constant(0.4));
+        box.extend(place + Eigen::Vector3d::Constant(0.4));
+    };
+    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
+    if (selection_.kind == Kind::Voxel) around(selection_.place);
+    if (plan() != nullptr) {
+        if (selection_.kind == Kind::PositionPoint && index < plan()->position_points.size()) {
+            around(plan()->position_points[index].pose.position);
+        }
+        if (selection_.kind == Kind::ObservationPoint &&
+            index < plan()->observation_points.size()) {
+            around(plan()->observation_points[index].position);
+        }
+        if (selection_.kind == Kind::Frame && index < plan()->trajectory.frames.size()) {
+            around(plan()->trajectory.frames[index].pose.position);
+        }
+    }
+    if (selection_.kind == Kind::NoGoBox && index < workspace_.state().edits.plan.no_go.size()) {
+        for (const auto& corner : workspace_.state().edits.plan.no_go[index].box.corners()) {
+            box.extend(corner);
+        }
     }
     return box;
 }

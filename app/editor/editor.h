@@ -1,20 +1,39 @@
 #pragma once
 
 #include "app/editor/autosave.h"
+#include "app/editor/export_queue.h"
+#include "app/editor/layer_builder.h"
+#include "app/editor/picture_file.h"
 #include "app/editor/settings.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
+#include "ui/edit_request.h"
+#include "ui/layers.h"
+#include "ui/panels/export_panel.h"
+#include "ui/panels/history_panel.h"
+#include "ui/panels/image_viewer.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/objects_panel.h"
+#include "ui/panels/preview_panel.h"
+#include "ui/panels/selection_panel.h"
+#include "ui/panels/steps_panel.h"
+#include "ui/panels/timeline_panel.h"
+#include "ui/selection.h"
+#include "ui/viewport/gizmo.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/viewport_pane.h"
+#include "ui/widgets/command_palette.h"
 #include "ui/widgets/command_table.h"
+#include "ui/widgets/file_browser.h"
+#include "ui/widgets/help_overlay.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dollytrack::editor {
 
@@ -27,6 +46,8 @@ class Editor {
     ~Editor();
 
     void open(const std::filesystem::path& path) { workspace_.open(path); }
+    /// Asks what shall become of work that an earlier editor lost.
+    void offerLostWork() { lost_ = Autosave::findLost(); }
 
     /// Draws one frame; false ends the program.
     bool frame();
@@ -35,21 +56,80 @@ class Editor {
     [[nodiscard]] nlohmann::json stateJson();
 
   private:
-    void addCommands();
+    // editor.cpp: the frame
+    void arrange();
     void refreshScene();
-    void refreshPicture(const ui::ViewportActions& pane);
+    void autosave();
+    void setTheme();
+    void play();
+
+    // editor_commands.cpp
+    void addCommands();
+    void addFileCommands();
+    void addEditCommands();
+    void addViewCommands();
+    void addTimelineCommands();
     void drawMenus();
+
+    // editor_panels.cpp
     void drawLeft();
     void drawRight();
     void drawBottom();
-    void drawCentre();
     void drawStatus();
+    void drawObjects();
+    void drawLayers();
+    void drawEdits();
+    void drawExport();
+    // editor_export.cpp
+    void makeExportQueue();
+    void drawSheet();
+    [[nodiscard]] ui::ExportView exportView() const;
+    [[nodiscard]] nlohmann::json exportsJson() const;
+    void drawParameters();
+    void drawMetrics();
+    void drawSelection();
+    void drawTimeline();
+    void drawSteps();
+
+    // editor_viewport.cpp
+    void drawCentre();
+    void drawPreview();
+    void drawLegend();
+    void editWithGizmo();
+    void clickAt(const Eigen::Vector2d& pixel, bool add);
+    void requestPicture();
+    void requestPreview();
+    void requestLayers();
+    [[nodiscard]] render::View viewportView() const;
+    [[nodiscard]] std::optional<Pose> previewPose() const;
+
+    // editor_dialogs.cpp
     void drawDialogs();
-    void editParameters();
-    void autosave();
-    void select(int object, bool add);
-    void setTheme();
+    void askForFile(const std::string& id);
+    void answerFile(const ui::FileAnswer& answer);
+    void answerExportFile(const ui::FileAnswer& answer);
+    void savePicture(const std::filesystem::path& path, const ui::PreviewImage& image);
+    void afterUnsaved(std::function<void()> then, const std::string& what_next);
+    void drawUnsaved();
+    void drawLostWork();
+    void openAfterAsking(const std::filesystem::path& path);
+    void save();
+
+    // Changing the project and what is selected
+    void apply(const nlohmann::json& operation, const std::string& merge_key = {});
+    void applyRequest(const ui::EditRequest& request);
+    void select(ui::Selection selection);
+    void selectObject(int object, bool add);
+    void keepSelection();
+    void goToFrame(int frame);
+    void lookThroughFrame(bool through);
+    void lookAlongPose(const Pose& pose);
+    void lockSelectedPoint();
+    void deleteSelected();
+    void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;
+    [[nodiscard]] int frameCount() const;
+    [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 
     Window& window_;
     ui::LogBook& log_;
@@ -57,25 +137,79 @@ class Editor {
     Workspace workspace_;
     Autosave autosave_;
     ui::RenderThread drawing_;
+    LayerBuilder layers_;
     ui::CommandTable commands_;
+    /// The same views on the number pad, as Blender has them.
+    struct KeypadKey {
+        int key = 0;
+        bool ctrl = false;
+        std::function<void()> run;
+    };
+    std::vector<KeypadKey> keypad_;
+    std::unique_ptr<ExportQueue> exports_;  // null where the export program is missing
+    std::string why_no_export_;
+    std::string why_no_folders_;
+    PictureFile sheet_;
+    ui::ImageViewerState sheet_state_;
+    ui::ExportDraft export_draft_;
+    ui::FileBrowser files_;
 
-    // What the widgets remember.
+    // What is chosen and shown.
+    ui::Selection selection_;
+    ui::LayerSettings layer_settings_;
+    std::vector<bool> hidden_;  // by object id
+    int frame_ = 0;             // of the trajectory
+    bool playing_ = false;
+    double played_s_ = 0.0;  // since the last whole frame
+    bool through_camera_ = false;
+    std::size_t step_ = 0;   // of the algorithm
+    bool stepping_ = false;  // its picture is shown
+    bool steps_playing_ = false;
+    double steps_played_ = 0.0;
+    std::uint64_t plan_serial_ = 0;
+    const void* plan_seen_ = nullptr;
+
+    // What the panels remember.
     ui::ViewportState viewport_;
+    ui::ViewportActions pane_;
+    ui::GizmoState gizmo_;
+    bool gizmo_has_mouse_ = false;
+    std::optional<Pose> gizmo_pose_;  // while it is dragged
     ui::ObjectsPanelState objects_;
     ui::LogPanelState log_state_;
+    ui::TimelineState timeline_;
+    ui::StepsState steps_;
+    ui::PreviewState preview_;
+    bool preview_hovered_ = false;
+    ui::HistoryState history_;
+    ui::SelectionState selection_state_;
+    ui::HelpState help_;
+    ui::CommandPaletteState palette_;
+    std::vector<ui::PaletteItem> palette_parameters_;
     std::string parameter_filter_;
+    std::string focus_tab_;  // to be brought to the front
     planning::PlanParams draft_;
     planning::PlanParams standard_;
     FieldList draft_fields_;
     FieldList standard_fields_;
-    std::vector<int> selected_;  // ids
-    std::vector<bool> hidden_;   // by id
-    bool cut_open_ = true;       // ceilings and near walls left away from outside
+    std::vector<ui::TimelineKey> timeline_keys_;
+    std::vector<ui::TimelineBand> timeline_bands_;
+
+    // What the drawing thread has.
     std::uint64_t drawn_geometry_ = 0;
     const void* drawn_light_ = nullptr;
     bool scene_sent_ = false;
-    ui::ViewportActions pane_;
+    bool scene_framed_ = false;
+
+    // Questions to the user.
+    std::optional<Workspace::Notice> notice_;
+    std::function<void()> after_unsaved_;
+    std::string unsaved_what_next_;
+    bool saving_for_question_ = false;
+    std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
+    std::vector<LostWork> lost_;
     CommandStack::State autosaved_;
+    std::optional<LostWork> restored_;  // its copy goes when there is a new one
     bool quitting_ = false;
 };
 

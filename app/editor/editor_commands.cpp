@@ -1,34 +1,436 @@
 #include "app/editor/editor.h"
 
+#include "ui/panels/edit_parts.h"
+#include "ui/widgets/item_map.h"
+
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
 
 namespace dollytrack::editor {
 
+using ui::Selection;
+
+namespace {
+
+ui::Shortcut key(int code) {
+    return {code};
+}
+ui::Shortcut ctrl(int code) {
+    return {code, true};
+}
+ui::Shortcut ctrlShift(int code) {
+    return {code, true, true};
+}
+
+}  // namespace
+
 void Editor::addCommands() {
-    const auto needs_scene = [this] {
+    addFileCommands();
+    addEditCommands();
+    addViewCommands();
+    addTimelineCommands();
+}
+
+void Editor::addFileCommands() {
+    const auto needs_project = [this] {
         return workspace_.isOpen() ? std::string() : std::string("No scene is open.");
     };
-    commands_.add({"file.save",
-                   "File",
-                   "Save",
-                   {GLFW_KEY_S, true},
-                   [this] { workspace_.save(workspace_.path()); },
+    commands_.add({"file.open", "File", "Open…", ctrl(GLFW_KEY_O), [this] { askForFile("open"); }});
+    commands_.add({"file.reload", "File", "Reload from disk", ctrl(GLFW_KEY_R),
+                   [this] {
+                       openAfterAsking(workspace_.path().empty() ? workspace_.sceneFile()
+                                                                 : workspace_.path());
+                   },
+                   needs_project});
+    commands_.add(
+        {"file.save", "File", "Save", ctrl(GLFW_KEY_S), [this] { save(); }, needs_project});
+    commands_.add({"file.save_as", "File", "Save as…", ctrlShift(GLFW_KEY_S),
+                   [this] { askForFile("save"); }, needs_project});
+    commands_.add({"file.close", "File", "Close", ctrl(GLFW_KEY_W),
+                   [this] { afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },
+                   needs_project});
+    commands_.add({"file.export", "File", "Export the dataset…", ctrl(GLFW_KEY_E),
+                   [this] {
+                       settings_.layout.show_bottom = true;
+                       focus_tab_ = "Export";
+                   },
+                   needs_project});
+    commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q),
+                   [this] { afterUnsaved([this] { quitting_ = true; }, "before you leave"); }});
+}
+
+void Editor::addEditCommands() {
+    commands_.add({"edit.undo", "Edit", "Undo", ctrl(GLFW_KEY_Z), [this] { workspace_.undo(); },
+                   [this]() -> std::string {
+                       return workspace_.history().canUndo() ? "" : "There is nothing to undo.";
+                   }});
+    commands_.add({"edit.redo", "Edit", "Redo", ctrlShift(GLFW_KEY_Z),
+                   [this] { workspace_.redo(); },
+                   [this]() -> std::string {
+                       return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
+                   }});
+    commands_.add({"edit.redo_y", "Edit", "Redo (the other key)", ctrl(GLFW_KEY_Y),
+                   [this] { workspace_.redo(); },
+                   [this]() -> std::string {
+                       return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
+                   }});
+    const auto needs_object = [this]() -> std::string {
+        return selection_.objects.empty() ? "Select an object first." : "";
+    };
+    commands_.add({"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
+                   [this] {
+                       const std::vector<int> objects = selection_.objects;
+                       for (const int id : objects) {
+                           apply({{"op", "exclude"}, {"object", id}});
+                       }
+                   },
+                   needs_object});
+    commands_.add({"edit.include",
+                   "Edit",
+                   "Make what is selected a target",
+                   {GLFW_KEY_X, false, true},
+                   [this] {
+                       const std::vector<int> objects = selection_.objects;
+                       for (const int id : objects) {
+                           apply({{"op", "include"}, {"object", id}});
+                       }
+                   },
+                   needs_object});
+    commands_.add({"edit.split",
+                   "Edit",
+                   "Split into connected pieces",
+                   {},
+                   [this] {
+                       const int id = selection_.objects.front();
+                       selection_ = {};
+                       apply({{"op", "split"}, {"object", id}});
+                   },
+                   [this]() -> std::string {
+                       return selection_.objects.size() == 1 ? "" : "Select one object first.";
+                   }});
+    commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
+                   [this] {
+                       const Pose pose = viewportView().pose;
+                       apply({{"op", "add_point"},
+                              {"position", ui::pointJson(pose.position)},
+                              {"quaternion_xyzw", ui::turnJson(pose.rotation)}});
+                   },
+                   [this]() -> std::string {
+                       if (workspace_.shown().scene == nullptr) return "No scene is open.";
+                       return viewport_.camera.orthographic ? "Switch to perspective (5) first."
+                                                            : "";
+                   }});
+    commands_.add({"edit.lock_point", "Edit", "Lock the position point", key(GLFW_KEY_L),
+                   [this] { lockSelectedPoint(); },
+                   [this]() -> std::string {
+                       return selection_.kind == Selection::Kind::PositionPoint
+                                  ? ""
+                                  : "Select a position point first.";
+                   }});
+    commands_.add({"edit.delete", "Edit", "Delete what is selected", key(GLFW_KEY_DELETE),
+                   [this] { deleteSelected(); },
+                   [this]() -> std::string {
+                       const bool can = selection_.kind == Selection::Kind::PositionPoint ||
+                                        selection_.kind == Selection::Kind::ObservationPoint ||
+                                        selection_.kind == Selection::Kind::NoGoBox;
+                       return can ? "" : "Select a position point or a no-go box first.";
+                   }});
+    commands_.add(
+        {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
+         [this] {
+             const Eigen::AlignedBox3d around = selectedBox();
+             const Eigen::Vector3d center =
+                 around.isEmpty() ? viewport_.camera.pivot : around.center();
+             const Eigen::Vector3d size =
+                 around.isEmpty() ? Eigen::Vector3d(1.0, 1.0, 1.0) : around.sizes().eval();
+             apply({{"op", "add_no_go"},
+                    {"center", ui::pointJson(center)},
+                    {"size", ui::pointJson(size)}});
+             const auto& boxes = workspace_.state().edits.plan.no_go;
+             if (!boxes.empty()) {
+                 select(Selection::ofItem(Selection::Kind::NoGoBox,
+                                          static_cast<int>(boxes.size()) - 1));
+             }
+         },
+         [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
+    commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
+                       if (workspace_.loading().busy) {
+                           workspace_.cancelOpening();
+                       } else if (preview_.full) {
+                           preview_.full = false;
+                       } else if (through_camera_) {
+                           lookThroughFrame(false);
+                       } else {
+                           selection_ = {};
+                       }
+                   }});
+}
+
+void Editor::addViewCommands() {
+    const auto needs_scene = [this]() -> std::string {
+        return workspace_.shown().scene ? "" : "No scene is open.";
+    };
+    const auto aspect = [this] {
+        return static_cast<double>(pane_.width) / std::max(pane_.height, 1);
+    };
+    commands_.add({"view.frame_selected", "View", "Show what is selected", key(GLFW_KEY_F),
+                   [this, aspect] {
+                       lookThroughFrame(false);
+                       viewport_.camera.frame(selectedBox(), aspect());
+                   },
+                   [this]() -> std::string {
+                       return selectedBox().isEmpty() ? "Select something first." : "";
+                   }});
+    commands_.add({"view.frame_all", "View", "Show everything", key(GLFW_KEY_HOME),
+                   [this, aspect] {
+                       lookThroughFrame(false);
+                       viewport_.camera.frame(workspace_.shown().scene->room_bounds, aspect());
+                       viewport_.camera.distance *= 0.78;
+                   },
                    needs_scene});
-    commands_.add({"file.quit", "File", "Quit", {GLFW_KEY_Q, true}, [this] { quitting_ = true; }});
+    using Axis = ui::ViewerCamera::Axis;
+    struct AxisKey {
+        const char* id;
+        const char* title;
+        int digit;
+        bool opposite;
+        Axis axis;
+    };
+    static constexpr AxisKey kAxes[] = {{"front", "From the front", 1, false, Axis::Front},
+                                        {"back", "From the back", 1, true, Axis::Back},
+                                        {"right", "From the right", 3, false, Axis::Right},
+                                        {"left", "From the left", 3, true, Axis::Left},
+                                        {"top", "From above", 7, false, Axis::Top},
+                                        {"bottom", "From below", 7, true, Axis::Bottom}};
+    for (const AxisKey& view : kAxes) {
+        const auto look = [this, axis = view.axis] {
+            lookThroughFrame(false);
+            viewport_.camera.lookFrom(axis);
+        };
+        commands_.add({"view." + std::string(view.id),
+                       "View",
+                       view.title,
+                       {GLFW_KEY_0 + view.digit, view.opposite},
+                       look,
+                       needs_scene});
+        keypad_.push_back({GLFW_KEY_KP_0 + view.digit, view.opposite, look});
+    }
+    const auto orthographic = [this] {
+        lookThroughFrame(false);
+        viewport_.camera.orthographic = !viewport_.camera.orthographic;
+    };
+    commands_.add({"view.orthographic", "View", "Parallel projection", key(GLFW_KEY_5),
+                   orthographic, needs_scene, [this] { return viewport_.camera.orthographic; }});
+    keypad_.push_back({GLFW_KEY_KP_5, false, orthographic});
+    const auto through = [this] { lookThroughFrame(!through_camera_); };
     commands_.add(
-        {"edit.undo",
-         "Edit",
-         "Undo",
-         {GLFW_KEY_Z, true},
-         [this] { workspace_.undo(); },
-         [this] { return workspace_.history().canUndo() ? "" : "There is nothing to undo."; }});
+        {"view.through_camera", "View", "Look through the camera", key(GLFW_KEY_0), through,
+         [this]() -> std::string { return frameCount() > 0 ? "" : "There is no trajectory."; },
+         [this] { return through_camera_; }});
+    keypad_.push_back({GLFW_KEY_KP_0, false, through});
+    commands_.add({"view.hide", "View", "Hide what is selected", key(GLFW_KEY_H),
+                   [this] {
+                       for (const int id : selection_.objects) {
+                           hidden_[static_cast<std::size_t>(id)] = true;
+                       }
+                   },
+                   [this]() -> std::string {
+                       return selection_.objects.empty() ? "Select an object first." : "";
+                   }});
+    commands_.add({"view.show_all",
+                   "View",
+                   "Show all that is hidden",
+                   {GLFW_KEY_H, false, false, true},
+                   [this] { std::fill(hidden_.begin(), hidden_.end(), false); },
+                   needs_scene});
+    const auto layer = [this](const char* id, const char* title, ui::Shortcut keys, bool& on) {
+        commands_.add({"layer." + std::string(id),
+                       "Layers",
+                       title,
+                       keys,
+                       [&on] { on = !on; },
+                       {},
+                       [&on] { return on; }});
+    };
+    ui::LayerSettings& layers = layer_settings_;
+    layer("free_space", "Free space", {GLFW_KEY_F2}, layers.free_space);
+    layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);
+    layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
+    layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);
+    layer("candidates", "Candidates of what is selected", {GLFW_KEY_F6}, layers.candidates);
+    layer("no_go", "No-go boxes", {GLFW_KEY_F7}, layers.no_go_boxes);
+    layer("ceilings", "Look in from above", {GLFW_KEY_F8}, layers.ceiling_cut);
+    commands_.add({"view.preview",
+                   "View",
+                   "Preview of the camera",
+                   key(GLFW_KEY_C),
+                   [this] { preview_.open = !preview_.open; },
+                   {},
+                   [this] { return preview_.open; }});
+    commands_.add({"window.left",
+                   "Window",
+                   "Left panels",
+                   {},
+                   [this] { settings_.layout.show_left = !settings_.layout.show_left; },
+                   {},
+                   [this] { return settings_.layout.show_left; }});
+    commands_.add({"window.right",
+                   "Window",
+                   "Right panels",
+                   {},
+                   [this] { settings_.layout.show_right = !settings_.layout.show_right; },
+                   {},
+                   [this] { return settings_.layout.show_right; }});
+    commands_.add({"window.bottom",
+                   "Window",
+                   "Bottom panels",
+                   {},
+                   [this] { settings_.layout.show_bottom = !settings_.layout.show_bottom; },
+                   {},
+                   [this] { return settings_.layout.show_bottom; }});
+    commands_.add({"window.light",
+                   "Window",
+                   "Light theme",
+                   {},
+                   [this] {
+                       const bool dark = settings_.theme == ui::ThemeKind::Dark;
+                       settings_.theme = dark ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
+                       setTheme();
+                   },
+                   {},
+                   [this] { return settings_.theme == ui::ThemeKind::Light; }});
+    const auto zoom = [this](double factor) {
+        settings_.zoom = std::clamp(settings_.zoom * factor, 0.5, 3.0);
+        setTheme();
+        window_.requestFonts(window_.contentScale() * settings_.zoom);
+    };
     commands_.add(
-        {"edit.redo",
-         "Edit",
-         "Redo",
-         {GLFW_KEY_Z, true, true},
-         [this] { workspace_.redo(); },
-         [this] { return workspace_.history().canRedo() ? "" : "There is nothing to redo."; }});
+        {"window.larger", "Window", "Larger text", ctrl(GLFW_KEY_EQUAL), [zoom] { zoom(1.1); }});
+    commands_.add({"window.smaller", "Window", "Smaller text", ctrl(GLFW_KEY_MINUS),
+                   [zoom] { zoom(1.0 / 1.1); }});
+    commands_.add({"window.fullscreen", "Window", "Full screen", key(GLFW_KEY_F11),
+                   [this] { window_.toggleFullscreen(); }});
+    commands_.add(
+        {"help.keys", "Help", "Keys and mouse", key(GLFW_KEY_F1), [this] { help_.open = true; }});
+    commands_.add({"help.palette", "Help", "Find a command, parameter or object", ctrl(GLFW_KEY_P),
+                   [this] { palette_.open = true; }});
+}
+
+void Editor::addTimelineCommands() {
+    const auto needs_frames = [this]() -> std::string {
+        return frameCount() > 0 ? "" : "There is no trajectory.";
+    };
+    const auto add = [&](const char* id, const char* title, ui::Shortcut keys,
+                         std::function<void()> run) {
+        commands_.add(
+            {"timeline." + std::string(id), "Timeline", title, keys, std::move(run), needs_frames});
+    };
+    add("play", "Play or pause", key(GLFW_KEY_SPACE), [this] {
+        playing_ = !playing_;
+        played_s_ = 0.0;
+        if (playing_ && frame_ + 1 >= frameCount()) frame_ = 0;
+    });
+    add("next", "Next frame", key(GLFW_KEY_RIGHT), [this] { goToFrame(frame_ + 1); });
+    add("previous", "Previous frame", key(GLFW_KEY_LEFT), [this] { goToFrame(frame_ - 1); });
+    add("next_key", "Next key frame", {GLFW_KEY_RIGHT, false, true}, [this] {
+        if (const auto key = ui::neighbourKey(timeline_keys_, frame_, 1)) goToFrame(*key);
+    });
+    add("previous_key", "Previous key frame", {GLFW_KEY_LEFT, false, true}, [this] {
+        if (const auto key = ui::neighbourKey(timeline_keys_, frame_, -1)) goToFrame(*key);
+    });
+    add("first", "First frame", {GLFW_KEY_HOME, true}, [this] { goToFrame(0); });
+    add("last", "Last frame", {GLFW_KEY_END, true}, [this] { goToFrame(frameCount() - 1); });
+}
+
+void Editor::lockSelectedPoint() {
+    const auto index = static_cast<std::size_t>(selection_.index);
+    if (plan() == nullptr || index >= plan()->position_points.size()) return;
+    const PositionPoint& point = plan()->position_points[index];
+    const auto& pinned = workspace_.shown().state->edits.plan.pinned;
+    if (point.pin >= 0 && static_cast<std::size_t>(point.pin) < pinned.size()) {
+        apply({{"op", "unpin"}, {"point", pinned[static_cast<std::size_t>(point.pin)].name}});
+        return;
+    }
+    const auto& objects =
+        plan()->observation_points[static_cast<std::size_t>(point.observation_point)].objects;
+    apply({{"op", "pin"},
+           {"objects", ui::objectKeys(*workspace_.shown().scene, objects)},
+           {"position", ui::pointJson(point.pose.position)},
+           {"quaternion_xyzw", ui::turnJson(point.pose.rotation)}});
+}
+
+void Editor::deleteSelected() {
+    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
+    if (selection_.kind == Selection::Kind::NoGoBox) {
+        const auto& boxes = workspace_.state().edits.plan.no_go;
+        if (index < boxes.size()) apply({{"op", "remove_no_go"}, {"name", boxes[index].name}});
+    } else if (plan() != nullptr) {
+        std::size_t target = index;
+        if (selection_.kind == Selection::Kind::PositionPoint) {
+            if (index >= plan()->position_points.size()) return;
+            const PositionPoint& point = plan()->position_points[index];
+            const auto& pinned = workspace_.shown().state->edits.plan.pinned;
+            const auto pin = static_cast<std::size_t>(std::max(point.pin, 0));
+            // A point placed from a view stands for nothing else: without its pin it is gone.
+            if (point.pin >= 0 && pin < pinned.size() && pinned[pin].objects.empty()) {
+                apply({{"op", "unpin"}, {"point", pinned[pin].name}});
+                selection_ = {};
+                return;
+            }
+            target = static_cast<std::size_t>(std::max(point.observation_point, 0));
+        }
+        if (target >= plan()->observation_points.size()) return;
+        apply({{"op", "remove_point"},
+               {"objects", ui::objectKeys(*workspace_.shown().scene,
+                                          plan()->observation_points[target].objects)}});
+    }
+    selection_ = {};
+}
+
+void Editor::drawMenus() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    const auto menu = [this](const char* group, const std::function<void()>& more = {}) {
+        if (!ImGui::BeginMenu(group)) return;
+        for (const ui::Command& command : commands_.all()) {
+            if (command.group == group) commands_.drawMenuItem(command.id);
+        }
+        if (more) more();
+        ImGui::EndMenu();
+    };
+    menu("File", [this] {
+        ImGui::Separator();
+        ImGui::TextDisabled("Recent");
+        const std::vector<std::string> recent = settings_.recent;
+        for (std::size_t i = 0; i < recent.size(); ++i) {
+            std::error_code ignored;
+            const std::filesystem::path path = recent[i];
+            // Asking the disk for ten names is quick; only while the menu is open.
+            const bool there = std::filesystem::exists(path, ignored);
+            const std::string text = path.filename().string() + "##" + std::to_string(i);
+            if (ImGui::MenuItem(text.c_str(), nullptr, false, there)) openAfterAsking(path);
+            ui::nameItem("recent." + std::to_string(i), there);
+            if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+                ImGui::SetTooltip("%s%s", recent[i].c_str(), there ? "" : "\nThis file is gone.");
+            }
+        }
+    });
+    ui::nameItem("menu.file");
+    menu("Edit");
+    ui::nameItem("menu.edit");
+    menu("View");
+    ui::nameItem("menu.view");
+    menu("Layers");
+    ui::nameItem("menu.layers");
+    menu("Timeline");
+    ui::nameItem("menu.timeline");
+    menu("Window");
+    ui::nameItem("menu.window");
+    menu("Help");
+    ui::nameItem("menu.help");
+    ImGui::EndMainMenuBar();
 }
 
 }  // namespace dollytrack::editor

@@ -1,9 +1,27 @@
 #include "app/editor/editor.h"
+#include "engine/document/edits_json.h"
 #include "ui/widgets/item_map.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace dollytrack::editor {
+
+nlohmann::json Editor::exportsJson() const {
+    nlohmann::json jobs = nlohmann::json::array();
+    if (!exports_) return jobs;
+    for (const ui::ExportJob& job : exports_->jobs()) {
+        jobs.push_back({{"id", job.id},
+                        {"state", static_cast<int>(job.state)},
+                        {"folder", job.request.folder.string()},
+                        {"frames_done", job.frames_done},
+                        {"frames", job.frames},
+                        {"error", job.error.message},
+                        {"contact_sheet", job.contact_sheet.string()}});
+    }
+    return jobs;
+}
 
 nlohmann::json Editor::stateJson() {
     const PlanOutcome& shown = workspace_.shown();
@@ -28,7 +46,48 @@ nlohmann::json Editor::stateJson() {
         {"plan_is_current", workspace_.isOpen() && workspace_.planIsCurrent()},
         {"plan_error", workspace_.planError()},
         {"latency_ms", workspace_.lastLatency_ms()},
-        {"selected", selected_},
+        {"selected", selection_.objects},
+        {"selection_kind", static_cast<int>(selection_.kind)},
+        {"selection_index", selection_.index},
+        {"frame", frame_},
+        {"playing", playing_},
+        {"step", step_},
+        {"through_camera", through_camera_},
+        {"edits", workspace_.isOpen() ? editsJson(workspace_.state().edits) : nlohmann::json()},
+        {"camera",
+         {{"pivot",
+           {viewport_.camera.pivot.x(), viewport_.camera.pivot.y(), viewport_.camera.pivot.z()}},
+          {"azimuth", viewport_.camera.azimuth},
+          {"elevation", viewport_.camera.elevation},
+          {"distance", viewport_.camera.distance},
+          {"orthographic", viewport_.camera.orthographic}}},
+        {"layers",
+         {{"free_space", layer_settings_.free_space},
+          {"points", layer_settings_.points},
+          {"roadmap", layer_settings_.roadmap},
+          {"trajectory", layer_settings_.trajectory},
+          {"candidates", layer_settings_.candidates},
+          {"no_go", layer_settings_.no_go_boxes},
+          {"stepping", stepping_}}},
+        {"hidden", std::count(hidden_.begin(), hidden_.end(), true)},
+        {"notice", notice_ ? notice_->title + ": " + notice_->text : std::string()},
+        {"dialogs",
+         {{"file", files_.isOpen()},
+          {"help", help_.open},
+          {"palette", palette_.open},
+          {"unsaved", after_unsaved_ != nullptr && !saving_for_question_},
+          {"lost_work", !lost_.empty()},
+          {"sheet", sheet_.isOpen()}}},
+        {"preview",
+         {{"frame", drawing_.preview().frame},
+          {"serial", drawing_.preview().serial},
+          {"modality", static_cast<int>(drawing_.preview().modality)},
+          {"final_light", drawing_.finalLight()}}},
+        {"exports", exportsJson()},
+        {"theme", settings_.theme == ui::ThemeKind::Light ? "light" : "dark"},
+        {"zoom", settings_.zoom},
+        {"recent", settings_.recent},
+        {"log_version", log_.version()},
         {"gl_errors", window_.glErrors()},
         {"frames", window_.frames()},
         {"longest_frame_ms", window_.longestFrame_ms()},
@@ -37,11 +96,15 @@ nlohmann::json Editor::stateJson() {
         {"items", std::move(items)},
     };
     if (shown.plan) {
-        state["plan"] = {{"frames", shown.plan->trajectory.frames.size()},
-                         {"key_frames", shown.plan->key_frames.size()},
-                         {"captured", shown.plan->capture_metrics.captured},
-                         {"well_captured", shown.plan->capture_metrics.well_captured},
-                         {"objects", shown.plan->capture_metrics.objects}};
+        state["plan"] = {
+            {"excluded", std::ranges::count(shown.scene->objects, Role::Excluded, &Object::role)},
+            {"steps", shown.plan->roadmap.steps.steps.size()},
+            {"measured", shown.measured},
+            {"frames", shown.plan->trajectory.frames.size()},
+            {"key_frames", shown.plan->key_frames.size()},
+            {"captured", shown.plan->capture_metrics.captured},
+            {"well_captured", shown.plan->capture_metrics.well_captured},
+            {"objects", shown.plan->capture_metrics.objects}};
     }
     window_.resetLongestFrame();
     return state;

@@ -35,6 +35,7 @@ int run(const std::string& path, const std::string& socket,
         inspector = std::make_unique<editor::Inspector>(socket, &editor::Window::wake);
     }
     if (!path.empty()) shell.open(path);
+    shell.offerLostWork();
     int frames_until_answer = 0;
     (*window)->run([&] {
         // The second frame after the question shows what the first one changed.

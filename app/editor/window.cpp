@@ -1,9 +1,10 @@
-#include <GL/glew.h>
-
 #include "app/editor/window.h"
 #include "engine/core/log.h"
+#include "render/gl/picture_texture.h"
+#include "ui/theme.h"
 #include "ui/widgets/item_map.h"
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -147,6 +148,11 @@ void Window::run(const std::function<bool()>& frame) {
 }
 
 void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
+    if (wanted_font_scale_ > 0.0) {
+        ui::loadFonts(std::exchange(wanted_font_scale_, 0.0));
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
     ui::item_map::beginFrame();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -157,11 +163,8 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
     const ImVec4 color = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
-    glClearColor(color.x, color.y, color.z, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    gl::clearWindow(width, height, color.x, color.y, color.z);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (const Status status = gl::checkErrors("drawing the window"); !status) {
         ++gl_errors_;

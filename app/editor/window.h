@@ -51,6 +51,8 @@ class Window {
     [[nodiscard]] long frames() const { return frames_; }
     [[nodiscard]] int glErrors() const { return gl_errors_; }
     void resetLongestFrame() { longest_frame_ms_ = 0.0; }
+    /// Fonts of another size from the next frame on; not within one.
+    void requestFonts(double scale) { wanted_font_scale_ = scale; }
     void setTitle(const std::string& title);
     void toggleFullscreen();
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
@@ -65,6 +67,7 @@ class Window {
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
     std::vector<std::string> dropped_;
     bool scale_changed_ = false;
+    double wanted_font_scale_ = 0.0;
     double longest_frame_ms_ = 0.0;
     double last_frame_ms_ = 0.0;
     long frames_ = 0;

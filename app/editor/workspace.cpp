@@ -1,5 +1,6 @@
 #include "app/editor/workspace.h"
 
+#include "app/editor/autosave.h"
 #include "engine/core/log.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
@@ -38,6 +39,12 @@ void Workspace::open(const std::filesystem::path& path,
     });
 }
 
+void Workspace::restore(const std::filesystem::path& copy) {
+    loader_.start([copy, outbox = loaded_](const JobContext& job) {
+        outbox->put({copy, openProject(copy, std::nullopt, job), true});
+    });
+}
+
 void Workspace::close() {
     planner_.cancel();
     lighter_.cancel();
@@ -47,6 +54,7 @@ void Workspace::close() {
     lit_rooms_.clear();
     ++serial_;
     stack_.reset({});
+    restored_state_.reset();
     newly_opened_ = true;
 }
 
@@ -69,7 +77,14 @@ void Workspace::install(OpenedProject opened) {
 }
 
 void Workspace::finishOpening(LoadOutcome outcome) {
-    if (outcome.opened) return install(std::move(*outcome.opened));
+    if (outcome.opened) {
+        if (outcome.restored) {
+            outcome.opened->project = Autosave::takeOrigin(outcome.opened->others);
+        }
+        install(std::move(*outcome.opened));
+        if (outcome.restored) restored_state_ = stack_.state();
+        return;
+    }
     const Error& error = outcome.opened.error();
     if (error.code == ErrorCode::Cancelled) return;
     Notice notice{true, "Cannot open " + outcome.path.filename().string(), describe(error), {}};
@@ -196,6 +211,7 @@ void Workspace::poll() {
         } else if (isOpen()) {
             opened_->project = outcome->path;
             if (outcome->state == stack_.state()) stack_.markSaved();
+            restored_state_.reset();
             log::info("project", "saved " + outcome->path.string());
         }
     }

@@ -30,6 +30,8 @@ class Workspace {
     /// Reads a scene or a project; what is open stays until that has succeeded.
     void open(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
+    /// Opens a copy that Autosave kept, as unsaved work of the project it came from.
+    void restore(const std::filesystem::path& copy);
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// Writes the project, with the plan if it is up to date. The outcome arrives as a notice.
@@ -60,7 +62,9 @@ class Workspace {
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
     [[nodiscard]] const CommandStack& history() const { return stack_; }
     [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
-    [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }
+    [[nodiscard]] bool unsaved() const {
+        return isOpen() && (restored_state_ == stack_.state() || !stack_.isSaved());
+    }
     /// The newest plan with the scene it belongs to; may be older than state().
     [[nodiscard]] const PlanOutcome& shown() const { return shown_; }
     [[nodiscard]] bool planIsCurrent() const {
@@ -93,6 +97,7 @@ class Workspace {
     struct LoadOutcome {
         std::filesystem::path path;
         Result<OpenedProject> opened;
+        bool restored = false;
     };
     struct SaveOutcome {
         std::filesystem::path path;
@@ -108,6 +113,7 @@ class Workspace {
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
     CommandStack stack_;
+    CommandStack::State restored_state_;  // is in no file of the user's, though it was opened
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
     std::chrono::steady_clock::time_point changed_at_;

@@ -1,12 +1,11 @@
 #include "ui/viewport/render_thread.h"
 
 #include "engine/scene/scene.h"
+#include "render/gl/picture_texture.h"
 #include "render/overlays/overlay_renderer.h"
 #include "render/render_target.h"
 #include "render/scene_renderer.h"
 #include "ui/viewport/false_color.h"
-
-#include <GL/glew.h>
 
 #include <algorithm>
 #include <array>
@@ -53,32 +52,6 @@ struct Relay {
     int finished = 1;
     int drawn = 2;
     bool news = false;
-};
-
-gl::Texture makePicture(int width, int height) {
-    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(texture.get(), 1, GL_RGBA8, width, height);
-    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
-/// Textures that are made again only when the size changes.
-struct PictureSlot {
-    gl::Texture texture;
-    int width = 0;
-    int height = 0;
-
-    unsigned ofSize(int wanted_width, int wanted_height) {
-        if (wanted_width != width || wanted_height != height || texture.get() == 0) {
-            texture = makePicture(wanted_width, wanted_height);
-            width = wanted_width;
-            height = wanted_height;
-        }
-        return texture.get();
-    }
 };
 
 /// Whether two views show the same of an unchanged scene.
@@ -157,7 +130,7 @@ struct RenderThread::Impl {
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
     std::array<std::optional<render::OverlayCanvas>, 3> canvases;
-    std::array<PictureSlot, 3> preview_pictures;
+    std::array<gl::PictureTexture, 3> preview_pictures;
     std::uint64_t serial = 0;
 
     std::thread thread;
@@ -289,7 +262,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
     ViewImage& image = views.images[slot];
     view_target->readDepth(image.depth_m);
     view_target->readIds(image.ids);
-    glFinish();  // the window's context may show it from now on
+    gl::finish();  // the window's context may show it from now on
     image.texture = canvas->picture();
     image.view = std::move(request.view);
     image.serial = ++serial;
@@ -317,11 +290,10 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     preview_target->readIds(record.instance);
     record.labelClasses(*scene);
     const std::vector<std::uint8_t> rgba = falseColor(record, request.view, request.modality);
-    const unsigned picture = preview_pictures[slot].ofSize(record.width, record.height);
-    glTextureSubImage2D(picture, 0, 0, 0, record.width, record.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                        rgba.data());
-    glFinish();
-    image.texture = picture;
+    gl::PictureTexture& picture = preview_pictures[static_cast<std::size_t>(slot)];
+    picture.upload(record.width, record.height, rgba);
+    gl::finish();
+    image.texture = picture.get();
     image.modality = request.modality;
     image.frame = request.frame;
     image.serial = ++serial;

@@ -1,0 +1,114 @@
+#include "app/editor/editor.h"
+#include "app/editor/export_places.h"
+#include "engine/core/log.h"
+#include "render/formats/formats.h"
+#include "render/modalities.h"
+
+namespace dollytrack::editor {
+namespace {
+
+std::vector<ui::ExportChoice> modalityChoices() {
+    std::vector<ui::ExportChoice> choices;
+    for (const render::Modality& one : render::modalities())
+        choices.push_back({one.name, one.text});
+    return choices;
+}
+
+std::vector<ui::ExportChoice> formatChoices() {
+    std::vector<ui::ExportChoice> choices;
+    for (const render::Format& one : render::formats()) choices.push_back({one.name, one.text});
+    return choices;
+}
+
+}  // namespace
+
+void Editor::makeExportQueue() {
+    const Result<std::filesystem::path> program = findExportProgram();
+    if (!program) {
+        why_no_export_ = describe(program.error());
+        return;
+    }
+    exports_ = std::make_unique<ExportQueue>(stateFolder() / "exports", *program, &Window::wake);
+    why_no_folders_ = whyNoFolders();
+}
+
+ui::ExportView Editor::exportView() const {
+    ui::ExportView view;
+    view.project = workspace_.path().empty() && workspace_.isOpen()
+                       ? workspace_.sceneFile().stem().string()
+                       : workspace_.path().stem().string();
+    if (!exports_) {
+        view.why_not = why_no_export_;
+    } else if (!workspace_.isOpen()) {
+        view.why_not = "No scene is open.";
+    } else if (!workspace_.planIsCurrent()) {
+        view.why_not = "The plan is still being made.";
+    } else if (frameCount() == 0) {
+        view.why_not = "There is no trajectory: nothing can be captured.";
+    }
+    view.frame_count = frameCount();
+    view.current_frame = frame_;
+    view.camera = workspace_.shown().params.camera;
+    for (const render::Modality& one : render::modalities()) {
+        const bool left_out = std::ranges::find(export_draft_.left_out_modalities, one.name) !=
+                              export_draft_.left_out_modalities.end();
+        if (!left_out) {
+            view.bytes_per_frame +=
+                one.bytes_per_pixel * view.camera.width_px * view.camera.height_px;
+        }
+    }
+    view.modalities = modalityChoices();
+    view.formats = formatChoices();
+    if (exports_) {
+        view.jobs = exports_->jobs();
+        view.held = exports_->held();
+    }
+    view.why_no_folder = why_no_folders_;
+    return view;
+}
+
+void Editor::drawExport() {
+    const ui::ExportView view = exportView();
+    const ui::ExportActions actions = ui::drawExportPanel(view, export_draft_);
+    if (actions.choose_folder) askForFile("export folder");
+    if (actions.add_files) askForFile("export projects");
+    if (!exports_) return;
+    if (actions.add_current && view.why_not.empty()) {
+        exports_->add(ui::requestOf(view, export_draft_),
+                      std::make_shared<const io::ProjectFile>(workspace_.snapshot()));
+    }
+    if (actions.toggle_hold) exports_->hold(!exports_->held());
+    if (actions.cancel != 0) exports_->cancel(actions.cancel);
+    if (actions.resume != 0) exports_->resume(actions.resume);
+    if (actions.remove != 0) exports_->remove(actions.remove);
+    if (actions.earlier != 0) exports_->move(actions.earlier, -1);
+    if (actions.later != 0) exports_->move(actions.later, 1);
+    const int wanted = actions.open_folder != 0 ? actions.open_folder : actions.show_sheet;
+    for (const ui::ExportJob& job : view.jobs) {
+        if (job.id != wanted) continue;
+        if (actions.show_sheet != 0) {
+            sheet_.show(job.contact_sheet);
+        } else if (const Status opened = openFolder(job.request.folder); !opened) {
+            log::warn("export", describe(opened.error()));
+        }
+    }
+}
+
+void Editor::answerExportFile(const ui::FileAnswer& answer) {
+    if (answer.id == "export folder") export_draft_.folder = answer.path.string();
+    if (answer.id == "export projects" && exports_) {
+        ui::ExportRequest request = ui::requestOf(exportView(), export_draft_);
+        request.name = answer.path.stem().string();
+        request.range = "::";  // the other project has frames of its own
+        request.folder = folderBeside(request.folder, answer.path, exports_->jobs());
+        exports_->addFile(std::move(request), answer.path);
+    }
+}
+
+void Editor::drawSheet() {
+    const ui::ImageViewerView view = sheet_.view();
+    if (!sheet_.isOpen()) return;
+    if (ui::drawImageViewer(view, sheet_state_).close) sheet_.close();
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,307 @@
+#include "app/editor/editor.h"
+
+#include "planning/free_space/free_space.h"
+#include "ui/overlays/steps_overlay.h"
+#include "ui/panels/edits_panel.h"
+#include "ui/panels/layers_panel.h"
+#include "ui/panels/metrics_panel.h"
+#include "ui/panels/parameters_panel.h"
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace dollytrack::editor {
+namespace {
+
+/// A tab that comes to the front when `focus` names it.
+bool beginTab(const char* name, std::string& focus) {
+    const bool wanted = focus == name;
+    if (wanted) focus.clear();
+    const bool open =
+        ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+    std::string item = "tab." + std::string(name);
+    std::ranges::transform(item, item.begin(), [](unsigned char c) { return std::tolower(c); });
+    ui::nameItem(item);
+    return open;
+}
+
+}  // namespace
+
+void Editor::drawLeft() {
+    if (!ImGui::BeginTabBar("left tabs")) return;
+    if (beginTab("Objects", focus_tab_)) {
+        drawObjects();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Layers", focus_tab_)) {
+        drawLayers();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("By hand", focus_tab_)) {
+        drawEdits();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("History", focus_tab_)) {
+        ui::HistoryView view;
+        const std::vector<std::string> names = workspace_.history().names();
+        if (workspace_.isOpen()) view.names = &names;
+        view.position = workspace_.history().position();
+        const ui::HistoryActions actions = ui::drawHistoryPanel(view, history_);
+        if (actions.go_to) workspace_.goTo(*actions.go_to);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+void Editor::drawObjects() {
+    const PlanOutcome& shown = workspace_.shown();
+    ui::ObjectsView view;
+    view.scene = shown.scene.get();
+    if (shown.plan && shown.measured) view.captures = &shown.plan->captures;
+    view.selected = &selection_.objects;
+    view.hidden = &hidden_;
+    const ui::ObjectsActions actions = ui::drawObjectsPanel(view, objects_);
+    if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
+    if (actions.frame != 0) commands_.find("view.frame_selected")->run();
+    if (actions.toggle_hidden != 0) {
+        const auto at = static_cast<std::size_t>(actions.toggle_hidden);
+        if (at < hidden_.size()) hidden_[at] = !hidden_[at];
+    }
+    if (actions.toggle_target != 0) {
+        const bool target = shown.scene->object(actions.toggle_target).role == Role::Target;
+        apply({{"op", target ? "exclude" : "include"}, {"object", actions.toggle_target}});
+    }
+}
+
+void Editor::drawLayers() {
+    const PlanOutcome& shown = workspace_.shown();
+    ui::LayersView view;
+    if (shown.scene) view.room = shown.scene->room_bounds;
+    view.has_map = shown.free_space != nullptr;
+    if (shown.free_space) view.cell_m = shown.free_space->resolution_m();
+    view.has_plan = shown.plan != nullptr;
+    view.stepping = stepping_;
+    for (const auto& layer : layers_.layers().layers) view.legends.push_back(layer->legend);
+    ui::drawLayersPanel(view, layer_settings_);
+}
+
+void Editor::drawEdits() {
+    ui::EditsView view;
+    const PlanOutcome& shown = workspace_.shown();
+    if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
+    view.scene = shown.scene.get();
+    view.plan = shown.plan.get();
+    view.plan_is_current = workspace_.isOpen() && workspace_.planIsCurrent();
+    if (workspace_.isOpen() && setFromJson(draft_fields_, workspace_.state().parameters)) {
+        view.min_height_m = draft_.free_space.min_height_m;
+        view.max_height_m = draft_.free_space.max_height_m;
+    }
+    view.pivot = viewport_.camera.pivot;
+    if (const Eigen::AlignedBox3d around = selectedBox(); !around.isEmpty()) {
+        OrientedBox box;
+        box.center = around.center();
+        box.half_size = 0.5 * around.sizes();
+        view.around_selection = box;
+    }
+    const ui::EditsActions actions = ui::drawEditsPanel(view);
+    applyRequest(actions.edit);
+    if (actions.select) select(*actions.select);
+    if (actions.look_through) lookAlongPose(*actions.look_through);
+    if (actions.frame) {
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& corner : actions.frame->corners()) box.extend(corner);
+        viewport_.camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
+    }
+}
+
+void Editor::drawParameters() {
+    if (!workspace_.isOpen()) {
+        ImGui::TextDisabled("No scene is open.");
+        return;
+    }
+    if (!setFromJson(draft_fields_, workspace_.state().parameters)) return;
+    ui::ParametersView view;
+    view.standard = &standard_fields_;
+    view.has_scene = true;
+    view.filter = &parameter_filter_;
+    const ui::ParametersActions actions = ui::drawParametersPanel(view, draft_fields_);
+    if (actions.reset_all) {
+        draft_ = standard_;
+        workspace_.setParameters(toJson(draft_fields_), "Reset all parameters", "");
+    } else if (!actions.edited.empty()) {
+        const auto field = std::ranges::find(draft_fields_, actions.edited, &Field::name);
+        workspace_.setParameters(toJson(draft_fields_),
+                                 fmt::format("Set {} to {}", actions.edited, field->valueText()),
+                                 "set " + actions.edited);
+    }
+    if (actions.finished) workspace_.endMerge();
+}
+
+void Editor::drawMetrics() {
+    const PlanOutcome& shown = workspace_.shown();
+    const BackgroundWorker::State job = workspace_.planning();
+    ui::MetricsView view;
+    view.plan = shown.plan.get();
+    view.measured = shown.measured;
+    view.scene = shown.scene.get();
+    view.busy = job.busy;
+    view.stage = job.stage;
+    view.fraction = job.fraction;
+    view.last_run_ms = workspace_.lastLatency_ms();
+    const ui::MetricsActions actions = ui::drawMetricsPanel(view);
+    if (actions.select_object != 0) selectObject(actions.select_object, false);
+}
+
+void Editor::drawSelection() {
+    ui::SelectionView view;
+    const PlanOutcome& shown = workspace_.shown();
+    view.selection = &selection_;
+    view.scene = shown.scene.get();
+    view.plan = shown.plan.get();
+    view.measured = shown.measured;
+    if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
+    view.free_space = shown.free_space.get();
+    selection_state_.show_candidates = layer_settings_.candidates;
+    const ui::SelectionActions actions = ui::drawSelectionPanel(view, selection_state_);
+    layer_settings_.candidates = selection_state_.show_candidates;
+    applyRequest(actions.edit);
+    if (actions.frame) commands_.find("view.frame_selected")->run();
+    if (actions.go_to_frame >= 0) goToFrame(actions.go_to_frame);
+    if (actions.look_through) lookAlongPose(*actions.look_through);
+    if (actions.select) select(*actions.select);
+}
+
+void Editor::drawRight() {
+    if (!ImGui::BeginTabBar("right tabs")) return;
+    if (beginTab("Parameters", focus_tab_)) {
+        drawParameters();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Selection", focus_tab_)) {
+        drawSelection();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Metrics", focus_tab_)) {
+        drawMetrics();
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+void Editor::drawTimeline() {
+    ui::TimelineView view;
+    view.frame = frame_;
+    view.playing = playing_;
+    if (const Plan* now = plan()) {
+        view.frame_count = frameCount();
+        view.frame_interval_s = now->trajectory.frame_interval_s;
+        view.keys = &timeline_keys_;
+        view.bands = &timeline_bands_;
+        view.series = &now->series;
+        view.target_count = now->capture_metrics.objects;
+        const planning::PlanParams& params = workspace_.shown().params;
+        view.camera_radius_m = params.camera.camera_radius_m;
+        view.max_speed_mps = params.timing.max_speed_mps;
+        view.max_turn_dps = params.timing.max_turn_dps;
+        view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
+    }
+    const ui::TimelineActions actions = ui::drawTimelinePanel(view, timeline_);
+    if (actions.go_to) goToFrame(*actions.go_to);
+    if (actions.toggle_play) commands_.find("timeline.play")->run();
+}
+
+void Editor::drawSteps() {
+    ui::StepsView view;
+    view.serial = plan_serial_;
+    view.taken = step_;
+    view.playing = steps_playing_;
+    if (plan() != nullptr) {
+        view.steps = &plan()->roadmap.steps;
+        view.describe = [this](std::size_t i) {
+            return ui::describe(*workspace_.shown().scene, *plan(), plan()->roadmap.steps.steps[i]);
+        };
+    }
+    stepping_ = true;
+    const ui::StepsActions actions = ui::drawStepsPanel(view, steps_);
+    if (actions.go_to) step_ = *actions.go_to;
+    if (actions.toggle_play) {
+        steps_playing_ = !steps_playing_;
+        steps_played_ = 0.0;
+        if (steps_playing_ && !ui::nextStop(steps_.rows, step_, 1)) step_ = 0;
+    }
+    if (!steps_playing_) return;
+    window_.animate();
+    steps_played_ += ImGui::GetIO().DeltaTime * steps_.per_second;
+    for (; steps_played_ >= 1.0; steps_played_ -= 1.0) {
+        const auto next = ui::nextStop(steps_.rows, step_, 1);
+        if (!next) {
+            steps_playing_ = false;
+            break;
+        }
+        step_ = *next;
+    }
+}
+
+void Editor::drawBottom() {
+    if (!ImGui::BeginTabBar("bottom tabs")) return;
+    // The algorithm's picture is shown as long as one looks at its steps.
+    stepping_ = false;
+    if (beginTab("Timeline", focus_tab_)) {
+        drawTimeline();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Algorithm", focus_tab_)) {
+        drawSteps();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Export", focus_tab_)) {
+        drawExport();
+        ImGui::EndTabItem();
+    }
+    if (beginTab("Log", focus_tab_)) {
+        ui::drawLogPanel(log_, log_state_);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+void Editor::drawStatus() {
+    const BackgroundWorker::State job = workspace_.planning();
+    const PlanOutcome& shown = workspace_.shown();
+    if (job.busy) {
+        ImGui::ProgressBar(static_cast<float>(job.fraction),
+                           {ui::scaled(120), ImGui::GetTextLineHeight()}, "");
+        ImGui::SameLine();
+        ImGui::Text("planning: %s", job.stage.c_str());
+    } else if (const std::string error = workspace_.planError(); !error.empty()) {
+        ImGui::TextColored(ui::palette().bad, "No plan: %s", error.c_str());
+    } else if (shown.plan && shown.measured) {
+        const CaptureMetrics& capture = shown.plan->capture_metrics;
+        ImGui::Text("%zu frames, %zu key frames, %d of %d objects captured, %d well",
+                    shown.plan->trajectory.frames.size(), shown.plan->key_frames.size(),
+                    capture.captured, capture.objects, capture.well_captured);
+        if (!drawing_.finalLight()) {
+            ImGui::SameLine();
+            ImGui::TextDisabled("   computing light …");
+        }
+    } else {
+        ImGui::TextDisabled("%s", workspace_.isOpen() ? "" : "No scene is open.");
+    }
+    std::string right;
+    if (shown.scene) {
+        right = fmt::format("{:L} triangles, {} objects, m   ", shown.scene->triangles.size(),
+                            shown.scene->objects.size());
+    }
+    right += fmt::format("window {:.0f} ms, picture {:.0f} ms", window_.lastFrame_ms(),
+                         drawing_.view().milliseconds);
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    ImGui::SameLine(std::max(ImGui::GetWindowWidth() - width - ui::scaled(12), 0.0F));
+    ImGui::TextDisabled("%s", right.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", drawing_.rendererName().c_str());
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,240 @@
+#include "ui/panels/layers_panel.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr const char* kNoPlan = "There is no plan yet.";
+
+/// Widgets that note what the user changes.
+class Switches {
+  public:
+    explicit Switches(LayersActions& actions) : actions_(actions) {}
+
+    bool check(const char* label, const char* name, bool& on, const char* tip = "",
+               const std::string& why_not = {}) {
+        ImGui::BeginDisabled(!why_not.empty());
+        if (ImGui::Checkbox(label, &on)) note(true);
+        ImGui::EndDisabled();
+        nameItem(std::string("layers.") + name, why_not.empty());
+        tooltip(why_not.empty() ? tip : why_not);
+        return on && why_not.empty();
+    }
+
+    /// A combo over the values of an enumeration, in their order.
+    template <class Enum, std::size_t N>
+    void choose(const char* label, const char* name, Enum& value,
+                const std::array<const char*, N>& names) {
+        formLabel(label);
+        const std::string id = std::string("layers.") + name;
+        if (ImGui::BeginCombo(("##" + id).c_str(), names[static_cast<std::size_t>(value)])) {
+            nameItem(id);
+            for (std::size_t i = 0; i < N; ++i) {
+                if (ImGui::Selectable(names[i], i == static_cast<std::size_t>(value))) {
+                    value = static_cast<Enum>(i);
+                    note(true);
+                }
+                nameItem(id + "." + names[i]);
+            }
+            ImGui::EndCombo();
+        } else {
+            nameItem(id);
+        }
+    }
+
+    void slide(const char* label, const char* name, double& value, double low, double high,
+               const char* format) {
+        formLabel(label);
+        auto shown = static_cast<float>(value);
+        const std::string id = std::string("layers.") + name;
+        if (ImGui::SliderFloat(("##" + id).c_str(), &shown, static_cast<float>(low),
+                               static_cast<float>(high), format, ImGuiSliderFlags_AlwaysClamp)) {
+            value = shown;
+            note(false);
+        }
+        actions_.finished = actions_.finished || ImGui::IsItemDeactivatedAfterEdit();
+        nameItem(id);
+    }
+
+    void note(bool finished) {
+        actions_.changed = true;
+        actions_.finished = actions_.finished || finished;
+    }
+
+  private:
+    LayersActions& actions_;
+};
+
+/// Rows that belong to the switch above them.
+template <class Rows>
+void details(const char* id, const Rows& rows) {
+    ImGui::Indent();
+    if (beginForm(id)) {
+        rows();
+        endForm();
+    }
+    ImGui::Unindent();
+}
+
+/// Several switches on a line, as many as fit.
+void flowToSwitch(const char* label) {
+    flowTo((std::string("[x] ") + label).c_str());
+}
+
+void drawSlice(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    constexpr std::array kAxes = {"x", "y", "z, level"};
+    switches.choose("Axis", "slice.axis", settings.slice.axis, kAxes);
+    const int axis = settings.slice.axis;
+    const double low = view.room.isEmpty() ? 0.0 : view.room.min()[axis];
+    const double high = view.room.isEmpty() ? 3.0 : view.room.max()[axis];
+    settings.slice.position_m = std::clamp(settings.slice.position_m, low, high);
+    switches.slide("Position", "slice.position", settings.slice.position_m, low, high, "%.2f m");
+    switches.slide("Thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
+                   std::max(high - low, view.cell_m), "%.2f m");
+}
+
+void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    const int top = std::max(view.levels - 1, 0);
+    int range[2] = {std::min(settings.cells.min_level, top),
+                    std::min(settings.cells.max_level, top)};
+    formLabel("Cell sizes", "From the smallest to the largest level of the octree that is drawn");
+    const auto edge = [&](int level) { return view.cell_m * std::exp2(level); };
+    const std::string low = fmt::format("{:.2f} m", edge(range[0]));
+    const std::string high = fmt::format("{:.2f} m", edge(range[1]));
+    if (ImGui::DragIntRange2("##levels", &range[0], &range[1], 0.05F, 0, top, low.c_str(),
+                             high.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+        settings.cells.min_level = range[0];
+        // All the large ones, however large they get.
+        settings.cells.max_level = range[1] == top ? 16 : range[1];
+        switches.note(true);
+    }
+    nameItem("layers.levels");
+}
+
+void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    const std::string why_not = view.has_map ? "" : "The map is not built yet.";
+    if (!switches.check("Free space", "free_space", settings.free_space,
+                        "The octree of where the camera can be", why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    switches.check("free", "cells.free", settings.cells.free);
+    flowToSwitch("occupied");
+    switches.check("occupied", "cells.occupied", settings.cells.occupied);
+    flowToSwitch("unknown");
+    switches.check("unknown", "cells.unknown", settings.cells.unknown,
+                   "Inside walls and furniture, and outside of the building",
+                   settings.sliced ? "" : "There is too much of it to be shown without a slice.");
+    flowToSwitch("slice");
+    switches.check("slice", "sliced", settings.sliced, "Only a slab of the map");
+    ImGui::Unindent();
+    details("free_space", [&] {
+        constexpr std::array kColors = {"state", "clearance", "room"};
+        switches.choose("Colour", "cells.color", settings.cells.color, kColors);
+        drawLevels(view, settings, switches);
+        double opacity = settings.cells.opacity;
+        switches.slide("Opacity", "cells.opacity", opacity, 0.05, 1.0, "%.2f");
+        settings.cells.opacity = static_cast<float>(opacity);
+        if (settings.sliced) drawSlice(view, settings, switches);
+    });
+}
+
+void drawPoints(LayerSettings& settings, Switches& switches, const std::string& why_not) {
+    if (!switches.check("Points", "points", settings.points,
+                        "What is looked at, and where the camera stands", why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    PointsOverlayOptions& options = settings.point_options;
+    switches.check("observation points", "points.observation", options.observation_points);
+    flowToSwitch("position points");
+    switches.check("position points", "points.position", options.position_points);
+    flowToSwitch("view pyramids");
+    switches.check("view pyramids", "points.frustums", options.frustums);
+    ImGui::Unindent();
+}
+
+void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& switches,
+                 const std::string& why_not) {
+    const std::string why =
+        view.stepping ? "The steps of the algorithm are shown in its place." : why_not;
+    if (!switches.check("Roadmap", "roadmap", settings.roadmap, "The moves between position points",
+                        why)) {
+        return;
+    }
+    ImGui::Indent();
+    RoadmapOverlayOptions& options = settings.roadmap_options;
+    switches.check("accepted", "roadmap.accepted", options.accepted);
+    flowToSwitch("refused");
+    switches.check("refused", "roadmap.refused", options.refused, "Where the camera would collide");
+    flowToSwitch("links");
+    switches.check("links", "roadmap.links", options.links, "Found by RRT*");
+    flowToSwitch("samples");
+    switches.check("samples", "roadmap.samples", options.samples, "Tried by RRT*");
+    flowToSwitch("dropped");
+    switches.check("dropped", "roadmap.dropped", options.dropped, "Edges that close a cycle");
+    flowToSwitch("path");
+    switches.check("path", "roadmap.path", options.path);
+    ImGui::Unindent();
+    details("roadmap", [&] {
+        constexpr std::array kColors = {"part before linking", "room"};
+        switches.choose("Colour", "roadmap.color", options.color, kColors);
+    });
+}
+
+void drawTrajectory(LayerSettings& settings, Switches& switches, const std::string& why_not) {
+    if (!switches.check("Trajectory", "trajectory", settings.trajectory, "The camera's way",
+                        why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    switches.check("direction arrows", "trajectory.arrows",
+                   settings.trajectory_options.direction_arrows);
+    ImGui::Unindent();
+    details("trajectory", [&] {
+        constexpr std::array kColors = {"time",      "clearance", "speed",
+                                        "turn rate", "score",     "newly captured"};
+        switches.choose("Colour", "trajectory.color", settings.trajectory_options.color, kColors);
+    });
+}
+
+}  // namespace
+
+LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
+    LayersActions actions;
+    Switches switches(actions);
+    const std::string why_not = view.has_plan ? "" : kNoPlan;
+    ImGui::BeginChild("layers");
+    drawTrajectory(settings, switches, why_not);
+    drawPoints(settings, switches, why_not);
+    drawRoadmap(view, settings, switches, why_not);
+    if (switches.check("Candidates", "candidates", settings.candidates,
+                       "The places tried for what is selected, by the reason", why_not)) {
+        ImGui::Indent();
+        switches.check("cone", "cone", settings.cone, "That was searched");
+        ImGui::Unindent();
+    }
+    drawFreeSpace(view, settings, switches);
+    switches.check("No-go boxes", "no_go_boxes", settings.no_go_boxes);
+    switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
+                   "To look into rooms from above");
+    switches.check("Grid", "grid", settings.grid, "On the floor, a metre a square");
+    if (!view.legends.empty()) {
+        ImGui::Separator();
+        drawLegends(view.legends);
+    }
+    ImGui::EndChild();
+    return actions;
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,129 @@
+#include "ui/overlays/palette.h"
+#include "ui/panels/layers_panel.h"
+#include "ui/theme.h"
+#include "ui/widgets/form.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+ImU32 toColor(const Eigen::Vector4f& rgba) {
+    // As opaque as needed to be known again on the panel.
+    return ImGui::GetColorU32(ImVec4(rgba.x(), rgba.y(), rgba.z(), std::max(rgba.w(), 0.7F)));
+}
+
+float brightness(const Eigen::Vector4f& rgba) {
+    return 0.3F * rgba.x() + 0.6F * rgba.y() + 0.1F * rgba.z();
+}
+
+/// Signs are made for the scene; on a panel of their own brightness they need something behind.
+void drawBacking(const LegendEntry& entry, ImVec2 low, ImVec2 high) {
+    const ImVec4 panel = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    const float behind = brightness({panel.x, panel.y, panel.z, 1.0F});
+    if (std::abs(brightness(entry.rgba) - behind) > 0.2F) return;
+    const float gray = behind > 0.5F ? 0.35F : 0.65F;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        low, high, ImGui::GetColorU32(ImVec4(gray, gray, gray, 1.0F)), scaled(3));
+}
+
+/// The sign as it is drawn in the scene, in a box of a line's height.
+void drawSign(const LegendEntry& entry) {
+    using Shape = LegendEntry::Shape;
+    const float height = ImGui::GetTextLineHeight();
+    const float width = 1.6F * height;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 c(low.x + width / 2, low.y + height / 2);
+    const float r = height * 0.3F;
+    const float stroke = scaled(2);
+    const ImU32 color = toColor(entry.rgba);
+    drawBacking(entry, low, {low.x + width, low.y + height});
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    switch (entry.shape) {
+        case Shape::Dot:
+            list->AddCircleFilled(c, r, color);
+            break;
+        case Shape::SmallDot:
+            list->AddCircleFilled(c, r * 0.6F, color);
+            break;
+        case Shape::Cross:
+            list->AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, stroke);
+            list->AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, stroke);
+            break;
+        case Shape::Ring:
+            list->AddCircle(c, r, color, 0, stroke);
+            break;
+        case Shape::Arrow:
+            list->AddLine({c.x - 1.5F * r, c.y}, {c.x + r, c.y}, color, stroke);
+            list->AddTriangleFilled({c.x + 0.3F * r, c.y - 0.8F * r}, {c.x + 1.6F * r, c.y},
+                                    {c.x + 0.3F * r, c.y + 0.8F * r}, color);
+            break;
+        case Shape::Line:
+            list->AddLine({low.x + scaled(2), c.y}, {low.x + width - scaled(2), c.y}, color,
+                          stroke);
+            break;
+        case Shape::DashedLine:
+            for (const float at : {0.08F, 0.41F, 0.74F}) {
+                const float x = low.x + at * width;
+                list->AddLine({x, c.y}, {x + 0.2F * width, c.y}, color, stroke);
+            }
+            break;
+        case Shape::Block:
+            list->AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, color);
+            break;
+    }
+    ImGui::Dummy({width, height});
+}
+
+void drawScale(const LegendScale& scale) {
+    constexpr int kPieces = 24;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = std::min(ImGui::GetContentRegionAvail().x, scaled(240));
+    const float height = scaled(10);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (int i = 0; i < kPieces; ++i) {
+        const auto at = [&](int piece) {
+            return low.x + width * static_cast<float>(piece) / kPieces;
+        };
+        const ImU32 left = toColor(scaleColor(double(i) / kPieces));
+        const ImU32 right = toColor(scaleColor(double(i + 1) / kPieces));
+        list->AddRectFilledMultiColor({at(i), low.y}, {at(i + 1), low.y + height}, left, right,
+                                      right, left);
+    }
+    ImGui::Dummy({width, height});
+    const std::string begin = fmt::format("{:.3g}", scale.min);
+    const std::string end = fmt::format("{:.3g} {}", scale.max, scale.unit);
+    ImGui::TextColored(palette().text_dim, "%s", begin.c_str());
+    ImGui::SameLine();
+    const float end_width = ImGui::CalcTextSize(end.c_str()).x;
+    ImGui::SetCursorScreenPos({low.x + width - end_width, ImGui::GetCursorScreenPos().y});
+    ImGui::TextColored(palette().text_dim, "%s", end.c_str());
+}
+
+}  // namespace
+
+void drawLegends(const std::vector<Legend>& legends) {
+    for (const Legend& legend : legends) {
+        if (legend.entries.empty() && !legend.scale) continue;
+        heading(legend.title.c_str());
+        for (const LegendEntry& entry : legend.entries) {
+            drawSign(entry);
+            ImGui::SameLine();
+            ImGui::TextUnformatted(entry.name.c_str());
+            ImGui::SameLine();
+            ImGui::TextColored(palette().text_dim, "%d", entry.count);
+        }
+        if (legend.scale) {
+            if (!legend.scale->name.empty() && legend.scale->name != legend.title) {
+                ImGui::TextUnformatted(legend.scale->name.c_str());
+            }
+            drawScale(*legend.scale);
+        }
+    }
+}
+
+}  // namespace dollytrack::ui

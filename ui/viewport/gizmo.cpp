@@ -1,0 +1,250 @@
+#include "ui/viewport/gizmo.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kArrow_px = 78.0;  // length on the screen, whatever the distance
+constexpr double kRing_px = 58.0;
+constexpr double kGrab_px = 9.0;
+
+constexpr std::array<ImU32, 3> kAxisColors = {
+    IM_COL32(232, 84, 84, 255), IM_COL32(104, 200, 96, 255), IM_COL32(88, 140, 255, 255)};
+
+struct Painter {
+    const GizmoView& view;
+    double metres_per_px;
+
+    [[nodiscard]] std::optional<ImVec2> at(const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d p = view.view.pose.toCamera(point);
+        if (p.z() <= 0.01) return std::nullopt;
+        const Eigen::Vector2d pixel = view.view.project(p);
+        return ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
+                      static_cast<float>(pixel.y()) + view.origin.y());
+    }
+};
+
+double metresPerPixel(const GizmoView& view) {
+    if (view.view.orthographic) return 1.0 / view.view.orthographic->px_per_m;
+    const double depth = std::max(view.view.pose.toCamera(view.pose.position).z(), 0.05);
+    return depth / view.view.intrinsics.fx;
+}
+
+double distanceToSegment(ImVec2 p, ImVec2 a, ImVec2 b) {
+    const Eigen::Vector2f ab(b.x - a.x, b.y - a.y);
+    const Eigen::Vector2f ap(p.x - a.x, p.y - a.y);
+    const float t = std::clamp(ap.dot(ab) / std::max(ab.squaredNorm(), 1e-6F), 0.0F, 1.0F);
+    return (ap - t * ab).norm();
+}
+
+double distanceToLine(ImVec2 p, const std::vector<ImVec2>& line) {
+    double best = 1e9;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        best = std::min(best, distanceToSegment(p, line[i - 1], line[i]));
+    }
+    return best;
+}
+
+double heading(const Eigen::Vector3d& direction) {
+    return std::atan2(direction.y(), direction.x());
+}
+
+double elevation(const Eigen::Vector3d& direction) {
+    return std::asin(std::clamp(direction.normalized().z(), -1.0, 1.0));
+}
+
+Eigen::Vector3d directionOf(double yaw, double pitch) {
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+
+/// Points of the ring, or of the arc through the direction of view, on the screen.
+std::vector<ImVec2> curve(const Painter& paint, const Pose& pose, GizmoPart part) {
+    std::vector<ImVec2> points;
+    const double radius = scaled(kRing_px) * paint.metres_per_px;
+    const double yaw = heading(pose.forward());
+    const int steps = 48;
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        const Eigen::Vector3d way = part == GizmoPart::Yaw
+                                        ? directionOf(2.0 * kPi * share, 0.0)
+                                        : directionOf(yaw, (share - 0.5) * 0.9 * kPi);
+        if (const auto at = paint.at(pose.position + radius * way)) points.push_back(*at);
+    }
+    return points;
+}
+
+/// Angle at which the mouse's ray meets the plane that the ring or arc lies in.
+std::optional<double> angleUnder(const render::ViewRay& ray, const Pose& pose, GizmoPart part) {
+    const double yaw = heading(pose.forward());
+    const Eigen::Vector3d normal = part == GizmoPart::Yaw ? Eigen::Vector3d::UnitZ().eval()
+                                                          : directionOf(yaw + 0.5 * kPi, 0.0);
+    const double across = ray.direction.dot(normal);
+    if (std::abs(across) < 0.05 * ray.direction.norm()) return std::nullopt;
+    const double t = (pose.position - ray.origin).dot(normal) / across;
+    const Eigen::Vector3d from_centre = ray.origin + t * ray.direction - pose.position;
+    if (part == GizmoPart::Yaw) return heading(from_centre);
+    const Eigen::Vector3d ahead = directionOf(yaw, 0.0);
+    return std::atan2(from_centre.z(), from_centre.dot(ahead));
+}
+
+Eigen::Vector3d axisOf(GizmoPart part) {
+    return Eigen::Vector3d::Unit(static_cast<int>(part) - static_cast<int>(GizmoPart::MoveX));
+}
+
+render::ViewRay rayUnderMouse(const GizmoView& view) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return view.view.rayThrough(mouse.x - view.origin.x(), mouse.y - view.origin.y());
+}
+
+/// Where the ray meets the plane through the point, square to the direction of view.
+Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
+                              const Eigen::Vector3d& point) {
+    const Eigen::Vector3d forward = view.view.pose.forward();
+    return ray.origin +
+           (point - ray.origin).dot(forward) / ray.direction.dot(forward) * ray.direction;
+}
+
+Pose dragged(const GizmoView& view, const GizmoState& state) {
+    Pose pose = state.begin;
+    const render::ViewRay ray = rayUnderMouse(view);
+    switch (state.dragged) {
+        case GizmoPart::MoveX:
+        case GizmoPart::MoveY:
+        case GizmoPart::MoveZ: {
+            const Eigen::Vector3d axis = axisOf(state.dragged);
+            if (const auto along = nearestAlong(ray, pose.position, axis)) {
+                pose.position += (*along - state.grabbed) * axis;
+            }
+            break;
+        }
+        case GizmoPart::MoveFree:
+            pose.position += onScreenPlane(ray, view, pose.position) - state.grabbed_at;
+            break;
+        case GizmoPart::Yaw:
+        case GizmoPart::Pitch:
+            if (const auto angle = angleUnder(ray, state.begin, state.dragged)) {
+                double yaw = heading(pose.forward());
+                double pitch = elevation(pose.forward());
+                (state.dragged == GizmoPart::Yaw ? yaw : pitch) += *angle - state.grabbed;
+                pitch = std::clamp(pitch, -0.49 * kPi, 0.49 * kPi);
+                pose.rotation = lookAlong(directionOf(yaw, pitch));
+            }
+            break;
+        case GizmoPart::None:
+            break;
+    }
+    return pose;
+}
+
+void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
+    state.dragged = part;
+    state.begin = view.pose;
+    const render::ViewRay ray = rayUnderMouse(view);
+    if (part == GizmoPart::MoveFree) {
+        state.grabbed_at = onScreenPlane(ray, view, view.pose.position);
+    } else if (part == GizmoPart::Yaw || part == GizmoPart::Pitch) {
+        state.grabbed = angleUnder(ray, view.pose, part).value_or(0.0);
+    } else {
+        state.grabbed = nearestAlong(ray, view.pose.position, axisOf(part)).value_or(0.0);
+    }
+}
+
+}  // namespace
+
+std::optional<double> nearestAlong(const render::ViewRay& ray, const Eigen::Vector3d& origin,
+                                   const Eigen::Vector3d& axis) {
+    const Eigen::Vector3d direction = ray.direction.normalized();
+    const double slant = direction.dot(axis);
+    const double square = 1.0 - slant * slant;
+    if (square < 1e-4) return std::nullopt;
+    const Eigen::Vector3d between = ray.origin - origin;
+    return (between.dot(axis) - slant * between.dot(direction)) / square;
+}
+
+GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
+    GizmoActions actions;
+    actions.pose = view.pose;
+    const Painter paint{view, metresPerPixel(view)};
+    const std::optional<ImVec2> middle = paint.at(view.pose.position);
+    if (!middle) return actions;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const double length = scaled(kArrow_px) * paint.metres_per_px;
+
+    GizmoPart hot = GizmoPart::None;
+    double nearest = scaled(kGrab_px);
+    const auto consider = [&](GizmoPart part, double distance) {
+        if (distance < nearest) {
+            nearest = distance;
+            hot = part;
+        }
+    };
+    std::array<std::optional<ImVec2>, 3> tips;
+    for (int i = 0; i < 3; ++i) {
+        tips[i] = paint.at(view.pose.position + length * Eigen::Vector3d::Unit(i));
+        if (!tips[i]) continue;
+        const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + i);
+        consider(part, distanceToSegment(mouse, *middle, *tips[i]) + 0.5);
+        static const std::array<const char*, 3> kNames = {"gizmo.x", "gizmo.y", "gizmo.z"};
+        nameArea(kNames[i], tips[i]->x - 3, tips[i]->y - 3, tips[i]->x + 3, tips[i]->y + 3);
+    }
+    std::array<std::vector<ImVec2>, 2> curves;
+    if (view.turns) {
+        curves = {curve(paint, view.pose, GizmoPart::Yaw),
+                  curve(paint, view.pose, GizmoPart::Pitch)};
+        consider(GizmoPart::Yaw, distanceToLine(mouse, curves[0]));
+        consider(GizmoPart::Pitch, distanceToLine(mouse, curves[1]));
+    }
+    consider(GizmoPart::MoveFree, std::hypot(mouse.x - middle->x, mouse.y - middle->y) - 1.0);
+    nameArea("gizmo.free", middle->x - 3, middle->y - 3, middle->x + 3, middle->y + 3);
+    if (!view.hovered && state.dragged == GizmoPart::None) hot = GizmoPart::None;
+    if (state.dragged == GizmoPart::None && hot != GizmoPart::None &&
+        ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        beginDrag(view, state, hot);
+    }
+    if (state.dragged != GizmoPart::None) {
+        hot = state.dragged;
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            actions.pose = dragged(view, state);
+            actions.changed =
+                ImGui::GetIO().MouseDelta.x != 0.0F || ImGui::GetIO().MouseDelta.y != 0.0F;
+        } else {
+            state.dragged = GizmoPart::None;
+            actions.finished = true;
+        }
+    }
+    actions.has_mouse = hot != GizmoPart::None;
+
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const auto width = [&](GizmoPart part) { return scaled(part == hot ? 4.0F : 2.2F); };
+    if (view.turns) {
+        const std::array<GizmoPart, 2> parts = {GizmoPart::Yaw, GizmoPart::Pitch};
+        for (std::size_t i = 0; i < 2; ++i) {
+            list->AddPolyline(curves[i].data(), static_cast<int>(curves[i].size()),
+                              i == 0 ? IM_COL32(255, 214, 70, 230) : IM_COL32(210, 120, 255, 230),
+                              ImDrawFlags_None, width(parts[i]));
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (!tips[i]) continue;
+        const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + i);
+        list->AddLine(*middle, *tips[i], kAxisColors[i], width(part));
+        list->AddCircleFilled(*tips[i], scaled(part == hot ? 7.0F : 5.5F), kAxisColors[i]);
+    }
+    list->AddCircleFilled(*middle, scaled(hot == GizmoPart::MoveFree ? 8.0F : 6.0F),
+                          IM_COL32(255, 255, 255, 230));
+    list->AddCircle(*middle, scaled(6.0F), IM_COL32(0, 0, 0, 160));
+    return actions;
+}
+
+}  // namespace dollytrack::ui

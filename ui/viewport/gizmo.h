@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/math/pose.h"
+#include "render/view.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace dollytrack::ui {
+
+/// Which handle of the gizmo the mouse has.
+enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
+
+struct GizmoView {
+    render::View view;                                 // of the viewport's picture
+    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // of the picture in the window, px
+    Pose pose;                                         // of the thing that is edited
+    bool turns = true;                                 // has handles for yaw and pitch
+    bool hovered = false;                              // the viewport has the mouse
+};
+
+/// What it remembers during a drag.
+struct GizmoState {
+    GizmoPart dragged = GizmoPart::None;
+    Pose begin;
+    double grabbed = 0.0;  // m along the axis, or radians around it
+    Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
+};
+
+struct GizmoActions {
+    bool has_mouse = false;  // the viewport must leave the mouse alone
+    bool changed = false;
+    bool finished = false;
+    Pose pose;
+};
+
+/// Handles over the picture: three arrows and a disc to move, a ring to turn about the vertical and
+/// an arc to look up and down. Draws into the current ImGui window.
+GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
+
+/// Where a ray comes nearest to a line: metres along the line's unit direction; nothing when the
+/// two are nearly parallel.
+[[nodiscard]] std::optional<double> nearestAlong(const render::ViewRay& ray,
+                                                 const Eigen::Vector3d& origin,
+                                                 const Eigen::Vector3d& axis);
+
+}  // namespace dollytrack::ui
