@@ -38,7 +38,9 @@ float outline(vec2 p, float radius) {
 void main() {
     float away = outline(offset, shape.x);
     float core = clamp(0.5 - away, 0.0, 1.0);
-    float rim = 0.7 * clamp(1.6 - away, 0.0, 1.0);
+    // Thin strokes drown in a strong rim.
+    float strength = int(shape.y + 0.5) == 1 ? 0.4 : 0.7;
+    float rim = strength * clamp(1.6 - away, 0.0, 1.0);
     float cover = max(core, rim);
     float body = cover > 0.0 ? core / cover : 0.0;
     vec3 rgb = mix(vec3(0.08), color.rgb, body);

@@ -20,18 +20,22 @@ constexpr int kVerdicts = static_cast<int>(Verdict::HeightBand) + 1;
 constexpr int kConeSides = 36;
 const Eigen::Vector4f kCone(0.98F, 0.85F, 0.35F, 1.0F);
 
-/// The cone from the observation point, as long as the candidates in it are far.
+/// The cone from the observation point, as long as the candidates in it are far; those outside the
+/// room only count where there are no others.
 void addCone(render::Overlay& overlay, const ObservationPoint& point,
              const std::vector<Candidate>& candidates, double half_angle_deg) {
     const double half_angle = std::min(half_angle_deg, 89.0) * std::numbers::pi / 180.0;
     double length = 0.0;
+    double outside = 0.0;
     for (const Candidate& candidate : candidates) {
         const Eigen::Vector3d way = candidate.position - point.position;
         const double distance = way.norm();
         if (distance <= 0.0) continue;
-        const double cosine = way.dot(point.direction) / distance;
-        if (cosine > std::cos(half_angle) - 1e-3) length = std::max(length, distance);
+        if (way.dot(point.direction) / distance < std::cos(half_angle) - 1e-3) continue;
+        double& reach = candidate.verdict == Verdict::OutsideRoom ? outside : length;
+        reach = std::max(reach, distance);
     }
+    if (length <= 0.0) length = outside;
     if (length <= 0.0) return;
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), point.direction);

@@ -28,8 +28,8 @@ Eigen::Vector4f partColor(int part) {
 
 Eigen::Vector4f scaleColor(double share) {
     static const std::array<Eigen::Vector4f, 5> stops = {{
-        {0.30F, 0.05F, 0.45F, 1.0F},
-        {0.16F, 0.32F, 0.78F, 1.0F},
+        {0.44F, 0.06F, 0.52F, 1.0F},
+        {0.24F, 0.36F, 0.88F, 1.0F},
         {0.05F, 0.58F, 0.64F, 1.0F},
         {0.38F, 0.78F, 0.30F, 1.0F},
         {0.99F, 0.90F, 0.20F, 1.0F},

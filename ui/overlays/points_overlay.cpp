@@ -72,14 +72,14 @@ class Builder {
         for (std::size_t i = 0; i < plan_.position_points.size(); ++i) {
             if (is_key_[i]) continue;
             ++spare;
-            addPositionPoint(static_cast<int>(i), kSpareColor, 6.0);
+            addPositionPoint(static_cast<int>(i), kSpareColor, 5.0);
         }
         for (const int key : plan_.key_frames) {
             if (options_.frustums) {
                 render::addFrustum(layer_.overlay, pose(key), camera_, options_.frustum_m,
                                    withOpacity(kKeyFrameColor, 0.75F), 1.2);
             }
-            addPositionPoint(key, kKeyFrameColor, 10.0);
+            addPositionPoint(key, kKeyFrameColor, 8.0);
         }
         auto& entries = layer_.legend.entries;
         entries.push_back(

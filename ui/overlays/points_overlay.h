@@ -10,7 +10,7 @@ struct PointsOverlayOptions {
     bool observation_points = true;
     bool position_points = true;
     bool frustums = true;     // of key frames
-    double frustum_m = 0.22;  // depth of the drawn pyramids
+    double frustum_m = 0.32;  // depth of the drawn pyramids
     int selected_observation_point = -1;
     int selected_position_point = -1;
     bool operator==(const PointsOverlayOptions&) const = default;

@@ -87,7 +87,7 @@ class Builder {
             layer_.overlay.marks.push_back({refused[i].collision,
                                             Mark::Shape::Cross,
                                             kRefusedColor,
-                                            8.0,
+                                            6.5,
                                             {0, 0, 0},
                                             toTag(Picked::RefusedEdge, static_cast<int>(i))});
         }
@@ -126,12 +126,12 @@ class Builder {
                 }
             } else if (edge.is_link) {
                 ++links;
-                if (options_.links) addEdge(edge, kLinkColor, 3.0, 0.0, tag);
+                if (options_.links) addEdge(edge, kLinkColor, 4.0, 0.0, tag);
             } else {
                 const int color = colorIndex(edge);
                 by_color.resize(std::max(by_color.size(), static_cast<std::size_t>(color) + 1));
                 ++by_color[static_cast<std::size_t>(color)];
-                if (options_.accepted) addEdge(edge, partColor(color), 2.2, 0.0, tag);
+                if (options_.accepted) addEdge(edge, partColor(color), 3.4, 0.0, tag);
             }
         }
         auto& entries = layer_.legend.entries;
@@ -159,7 +159,7 @@ class Builder {
             for (std::size_t i = 0; i < path.vertices.size(); ++i) {
                 ++vertices;
                 if (i == 0) continue;
-                addLine(path.vertices[i - 1].position, path.vertices[i].position, kPathColor, 3.2,
+                addLine(path.vertices[i - 1].position, path.vertices[i].position, kPathColor, 1.7,
                         0.0, render::kNoTag);
             }
         }

@@ -12,8 +12,8 @@ namespace {
 using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
-constexpr double kWidth = 4.0;       // px
-constexpr double kArrowEvery = 1.0;  // m
+constexpr double kWidth = 3.6;       // px
+constexpr double kArrowEvery = 2.0;  // m
 const Eigen::Vector4f kPlain(0.62F, 0.66F, 0.74F, 1.0F);
 
 /// One value a frame, and what it is.
@@ -82,7 +82,7 @@ void addArrows(render::Overlay& overlay, const Trajectory& trajectory) {
         overlay.marks.push_back({frame.pose.position,
                                  Mark::Shape::Arrow,
                                  {1, 1, 1, 1},
-                                 11.0,
+                                 9.0,
                                  way.normalized(),
                                  toTag(Picked::Frame, static_cast<int>(i))});
     }

@@ -10,7 +10,7 @@ enum class TrajectoryColor { Time, Clearance, Speed, TurnRate, Score, NewlyCaptu
 
 struct TrajectoryOverlayOptions {
     TrajectoryColor color = TrajectoryColor::Time;
-    bool direction_arrows = true;  // every metre
+    bool direction_arrows = true;  // every two metres
     int selected_frame = -1;
     bool operator==(const TrajectoryOverlayOptions&) const = default;
 };
