@@ -73,7 +73,7 @@ std::string verdictText(Verdict verdict, const std::string& occluder) {
         case Verdict::Legal:
             return "legal";
         case Verdict::InObstacle:
-            return "in an obstacle";
+            return occluder.empty() ? "in an obstacle" : "touching " + occluder;
         case Verdict::OutsideRoom:
             return "outside the room";
         case Verdict::OccludedBy:

@@ -25,7 +25,7 @@ nlohmann::json turnJson(const Eigen::Quaterniond& rotation);
 std::string objectName(const Scene& scene, int id);
 /// "sofa", "sofa and lamp", "sofa and 3 more".
 std::string objectNames(const Scene& scene, const std::vector<int>& ids);
-/// "hidden by sofa": why a candidate was not taken, or "legal".
+/// "hidden by sofa", "touching sofa": why a candidate was not taken, or "legal".
 std::string verdictText(Verdict verdict, const std::string& occluder = {});
 
 /// "1.20 × 0.80 × 0.75 m".

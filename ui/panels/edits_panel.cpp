@@ -99,14 +99,17 @@ void drawDefinitions(const EditsView& view) {
 /// Whether planning kept the pin, as far as is known.
 void drawPinState(const EditsView& view, const PinnedPoint& point) {
     if (view.plan == nullptr || !view.plan_is_current) {
+        flowTo("being checked \u2026");
         ImGui::TextColored(palette().text_dim, "being checked \u2026");
         return;
     }
     const auto refused = std::ranges::find(view.plan->refused_pins, point.name, &RefusedPin::name);
     if (refused == view.plan->refused_pins.end()) {
+        flowTo("\u25cf visited");
         ImGui::TextColored(palette().good, "\u25cf visited");
         tooltip("Planning keeps this pose and visits it.");
     } else {
+        // On lines of its own: reasons are long.
         paragraph("\u25cb not possible: " + refused->reason, palette().bad);
     }
 }
@@ -122,7 +125,6 @@ void drawPins(const EditsView& view, EditsActions& actions) {
         const std::string for_what =
             point.objects.empty() ? "Placed from a view" : "For " + namesOf(point.objects);
         tooltip(for_what + ", at " + placeText(point.pose.position));
-        ImGui::SameLine();
         drawPinState(view, point);
         if (button("Look through", name + ".look")) actions.look_through = point.pose;
         ImGui::SameLine();

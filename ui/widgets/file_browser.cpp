@@ -46,7 +46,10 @@ struct FileBrowser::Impl {
     void drawPlaces();
     void drawPlace(const std::string& label, const fs::path& folder, const std::string& name);
     void drawList(float height);
-    void drawBottom();
+    [[nodiscard]] bool drawName();  // whether it was entered
+    [[nodiscard]] std::string noteText() const;
+    void drawChoices();
+    void drawButtons(bool entered);
     void drawNewFolder();
     void drawOverwrite();
     void drawContent();
@@ -280,9 +283,9 @@ void FileBrowser::Impl::drawPlaces() {
 void FileBrowser::Impl::drawList(float height) {
     ImGui::BeginChild("list", {0, height});
     const bool typing = ImGui::GetIO().WantTextInput || path_line.isTyping() || name_has_keys;
-    const bool busy = overwrite.empty() && !ImGui::IsPopupOpen("new_folder");
+    const bool alone = overwrite.empty() && !ImGui::IsPopupOpen("new_folder");
     const FileListActions actions =
-        drawFileList({arranged.get(), &rows, !typing && busy && !begins}, order, list);
+        drawFileList({arranged.get(), &rows, !typing && alone && !begins}, order, list);
     const FolderEntry* entry = selectedEntry();
     if (actions.selected && entry != nullptr) {
         problem.clear();
@@ -299,33 +302,30 @@ void FileBrowser::Impl::drawList(float height) {
     ImGui::EndChild();
 }
 
-void FileBrowser::Impl::drawBottom() {
-    std::string note = problem;
-    if (note.empty() && listing) note = listing->problem;
-    if (!note.empty()) {
-        paragraph(note, palette().bad);
-    } else if (reader.busy() && !listing) {
-        ImGui::TextDisabled("Reading the folder …");
-    } else if (arranged && rows.empty()) {
-        ImGui::TextDisabled(arranged->entries.empty() ? "This folder is empty."
-                                                      : "Nothing here of this kind.");
-    } else {
-        ImGui::TextDisabled("%zu of %zu entries", rows.size(),
-                            arranged ? arranged->entries.size() : 0);
-    }
-    bool entered = false;
-    if (request.purpose == Purpose::Save) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("Name");
-        ImGui::SameLine();
-        // Not before the folder is there: what is written into a field in use is lost.
-        if (listing && std::exchange(focus_name, false)) ImGui::SetKeyboardFocusHere();
-        ImGui::SetNextItemWidth(scaled(280));
-        entered = ImGui::InputText("##name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
-        nameItem("files.name");
-        name_has_keys = ImGui::IsItemActive();
-        ImGui::SameLine();
-    }
+bool FileBrowser::Impl::drawName() {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Name");
+    ImGui::SameLine();
+    // Not before the folder is there: what is written into a field in use is lost.
+    if (listing && std::exchange(focus_name, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool entered = ImGui::InputText("##name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+    nameItem("files.name");
+    name_has_keys = ImGui::IsItemActive();
+    return entered;
+}
+
+std::string FileBrowser::Impl::noteText() const {
+    if (!problem.empty()) return problem;
+    if (listing && !listing->problem.empty()) return listing->problem;
+    if (!arranged) return "Reading the folder \u2026";
+    if (arranged->entries.empty()) return "This folder is empty.";
+    if (rows.empty()) return "Nothing here of this kind.";
+    return std::to_string(rows.size()) + " of " + std::to_string(arranged->entries.size()) +
+           " entries";
+}
+
+void FileBrowser::Impl::drawChoices() {
     if (request.purpose != Purpose::ChooseFolder) {
         ImGui::SetNextItemWidth(scaled(190));
         const std::string& chosen = request.filters[static_cast<std::size_t>(filter)].name;
@@ -346,6 +346,9 @@ void FileBrowser::Impl::drawBottom() {
     ImGui::Checkbox("Hidden", &order.hidden);
     nameItem("files.hidden");
     tooltip("Also files whose names begin with a dot");
+}
+
+void FileBrowser::Impl::drawButtons(bool entered) {
     const float wide = scaled(90);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * wide -
                     ImGui::GetStyle().ItemSpacing.x);
@@ -377,16 +380,23 @@ void FileBrowser::Impl::drawContent() {
         !overwrite.empty() || ImGui::IsPopupOpen("new_folder") || path_line.isTyping();
     if (!asks && !begins && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) open = false;
     drawTop();
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float bottom =
-        ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 2 * style.ItemSpacing.y + scaled(2);
+    const std::string note = noteText();
+    const bool wrong = !problem.empty() || (listing && !listing->problem.empty());
+    const bool has_name = request.purpose == Purpose::Save;
+    const float note_height =
+        ImGui::CalcTextSize(note.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y;
+    const float bottom = (has_name ? 2.0F : 1.0F) * ImGui::GetFrameHeightWithSpacing() +
+                         note_height + ImGui::GetStyle().ItemSpacing.y + scaled(2);
     const float height = std::max(scaled(80), ImGui::GetContentRegionAvail().y - bottom);
     ImGui::BeginChild("places", {scaled(140), height});
     drawPlaces();
     ImGui::EndChild();
     ImGui::SameLine();
     drawList(height);
-    drawBottom();
+    const bool entered = has_name && drawName();
+    paragraph(note, wrong ? palette().bad : palette().text_dim);
+    drawChoices();
+    drawButtons(entered);
     drawOverwrite();
 }
 

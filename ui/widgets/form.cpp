@@ -43,7 +43,7 @@ void formText(const char* label, const std::string& value, const std::string& ti
 void heading(const char* text) {
     ImGui::Spacing();
     ImGui::PushFont(fonts().bold);
-    ImGui::TextUnformatted(text);
+    ImGui::TextWrapped("%s", text);
     ImGui::PopFont();
 }
 
@@ -92,7 +92,9 @@ bool link(const std::string& text, std::string_view name, const std::string& tip
     ImGui::PopStyleColor();
     nameItem(name);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    tooltip(tip);
+    // What is too long for its line can be read in the tooltip.
+    const bool cut_off = size.x > ImGui::GetContentRegionMax().x;
+    tooltip(cut_off ? text + (tip.empty() ? "" : "\n" + tip) : tip);
     return pressed;
 }
 
