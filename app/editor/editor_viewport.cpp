@@ -5,6 +5,7 @@
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/theme.h"
+#include "ui/widgets/legend_view.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

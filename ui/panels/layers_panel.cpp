@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/legend_view.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -28,7 +28,4 @@ struct LayersActions {
 /// Which layers are drawn over the scene, how, and what their colours mean.
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings);
 
-/// The legends alone, for a corner of the viewport as well.
-void drawLegends(const std::vector<Legend>& legends);
-
 }  // namespace dollytrack::ui

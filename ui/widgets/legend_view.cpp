@@ -1,5 +1,6 @@
+#include "ui/widgets/legend_view.h"
+
 #include "ui/overlays/palette.h"
-#include "ui/panels/layers_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
 
@@ -25,7 +26,7 @@ float brightness(const Eigen::Vector4f& rgba) {
 void drawBacking(const LegendEntry& entry, ImVec2 low, ImVec2 high) {
     const ImVec4 panel = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
     const float behind = brightness({panel.x, panel.y, panel.z, 1.0F});
-    if (std::abs(brightness(entry.rgba) - behind) > 0.2F) return;
+    if (std::abs(brightness(entry.rgba) - behind) > 0.15F) return;
     const float gray = behind > 0.5F ? 0.35F : 0.65F;
     ImGui::GetWindowDrawList()->AddRectFilled(
         low, high, ImGui::GetColorU32(ImVec4(gray, gray, gray, 1.0F)), scaled(3));

@@ -1,0 +1,83 @@
+#include "ui/panels/layers_panel.h"
+
+#include "tests/ui/screen.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack::ui {
+namespace {
+
+struct Layers {
+    Layers() {
+        view.room = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 3, 2.5)};
+        view.has_map = true;
+        view.has_plan = true;
+    }
+    void draw() {
+        const LayersActions actions = drawLayersPanel(view, settings);
+        changes += actions.changed;
+        finished += actions.finished;
+    }
+    LayersView view;
+    LayerSettings settings;
+    int changes = 0;
+    int finished = 0;
+};
+
+TEST(LayersPanel, EverySwitchChangesOneSetting) {
+    Layers layers;
+    layers.settings.free_space = true;
+    layers.settings.roadmap = true;
+    test::Screen screen([&] { layers.draw(); }, 360, 1200);
+    for (const char* name : {"cells.free",      "cells.occupied",     "cells.unknown",
+                             "sliced",          "points.observation", "points.position",
+                             "points.frustums", "roadmap.accepted",   "roadmap.refused",
+                             "roadmap.links",   "roadmap.samples",    "roadmap.dropped",
+                             "roadmap.path",    "trajectory.arrows",  "cone",
+                             "no_go_boxes",     "ceiling_cut",        "grid",
+                             "candidates",      "trajectory",         "points",
+                             "roadmap",         "free_space"}) {
+        const LayerSettings before = layers.settings;
+        const int changes = layers.changes;
+        ASSERT_TRUE(screen.click(std::string("layers.") + name)) << name << ": " << screen.names();
+        EXPECT_FALSE(layers.settings == before) << name;
+        EXPECT_EQ(layers.changes, changes + 1) << name;
+    }
+    EXPECT_EQ(layers.finished, layers.changes);
+    EXPECT_FALSE(screen.shows("layers.cells.free")) << "a layer that is off has no details";
+}
+
+TEST(LayersPanel, ChoosesColours) {
+    Layers layers;
+    test::Screen screen([&] { layers.draw(); }, 360, 900);
+    screen.click("layers.trajectory.color");
+    ASSERT_TRUE(screen.click("layers.trajectory.color.turn rate")) << screen.names();
+    EXPECT_EQ(layers.settings.trajectory_options.color, TrajectoryColor::TurnRate);
+}
+
+TEST(LayersPanel, KeepsTheSliceInTheRoom) {
+    Layers layers;
+    layers.settings.free_space = true;
+    layers.settings.slice.position_m = 40.0;
+    test::Screen screen([&] { layers.draw(); }, 360, 900);
+    EXPECT_EQ(layers.settings.slice.position_m, 2.5);
+    screen.click("layers.slice.axis");
+    ASSERT_TRUE(screen.click("layers.slice.axis.x")) << screen.names();
+    EXPECT_EQ(layers.settings.slice.axis, 0);
+    ASSERT_TRUE(screen.typeInto("layers.slice.position", "3.25"));
+    EXPECT_NEAR(layers.settings.slice.position_m, 3.25, 1e-6);
+}
+
+TEST(LayersPanel, SaysWhatCannotBeShownYet) {
+    Layers layers;
+    layers.view.has_map = false;
+    layers.view.has_plan = false;
+    test::Screen screen([&] { layers.draw(); }, 360, 900);
+    for (const char* name : {"free_space", "points", "roadmap", "trajectory", "candidates"}) {
+        EXPECT_FALSE(screen.enabled(std::string("layers.") + name)) << name;
+    }
+    EXPECT_TRUE(screen.enabled("layers.grid"));
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
