@@ -92,7 +92,13 @@ void drawKeys(const TimelineView& view, const FrameAxis& axis, const Rows& rows)
         }
     }
     if (view.keys == nullptr) return;
-    const float r = scaled(5);
+    // Smaller where they would hide each other.
+    const auto shown = std::ranges::count_if(*view.keys, [&](const TimelineKey& key) {
+        return key.frame >= axis.first() && key.frame < axis.endFrame();
+    });
+    const auto room = static_cast<float>((axis.right() - axis.left()) /
+                                         static_cast<double>(std::max<std::ptrdiff_t>(shown, 1)));
+    const float r = std::clamp(room * 0.45F, scaled(2.5F), scaled(5));
     for (const TimelineKey& key : *view.keys) {
         const auto x = static_cast<float>(axis.xOf(key.frame + 0.5));
         if (x < axis.left() - r || x > axis.right() + r) continue;
