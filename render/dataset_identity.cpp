@@ -77,6 +77,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
+        {"the edits", hash(origin.edits_json)},
         {"the planned metrics", hash(origin.planned_metrics_json)},
         {"the program's version", origin.product_version},
     };

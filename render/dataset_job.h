@@ -40,6 +40,7 @@ struct DatasetOrigin {
     std::string product_version;
     std::uint64_t seed = 0;
     std::string parameters_json = "{}";         // of planning, by section and name
+    std::string edits_json = "{}";              // made by hand, as projects keep them
     std::string planned_metrics_json = "null";  // as `plan --json` prints them
     std::vector<Eigen::AlignedBox3d> rooms;     // by free-space component; may be empty
 };

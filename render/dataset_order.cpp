@@ -49,6 +49,9 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     Result<nlohmann::json> parameters = parseJson(origin.parameters_json, "the parameters");
     if (!parameters) return tl::unexpected(parameters.error());
     card.parameters = std::move(*parameters);
+    Result<nlohmann::json> edits = parseJson(origin.edits_json, "the edits");
+    if (!edits) return tl::unexpected(edits.error());
+    card.edits = std::move(*edits);
     Result<nlohmann::json> metrics = parseJson(origin.planned_metrics_json, "the metrics");
     if (!metrics) return tl::unexpected(metrics.error());
     card.planned_metrics = std::move(*metrics);

@@ -2,6 +2,7 @@
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/scene_arguments.h"
+#include "engine/document/edits_json.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
 #include "render/dataset_job.h"
@@ -117,6 +118,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     origin.product_version = DOLLYTRACK_VERSION;
     origin.seed = static_cast<std::uint64_t>(planned->params.seed);
     planning::PlanParams params = planned->params;
+    origin.edits_json = jsonText(editsJson(opened->edits));
     origin.parameters_json = toJson(planning::listFields(params)).dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned->metrics));
     origin.rooms = planned->rooms;

@@ -154,6 +154,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
     root["seed"] = card.seed;
     root["parameters"] = card.parameters;
+    if (!card.edits.empty()) root["edits"] = card.edits;
     root["metrics"] = {{"planned", card.planned_metrics}, {"counted", countedMetrics(card)}};
     root["objects"] = objectTable(scene);
     root["classes"] = classTable();

@@ -21,6 +21,7 @@ struct DatasetCard {
     std::string product_version;
     std::uint64_t seed = 0;
     nlohmann::json parameters;       // of planning, by section and name
+    nlohmann::json edits;            // made by hand; an empty object without any
     nlohmann::json planned_metrics;  // as planning estimated them, null when there are none
     CaptureMetrics counted;          // from the pixels
     std::vector<ObjectCapture> captures;

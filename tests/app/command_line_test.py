@@ -197,6 +197,8 @@ class CommandLine(unittest.TestCase):
         exported = run("export", path, "--out", out, "--json", "--range", "0:2")
         self.assertEqual(exported.returncode, 0, exported.stderr)
         self.assertEqual(json.loads(exported.stdout)["counted"]["objects"], 4)
+        card = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(card["edits"], json.loads(path.read_text())["edits"])
 
     def test_edits_take_the_stored_plan_away_and_stay_when_planned(self):
         _, path = self.edited("kept_edits.dolly", {"op": "set", "name": "fill", "value": 0.5},
