@@ -12,9 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
+#include <chrono>
 #include <exception>
 #include <fstream>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace dollytrack::render {
@@ -114,6 +116,18 @@ bool isAt(int descriptor, const fs::path& path) {
            held.st_ino == named.st_ino && held.st_dev == named.st_dev;
 }
 
+/// Whether another export holds the lock, and keeps it. One that was just killed may hold it until
+/// the system has taken its memory back.
+bool isTaken(int lock) {
+    constexpr int kTries = 40;
+    for (int i = 0; i < kTries; ++i) {
+        // Some file systems know no locks: there, two exports are the user's to keep apart.
+        if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return true;
+}
+
 }  // namespace
 
 DatasetFolder::DatasetFolder(DatasetFolder&& other) noexcept
@@ -160,9 +174,7 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
     if (error) return tl::unexpected<Error>(asError(error, folder));
     const int lock = ::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (lock < 0) return tl::unexpected<Error>(io::writeError(errno, folder));
-    // Some file systems know no locks: there, two exports are the user's to keep apart.
-    const bool taken = ::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (taken || !isAt(lock, journal)) {
+    if (isTaken(lock) || !isAt(lock, journal)) {
         ::close(lock);
         return fail(ErrorCode::CannotWrite,
                     "another export is writing into this folder; wait for it, stop it, or choose "

@@ -23,7 +23,8 @@ std::string sceneText(const Scene& scene, const DatasetCard& card) {
         result += text(scene.source_from_world.matrix().col(column));
     }
     for (const Object& object : scene.objects) {
-        result += fmt::format("\n{} {}", object.id, static_cast<int>(object.role)) +
+        result += fmt::format("\n{} {} {} {}", object.id, static_cast<int>(object.role),
+                              object.first_triangle, object.triangle_count) +
                   text(object.box.center) + text(object.box.half_size) +
                   fmt::format(" {:a}", object.box.yaw);
     }
