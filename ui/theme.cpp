@@ -94,7 +94,7 @@ void setColors(ThemeKind kind) {
     colors[ImGuiCol_ButtonHovered] = hover;
     colors[ImGuiCol_ButtonActive] = pressed;
     ImVec4 chosen = accent;
-    chosen.w = dark ? 0.35F : 0.22F;
+    chosen.w = dark ? 0.28F : 0.18F;
     colors[ImGuiCol_Header] = chosen;
     colors[ImGuiCol_HeaderHovered] = hover;
     colors[ImGuiCol_HeaderActive] = pressed;

@@ -68,6 +68,7 @@ bool Autosave::isDue() const {
 
 void Autosave::store(io::ProjectFile snapshot, const std::filesystem::path& project) {
     last_ = std::chrono::steady_clock::now();
+    ++count_;
     snapshot.result = nullptr;  // planning makes it again, and the copy stays small
     snapshot.others[kSection] = {{"project", project.string()}};
     writer_.start([snapshot = std::move(snapshot), file = file_,

@@ -29,6 +29,8 @@ class Autosave {
     [[nodiscard]] bool isDue() const;
     /// `project` is where the work was saved last.
     void store(io::ProjectFile snapshot, const std::filesystem::path& project);
+    /// Copies handed over so far.
+    [[nodiscard]] int count() const { return count_; }
     /// Removes the copy that this work was restored from, once the new one is written.
     void forgetAfterwards(const LostWork& work) { restored_from_ = work.file; }
     /// The work is saved, or thrown away by its owner: the copy goes.
@@ -46,6 +48,7 @@ class Autosave {
     std::filesystem::path file_;
     std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;
+    int count_ = 0;
     BackgroundWorker writer_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
+#include "ui/panels/timeline_data.h"
 #include "ui/theme.h"
 #include "ui/widgets/field_editor.h"
 #include "ui/widgets/splitter.h"
@@ -22,29 +23,6 @@ void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more =
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
     ImGui::Begin(name, nullptr, kPart | more);
-}
-
-/// The frames that stand on key frames, and the rooms they pass.
-void describeTimeline(const Scene& scene, const Plan& plan, std::vector<ui::TimelineKey>& keys,
-                      std::vector<ui::TimelineBand>& bands) {
-    keys.clear();
-    bands.clear();
-    const auto& frames = plan.trajectory.frames;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const int at = static_cast<int>(i);
-        if (bands.empty() || frames[i].path != frames[i - 1].path ||
-            frames[i].component != frames[i - 1].component) {
-            bands.push_back({at, at, fmt::format("room {}", frames[i].component + 1)});
-        }
-        bands.back().end = at + 1;
-        if (frames[i].position_point < 0) continue;
-        std::string text;
-        const PositionPoint& point =
-            plan.position_points[static_cast<std::size_t>(frames[i].position_point)];
-        for (const int id : point.captured)
-            text += (text.empty() ? "" : ", ") + scene.object(id).name;
-        keys.push_back({at, text.empty() ? "captures nothing" : "captures " + text});
-    }
 }
 
 }  // namespace
@@ -108,7 +86,8 @@ void Editor::refreshScene() {
         timeline_keys_.clear();
         timeline_bands_.clear();
         if (shown.plan) {
-            describeTimeline(*shown.scene, *shown.plan, timeline_keys_, timeline_bands_);
+            timeline_keys_ = ui::timelineKeys(*shown.scene, *shown.plan);
+            timeline_bands_ = ui::timelineBands(*shown.plan);
             step_ = std::min(step_, shown.plan->roadmap.steps.steps.size());
         }
         frame_ = std::clamp(frame_, 0, std::max(frameCount() - 1, 0));

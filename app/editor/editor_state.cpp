@@ -8,6 +8,20 @@
 
 namespace dollytrack::editor {
 
+namespace {
+
+/// Where places of the world are in the window; null behind the viewer or outside the picture.
+nlohmann::json inWindow(const render::View& view, const ui::ViewportActions& pane,
+                        const Eigen::Vector3d& place) {
+    const Eigen::Vector3d p = view.pose.toCamera(place);
+    if (p.z() <= 0.0) return nullptr;
+    const Eigen::Vector2d at = view.project(p);
+    if (at.x() < 0 || at.y() < 0 || at.x() >= pane.width || at.y() >= pane.height) return nullptr;
+    return {at.x() + pane.origin.x(), at.y() + pane.origin.y()};
+}
+
+}  // namespace
+
 nlohmann::json Editor::exportsJson() const {
     nlohmann::json jobs = nlohmann::json::array();
     if (!exports_) return jobs;
@@ -69,6 +83,9 @@ nlohmann::json Editor::stateJson() {
           {"candidates", layer_settings_.candidates},
           {"no_go", layer_settings_.no_go_boxes},
           {"stepping", stepping_}}},
+        {"window", {window_.settings().width, window_.settings().height}},
+        {"question", after_unsaved_ != nullptr ? unsaved_what_next_ : std::string()},
+        {"autosaves", autosave_.count()},
         {"hidden", std::count(hidden_.begin(), hidden_.end(), true)},
         {"notice", notice_ ? notice_->title + ": " + notice_->text : std::string()},
         {"dialogs",
@@ -95,6 +112,23 @@ nlohmann::json Editor::stateJson() {
         {"picture_serial", drawing_.view().serial},
         {"items", std::move(items)},
     };
+    if (shown.scene) {
+        const render::View view = viewportView();
+        for (const Object& object : shown.scene->objects) {
+            state["objects"].push_back({{"id", object.id},
+                                        {"name", object.name},
+                                        {"class", object.nyu40},
+                                        {"large", object.large},
+                                        {"role", static_cast<int>(object.role)},
+                                        {"px", inWindow(view, pane_, object.box.center)}});
+        }
+        if (shown.plan) {
+            for (const PositionPoint& point : shown.plan->position_points) {
+                state["points"].push_back(
+                    {{"px", inWindow(view, pane_, point.pose.position)}, {"pin", point.pin}});
+            }
+        }
+    }
     if (shown.plan) {
         state["plan"] = {
             {"excluded", std::ranges::count(shown.scene->objects, Role::Excluded, &Object::role)},

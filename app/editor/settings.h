@@ -12,8 +12,8 @@ namespace dollytrack::editor {
 
 /// Sizes of the window's parts, px at 96 dots per inch.
 struct Layout {
-    float left = 300;
-    float right = 340;
+    float left = 280;
+    float right = 330;
     float bottom = 190;
     bool show_left = true;
     bool show_right = true;

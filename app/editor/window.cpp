@@ -61,6 +61,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     if (settings.maximized) glfwWindowHint(GLFW_MAXIMIZED, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "dollytrack-editor");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "dollytrack-editor");
     auto window = std::unique_ptr<Window>(new Window);
     window->window_ =
         glfwCreateWindow(settings.width, settings.height, "Dollytrack", nullptr, nullptr);

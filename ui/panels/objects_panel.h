@@ -19,7 +19,7 @@ struct ObjectsView {
 /// What the panel remembers between frames.
 struct ObjectsPanelState {
     std::string filter;
-    int shown = 0;      // index of the choice "all, targets, not captured, ..."
+    int shown = 1;      // index of the choice "all, targets, not captured, …"
     int scroll_to = 0;  // id to be brought into view
 };
 

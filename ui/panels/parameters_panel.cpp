@@ -54,8 +54,10 @@ ParametersActions drawParametersPanel(const ParametersView& view, const FieldLis
             if (table) ImGui::EndTable();
             section = field.section;
             ImGui::PushFont(fonts().bold);
+            ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyle().Colors[ImGuiCol_FrameBg]);
             open = ImGui::CollapsingHeader(sectionTitle(section).c_str(),
                                            ImGuiTreeNodeFlags_DefaultOpen);
+            ImGui::PopStyleColor();
             ImGui::PopFont();
             nameItem("parameters.section." + section);
             table = open && ImGui::BeginTable(section.c_str(), 2);

@@ -29,7 +29,7 @@ struct PreviewState {
     bool open = true;  // else only its title
     bool full = false;
     bool shows_selection = false;  // the selected position point rather than the timeline's frame
-    float width = 320.0F;          // at 96 dots per inch
+    float width = 250.0F;          // at 96 dots per inch
     PaneCorner corner = PaneCorner::BottomRight;
 };
 

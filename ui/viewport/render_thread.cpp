@@ -133,6 +133,10 @@ struct RenderThread::Impl {
     std::array<gl::PictureTexture, 3> preview_pictures;
     std::uint64_t serial = 0;
 
+    // The window's: what it asked for last, so that asking again for the same costs nothing.
+    std::optional<ViewRequest> asked_view;
+    std::optional<PreviewRequest> asked_preview;
+
     std::thread thread;
 
     void loop();
@@ -329,10 +333,18 @@ void RenderThread::setScene(std::shared_ptr<const Scene> scene,
         impl_->next_view.reset();
         impl_->next_preview.reset();
     }
+    impl_->asked_view.reset();
+    impl_->asked_preview.reset();
     impl_->arrived.notify_one();
 }
 
 void RenderThread::requestView(ViewRequest request) {
+    const std::optional<ViewRequest>& last = impl_->asked_view;
+    if (last && samePicture(last->view, request.view) && last->layers == request.layers &&
+        last->pixel_scale == request.pixel_scale) {
+        return;
+    }
+    impl_->asked_view = request;
     {
         const std::lock_guard lock(impl_->mutex);
         impl_->next_view = std::move(request);
@@ -342,9 +354,15 @@ void RenderThread::requestView(ViewRequest request) {
 
 void RenderThread::requestPreview(const render::View& view, int frame, double time_s,
                                   Modality modality) {
+    const std::optional<PreviewRequest>& last = impl_->asked_preview;
+    if (last && samePicture(last->view, view) && last->frame == frame &&
+        last->modality == modality) {
+        return;
+    }
+    impl_->asked_preview = PreviewRequest{view, frame, time_s, modality};
     {
         const std::lock_guard lock(impl_->mutex);
-        impl_->next_preview = PreviewRequest{view, frame, time_s, modality};
+        impl_->next_preview = impl_->asked_preview;
     }
     impl_->arrived.notify_one();
 }
