@@ -14,7 +14,7 @@ namespace dollytrack::editor {
 struct Layout {
     float left = 280;
     float right = 330;
-    float bottom = 190;
+    float bottom = 205;
     bool show_left = true;
     bool show_right = true;
     bool show_bottom = true;

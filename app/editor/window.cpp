@@ -89,7 +89,8 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui_ImplGlfw_InitForOpenGL(window->window_, true);
+    ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
+    window->input_.attach(window->window_);
     ImGui_ImplOpenGL3_Init("#version 450");
     return window;
 }
@@ -154,6 +155,7 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }
+    if (input_.deliver()) animate();
     ui::item_map::beginFrame();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/input_queue.h"
 #include "engine/core/result.h"
 #include "render/gl/context.h"
 
@@ -63,6 +64,7 @@ class Window {
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* sharer_ = nullptr;
+    InputQueue input_;
     int frames_to_draw_ = 3;
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
     std::vector<std::string> dropped_;

@@ -149,14 +149,14 @@ MetricsActions drawMetricsPanel(const MetricsView& view) {
     }
     title("Trajectory");
     drawTrajectory(*view.plan, view.measured);
-    title("Time");
-    ImGui::Text("%.0f ms map, %.0f ms plan; last change shown after %.0f ms", view.plan->map_ms,
-                view.plan->plan_ms, view.last_run_ms);
-    drawStages(*view.plan);
     if (view.measured) {
         title(view.plan->uncaptured.empty() ? "Every target is captured" : "Not captured");
         actions.select_object = drawUncaptured(view);
     }
+    title("Time");
+    ImGui::TextWrapped("%.0f ms map, %.0f ms plan; the last change was on the screen after %.0f ms",
+                       view.plan->map_ms, view.plan->plan_ms, view.last_run_ms);
+    drawStages(*view.plan);
     ImGui::EndChild();
     return actions;
 }

@@ -1,0 +1,69 @@
+#include "app/editor/input_queue.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include <set>
+
+namespace dollytrack::editor {
+namespace {
+
+InputQueue* the_queue = nullptr;
+
+}  // namespace
+
+void InputQueue::attach(GLFWwindow* window) {
+    the_queue = this;
+    window_ = window;
+    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        the_queue->events_.push_back({Event::Kind::Key, key, scancode, action, mods});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) {
+        the_queue->events_.push_back({Event::Kind::Button, button, 0, action, mods});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) {
+        the_queue->events_.push_back({Event::Kind::Scroll, 0, 0, 0, 0, x, y});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
+        the_queue->events_.push_back({Event::Kind::Text, static_cast<int>(character)});
+    });
+    glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+    glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+}
+
+bool InputQueue::deliver() {
+    std::set<int> changed;  // keys, and buttons below zero
+    while (!events_.empty()) {
+        const Event event = events_.front();
+        const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
+        const bool repeats = event.action == GLFW_REPEAT;
+        const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
+        // A second change of the same key, or a release while others went down, must be seen by
+        // itself: Ctrl may not be up before the key it belongs to was looked at.
+        const bool release = event.action == GLFW_RELEASE;
+        if (switches && !repeats && (changed.contains(which) || (release && !changed.empty()))) {
+            return true;
+        }
+        events_.pop_front();
+        if (switches && !repeats && event.action == GLFW_PRESS) changed.insert(which);
+        switch (event.kind) {
+            case Event::Kind::Key:
+                ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action,
+                                           event.mods);
+                break;
+            case Event::Kind::Button:
+                ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.action, event.mods);
+                break;
+            case Event::Kind::Scroll:
+                ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+                break;
+            case Event::Kind::Text:
+                ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+                break;
+        }
+    }
+    return false;
+}
+
+}  // namespace dollytrack::editor
