@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
+#include "engine/geometry/ray_caster.h"
 #include "ui/panels/timeline_data.h"
 #include "ui/theme.h"
 #include "ui/widgets/field_editor.h"
@@ -313,6 +314,37 @@ void Editor::lookAlongPose(const Pose& pose) {
     through_camera_ = false;
     viewport_.camera.orthographic = false;
     viewport_.camera.standAt(pose, 1.5);
+}
+
+void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
+    if (box.isEmpty()) return;
+    lookThroughFrame(false);
+    ui::ViewerCamera camera = viewport_.camera;
+    camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
+    camera.distance = std::max(camera.distance, 0.8);
+    viewport_.camera = camera;
+    const PlanOutcome& shown = workspace_.shown();
+    if (!shown.rays || camera.orthographic) return;
+    // Small things stand in front of walls and inside furniture: of the directions near the present
+    // one the first from which nothing hides the thing.
+    const Eigen::AlignedBox3d building = shown.scene->room_bounds;
+    const double radius = 0.5 * box.sizes().norm();
+    for (const double raised : {0.0, 0.3, -0.3, 0.6, -0.6}) {
+        for (const double turned :
+             {0.0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 1.9, -1.9, 2.5, -2.5, 3.1}) {
+            ui::ViewerCamera tried = camera;
+            tried.azimuth += turned;
+            tried.elevation = std::clamp(tried.elevation + raised, 0.05, 1.5);
+            const Eigen::Vector3d eye = tried.pose().position;
+            const Eigen::Vector3d border = tried.pivot + 1.02 * radius * tried.towardsViewer();
+            // From outside, ceilings and near walls are left away.
+            const bool from_above = !building.contains(eye) && tried.elevation > 0.5;
+            if (!from_above && tried.distance > radius && !shown.rays->sees(eye, border)) continue;
+            if (!from_above && !building.contains(eye)) continue;
+            viewport_.camera = tried;
+            return;
+        }
+    }
 }
 
 void Editor::runKeypad() {

@@ -124,6 +124,7 @@ class Editor {
     void goToFrame(int frame);
     void lookThroughFrame(bool through);
     void lookAlongPose(const Pose& pose);
+    void bringIntoView(const Eigen::AlignedBox3d& box);
     void lockSelectedPoint();
     void deleteSelected();
     void runKeypad();

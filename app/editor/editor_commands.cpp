@@ -177,10 +177,7 @@ void Editor::addViewCommands() {
         return static_cast<double>(pane_.width) / std::max(pane_.height, 1);
     };
     commands_.add({"view.frame_selected", "View", "Show what is selected", key(GLFW_KEY_F),
-                   [this, aspect] {
-                       lookThroughFrame(false);
-                       viewport_.camera.frame(selectedBox(), aspect());
-                   },
+                   [this] { bringIntoView(selectedBox()); },
                    [this]() -> std::string {
                        return selectedBox().isEmpty() ? "Select something first." : "";
                    }});

@@ -114,7 +114,7 @@ void Editor::drawEdits() {
     if (actions.frame) {
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& corner : actions.frame->corners()) box.extend(corner);
-        viewport_.camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
+        bringIntoView(box);
     }
 }
 

@@ -270,7 +270,7 @@ void Editor::drawCentre() {
     if (!workspace_.isOpen()) return;
     if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection);
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
-        viewport_.camera.frame(selectedBox(), static_cast<double>(pane_.width) / pane_.height);
+        bringIntoView(selectedBox());
     }
     editWithGizmo();
     if (!preview_.full) drawLegend();

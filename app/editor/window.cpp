@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 namespace dollytrack::editor {
 namespace {
@@ -205,7 +206,8 @@ WindowSettings Window::settings() const {
 }
 
 void Window::setTitle(const std::string& title) {
-    glfwSetWindowTitle(window_, title.c_str());
+    // The window system answers a title with an event, which would wake the window for ever.
+    if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_, title.c_str());
 }
 
 void Window::toggleFullscreen() {

@@ -67,6 +67,7 @@ class Window {
     InputQueue input_;
     int frames_to_draw_ = 3;
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
+    std::string title_;
     std::vector<std::string> dropped_;
     bool scale_changed_ = false;
     double wanted_font_scale_ = 0.0;

@@ -1,12 +1,14 @@
 #include "ui/panels/log_panel.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/choice_combo.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <vector>
 
@@ -97,8 +99,8 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
     nameItem("log.filter");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(scaled(120));
-    ImGui::Combo("##level", &state.least_level, "All\0Notes\0Warnings\0Errors\0");
-    nameItem("log.level");
+    static constexpr std::array<const char*, 4> kLevels = {"All", "Notes", "Warnings", "Errors"};
+    choiceCombo("log.level", state.least_level, kLevels);
     ImGui::SameLine();
     if (ImGui::Button("Copy")) {
         std::string text;

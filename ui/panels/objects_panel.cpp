@@ -2,6 +2,7 @@
 
 #include "engine/scene/labels.h"
 #include "ui/theme.h"
+#include "ui/widgets/choice_combo.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
@@ -37,7 +38,8 @@ bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Obje
     const bool target = object.role == Role::Target;
     switch (state.shown) {
         case 1:
-            if (!target) return false;
+            // Excluded ones stay, so that what was switched off can be switched on again.
+            if (object.role == Role::Structure) return false;
             break;
         case 2:
             if (!target || captured) return false;
@@ -148,8 +150,7 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
     nameItem("objects.filter");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    ImGui::Combo("##shown", &state.shown, kShown.data(), kShown.size());
-    nameItem("objects.shown");
+    choiceCombo("objects.shown", state.shown, kShown);
     std::vector<const Object*> rows;
     for (const Object& object : view.scene->objects) {
         if (isShown(view, state, object)) rows.push_back(&object);
