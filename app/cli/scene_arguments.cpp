@@ -3,6 +3,7 @@
 #include "engine/core/log.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
+#include "engine/io/import_settings.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -39,26 +40,6 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
     if (arguments.up_axis) stored["up_axis"] = *arguments.up_axis;
     if (arguments.labels) stored["labels"] = std::filesystem::absolute(*arguments.labels).string();
     return stored;
-}
-
-Result<ImportOptions> importOptions(const nlohmann::json& settings,
-                                    const planning::PlanParams& params) {
-    ImportOptions options;
-    options.small_volume_m3 = params.targets.small_volume_m3;
-    options.size_ratio = params.targets.size_ratio;
-    try {
-        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
-        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
-        if (settings.contains("up_axis")) {
-            const auto axis = settings["up_axis"].get<std::string>();
-            options.up_axis = axis.empty() ? 'y' : axis.front();
-        }
-    } catch (const nlohmann::json::exception& e) {
-        return fail(
-            ErrorCode::BadInput,
-            fmt::format("The project's import settings are of the wrong type ({}).", e.what()));
-    }
-    return options;
 }
 
 }  // namespace
@@ -170,8 +151,10 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         return tl::unexpected<Error>(std::move(status.error()));
     }
     opened.import = importSettings(arguments, stored_import);
-    const Result<ImportOptions> options = importOptions(opened.import, opened.params);
-    if (!options) return tl::unexpected<Error>(options.error());
+    Result<ImportOptions> options = io::importOptionsFromJson(opened.import);
+    if (!options) return tl::unexpected<Error>(std::move(options.error()));
+    options->small_volume_m3 = opened.params.targets.small_volume_m3;
+    options->size_ratio = opened.params.targets.size_ratio;
     Result<Scene> scene = importScene(scene_path, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     opened.imported = std::make_shared<const Scene>(std::move(*scene));

@@ -1,34 +1,10 @@
 #include "app/editor/project_loader.h"
 
 #include "engine/document/edits_json.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import_settings.h"
 #include "planning/plan_params.h"
 
 namespace dollytrack::editor {
-namespace {
-
-Result<ImportOptions> importOptions(const nlohmann::json& settings,
-                                    const planning::PlanParams& params) {
-    ImportOptions options;
-    options.small_volume_m3 = params.targets.small_volume_m3;
-    options.size_ratio = params.targets.size_ratio;
-    try {
-        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
-        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
-        if (settings.contains("up_axis")) {
-            const auto axis = settings["up_axis"].get<std::string>();
-            options.up_axis = axis.empty() ? 'y' : axis.front();
-        }
-    } catch (const nlohmann::json::exception& e) {
-        return fail(
-            ErrorCode::BadInput,
-            std::string("The project's import settings are of the wrong type (") + e.what() + ").");
-    }
-    return options;
-}
-
-}  // namespace
-
 bool isProjectFile(const std::filesystem::path& path) {
     return path.extension() == ".dolly";
 }
@@ -69,8 +45,10 @@ Result<OpenedProject> openProject(const std::filesystem::path& path,
         }
     }
     opened.state.parameters = toJson(fields);
-    Result<ImportOptions> options = importOptions(opened.import, params);
+    Result<ImportOptions> options = io::importOptionsFromJson(opened.import);
     if (!options) return tl::unexpected<Error>(std::move(options.error()));
+    options->small_volume_m3 = params.targets.small_volume_m3;
+    options->size_ratio = params.targets.size_ratio;
     Result<Scene> scene = importScene(opened.scene_file, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     opened.imported = std::make_shared<const Scene>(std::move(*scene));

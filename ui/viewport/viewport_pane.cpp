@@ -69,6 +69,7 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
         return;
     }
     state.pressed_at = {io.MousePos.x, io.MousePos.y};
+    state.pressed_with_ctrl = io.KeyCtrl;  // Ctrl may be up again when the button is
 }
 
 void continueDrag(ViewportState& state, const ViewportView& view, ViewportActions& actions) {
@@ -94,7 +95,7 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
     if (!ImGui::IsAnyMouseDown()) {
         if (state.drag == Drag::Pressed) {
             actions.clicked = actions.cursor;
-            actions.add_to_selection = io.KeyCtrl;
+            actions.add_to_selection = state.pressed_with_ctrl;
         }
         state.drag = Drag::None;
     }

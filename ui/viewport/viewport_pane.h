@@ -24,6 +24,7 @@ struct ViewportState {
     ViewerCamera camera;
     enum class Drag { None, Orbit, Pan, Look, Pressed } drag = Drag::None;
     Eigen::Vector2d pressed_at = Eigen::Vector2d::Zero();
+    bool pressed_with_ctrl = false;
 };
 
 /// What the user did. Pixels are those of the picture.

@@ -1,0 +1,26 @@
+#include "engine/io/import_settings.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace dollytrack::io {
+
+Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
+    ImportOptions options;
+    try {
+        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
+        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
+        if (settings.contains("up_axis")) {
+            const auto axis = settings["up_axis"].get<std::string>();
+            options.up_axis = axis.empty() ? 'y' : axis.front();
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(
+            ErrorCode::BadInput,
+            std::string("The project's import settings are of the wrong type (") + e.what() + ").");
+    }
+    return options;
+}
+
+}  // namespace dollytrack::io

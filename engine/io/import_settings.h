@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/scene_import.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace dollytrack::io {
+
+/// The import section of a project (`unit_m`, `up_axis`, `labels`: what a person said of the scene
+/// file) as options of importScene(). Error: BadInput for a wrong type.
+Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);
+
+}  // namespace dollytrack::io

@@ -1,0 +1,115 @@
+#include "ui/viewport/viewer_camera.h"
+
+#include "ui/viewport/false_color.h"
+#include "ui/viewport/gizmo.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr int kWidth = 800;
+constexpr int kHeight = 600;
+
+Eigen::Vector2d pixelOf(const ViewerCamera& camera, const Eigen::Vector3d& point) {
+    const render::View view = camera.view(kWidth, kHeight);
+    return view.project(view.pose.toCamera(point));
+}
+
+TEST(ViewerCamera, LooksAtItsPivotFromItsDistance) {
+    ViewerCamera camera;
+    camera.pivot = {1, 2, 3};
+    const render::View view = camera.view(kWidth, kHeight);
+    EXPECT_NEAR((view.pose.position - camera.pivot).norm(), camera.distance, 1e-9);
+    EXPECT_NEAR((pixelOf(camera, camera.pivot) - Eigen::Vector2d(400, 300)).norm(), 0.0, 1e-6);
+    // Up is up: a point above the pivot is higher in the picture, straight above it.
+    const Eigen::Vector2d above = pixelOf(camera, camera.pivot + Eigen::Vector3d(0, 0, 0.5));
+    EXPECT_LT(above.y(), 300.0);
+    EXPECT_NEAR(above.x(), 400.0, 1e-6);
+}
+
+TEST(ViewerCamera, ZoomKeepsThePointUnderTheCursor) {
+    for (const bool orthographic : {false, true}) {
+        ViewerCamera camera;
+        camera.orthographic = orthographic;
+        const Eigen::Vector3d at(0.7, -0.4, 0.3);
+        const Eigen::Vector2d before = pixelOf(camera, at);
+        camera.zoom(0.5, at);
+        EXPECT_NEAR(camera.distance, 4.0, 1e-9);
+        EXPECT_NEAR((pixelOf(camera, at) - before).norm(), 0.0, 1e-6) << orthographic;
+    }
+}
+
+TEST(ViewerCamera, FramesABoxWithAllItsCornersInThePicture) {
+    ViewerCamera camera;
+    const Eigen::AlignedBox3d box(Eigen::Vector3d(-2, 3, 0), Eigen::Vector3d(4, 5, 2.5));
+    camera.frame(box, static_cast<double>(kWidth) / kHeight);
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector2d at =
+            pixelOf(camera, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+        EXPECT_GE(at.x(), 0.0);
+        EXPECT_LE(at.x(), kWidth);
+        EXPECT_GE(at.y(), 0.0);
+        EXPECT_LE(at.y(), kHeight);
+    }
+}
+
+TEST(ViewerCamera, AxisViewsLookAlongTheirAxis) {
+    using Axis = ViewerCamera::Axis;
+    ViewerCamera camera;
+    camera.lookFrom(Axis::Top);
+    EXPECT_NEAR((camera.pose().forward() - Eigen::Vector3d(0, 0, -1)).norm(), 0.0, 1e-9);
+    // From above, +x is right and +y is up in the picture.
+    EXPECT_GT(pixelOf(camera, {1, 0, 0}).x(), 400.0);
+    EXPECT_LT(pixelOf(camera, {0, 1, 0}).y(), 300.0);
+    camera.lookFrom(Axis::Front);
+    EXPECT_NEAR((camera.pose().forward() - Eigen::Vector3d(0, 1, 0)).norm(), 0.0, 1e-9);
+    camera.lookFrom(Axis::Right);
+    EXPECT_NEAR((camera.pose().forward() - Eigen::Vector3d(-1, 0, 0)).norm(), 0.0, 1e-9);
+}
+
+TEST(ViewerCamera, TakesThePlaceOfAnotherCamera) {
+    const Pose pose = lookAt({1, 2, 1.5}, {3, 1, 0.5});
+    ViewerCamera camera;
+    camera.standAt(pose, 2.0);
+    EXPECT_NEAR((camera.pose().position - pose.position).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(angleBetween(camera.pose().rotation, pose.rotation), 0.0, 1e-6);
+}
+
+TEST(Gizmo, NearestPointOnAnAxis) {
+    const render::ViewRay ray{{2, -5, 1}, {0, 1, 0}};
+    const auto along = nearestAlong(ray, {0, 0, 0}, {1, 0, 0});
+    ASSERT_TRUE(along.has_value());
+    EXPECT_NEAR(*along, 2.0, 1e-9);
+    EXPECT_FALSE(nearestAlong({{0, 0, 1}, {1, 0, 0}}, {0, 0, 0}, {1, 0, 0}).has_value());
+}
+
+TEST(FalseColor, IdsThatFollowEachOtherDifferClearly) {
+    EXPECT_TRUE(colorOfId(0).isZero());
+    for (int id = 1; id < 300; ++id) {
+        EXPECT_GT((colorOfId(id) - colorOfId(id + 1)).norm(), 0.2F) << id;
+    }
+}
+
+TEST(FalseColor, NormalsOfAWallStraightAheadFaceTheCamera) {
+    render::FrameRecord record;
+    record.width = 8;
+    record.height = 6;
+    record.depth_m.assign(48, 2.0F);
+    record.instance.assign(48, 1);
+    record.semantic.assign(48, 1);
+    record.rgb.assign(144, 9);
+    render::View view;
+    view.intrinsics = {8, 6, 8, 8, 4, 3};
+    const std::vector<std::uint8_t> rgba = falseColor(record, view, Modality::Normal);
+    const std::size_t middle = 4UL * (3 * 8 + 4);
+    EXPECT_NEAR(rgba[middle], 128, 1);
+    EXPECT_NEAR(rgba[middle + 1], 128, 1);
+    EXPECT_NEAR(rgba[middle + 2], 0, 1);  // towards the camera: -z
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
