@@ -249,7 +249,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
-            if (on_trajectory && !timing.reused()) {
+            if (on_trajectory && !metrics.holds(std::tuple(timing.version()))) {
                 on_trajectory(std::make_shared<const Plan>(collectMoves()));
             }
             const JobContext part = job.stage(0.91, 1.0, "metrics");

@@ -40,7 +40,7 @@ class Pipeline {
     /// scene has no room for the camera. A scene without targets, or of which nothing can be
     /// captured, gives an empty trajectory.
     /// `on_trajectory` is called from within, with the plan as far as its timed trajectory, before
-    /// the metrics are measured, when the trajectory is a new one: a picture can follow sooner.
+    /// the metrics are measured, when they have to be: a picture can follow sooner.
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const PlanEdits& edits,
                                             const JobContext& job,
                                             const OnTrajectory& on_trajectory = {});

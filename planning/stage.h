@@ -29,6 +29,9 @@ class Stage {
         return {};
     }
 
+    /// Whether update() would keep what there is.
+    [[nodiscard]] bool holds(const Inputs& inputs) const { return inputs_ && *inputs_ == inputs; }
+
     [[nodiscard]] const Output& operator*() const { return *output_; }
     [[nodiscard]] const Output* operator->() const { return output_.get(); }
     [[nodiscard]] std::shared_ptr<const Output> share() const { return output_; }

@@ -60,7 +60,9 @@ std::string localTime(std::filesystem::file_time_type written) {
 Autosave::Autosave()
     : file_(folder() / (std::to_string(getpid()) + "-" + startOf(getpid()) + ".dolly")) {}
 
-Autosave::~Autosave() = default;
+Autosave::~Autosave() {
+    writer_.finish();
+}
 
 bool Autosave::isDue() const {
     return std::chrono::steady_clock::now() - last_ >= kInterval && !writer_.state().busy;

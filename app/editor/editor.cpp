@@ -15,6 +15,16 @@
 namespace dollytrack::editor {
 namespace {
 
+/// The position point of an observation point; -1: it has none.
+int positionPointFor(const Plan& plan, int observation_point) {
+    for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
+        if (plan.position_points[i].observation_point == observation_point) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
 constexpr ImGuiWindowFlags kPart = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings |
@@ -71,7 +81,11 @@ void Editor::refreshScene() {
         scene_sent_ = false;
         scene_framed_ = false;
         drawn_geometry_ = 0;
+        // The copy was of the project before.
+        if (autosaved_) autosave_.discard();
         autosaved_.reset();
+        if (!workspace_.wasRestored()) restored_.reset();
+        dropGizmo();
         if (!workspace_.isOpen()) {
             drawing_.setScene(nullptr, nullptr, 0);
         } else {
@@ -99,7 +113,7 @@ void Editor::refreshScene() {
         }
     }
     const auto light = workspace_.light();
-    if (scene_sent_ && drawn_geometry_ == shown.geometry && drawn_light_ == light.get()) return;
+    if (scene_sent_ && drawn_scene_ == shown.scene.get() && drawn_light_ == light.get()) return;
     if (drawn_geometry_ != shown.geometry) {
         hidden_.assign(shown.scene->objects.size() + 1, false);
         std::erase_if(selection_.objects, [&](int id) {
@@ -109,6 +123,7 @@ void Editor::refreshScene() {
     }
     drawing_.setScene(shown.scene, light, shown.geometry);
     drawn_geometry_ = shown.geometry;
+    drawn_scene_ = shown.scene.get();
     drawn_light_ = light.get();
     scene_sent_ = true;
 }
@@ -147,7 +162,8 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     play();
-    if (!files_.isOpen() && !palette_.open && !help_.open && !notice_ && !after_unsaved_) {
+    if (!files_.isOpen() && !palette_.open && !help_.open && !notice_ && !after_unsaved_ &&
+        lost_.empty() && !sheet_.isOpen()) {
         commands_.runShortcuts();
         runKeypad();
     }
@@ -189,6 +205,7 @@ void Editor::arrange() {
         drawRight();
         ImGui::End();
     }
+    if (!layout.show_bottom) stepping_ = false;
     if (layout.show_bottom) {
         beginPart("bottom", {low.x, low.y + middle}, {size.x, bottom});
         drawBottom();
@@ -234,7 +251,7 @@ void Editor::autosave() {
         if (autosaved_) autosave_.discard();
         autosaved_.reset();
     } else if (autosaved_ != state && autosave_.isDue()) {
-        autosave_.store(workspace_.snapshot(), workspace_.path());
+        autosave_.store(workspace_.snapshot(false), workspace_.path());
         autosaved_ = state;
         if (restored_) autosave_.forgetAfterwards(*std::exchange(restored_, std::nullopt));
     }
@@ -251,8 +268,18 @@ void Editor::applyRequest(const ui::EditRequest& request) {
     if (request.ends_merge) workspace_.endMerge();
 }
 
+void Editor::dropGizmo() {
+    gizmo_ = {};
+    gizmo_pose_.reset();
+    workspace_.endMerge();
+}
+
 void Editor::select(ui::Selection selection) {
+    if (!(selection == selection_)) dropGizmo();
     selection_ = std::move(selection);
+    selected_point_objects_ = objectsOfSelectedPoint();
+    // One wants to see what a point sees.
+    preview_.shows_selection = selection_.kind == ui::Selection::Kind::PositionPoint;
     if (selection_.kind == ui::Selection::Kind::Frame) goToFrame(selection_.index);
     if (!selection_.objects.empty()) objects_.scroll_to = selection_.objects.back();
     if (selection_.kind != ui::Selection::Kind::None) focus_tab_ = "Selection";
@@ -281,19 +308,23 @@ void Editor::keepSelection() {
     const auto fits = [&](std::size_t count) {
         return selection_.index >= 0 && static_cast<std::size_t>(selection_.index) < count;
     };
-    bool kept = now != nullptr;
-    if (kept && selection_.kind == Kind::Frame) kept = fits(now->trajectory.frames.size());
-    if (kept && selection_.kind == Kind::ObservationPoint) {
-        kept = fits(now->observation_points.size());
+    // A frame is a moment; a point is what it looks at; other numbers mean something else now.
+    if (now != nullptr && selection_.kind == Kind::Frame && fits(now->trajectory.frames.size())) {
+        return;
     }
-    if (kept && selection_.kind == Kind::PositionPoint) kept = fits(now->position_points.size());
-    if (kept && selection_.kind == Kind::Edge) kept = fits(now->roadmap.edges.size());
-    if (kept && selection_.kind == Kind::RefusedEdge) kept = fits(now->roadmap.refused.size());
-    if (kept && selection_.kind == Kind::Candidate) {
-        const auto search = static_cast<std::size_t>(selection_.search);
-        kept = search < now->searches.size() && fits(now->searches[search].candidates.size());
+    if (now != nullptr && !selected_point_objects_.empty()) {
+        for (std::size_t i = 0; i < now->observation_points.size(); ++i) {
+            if (now->observation_points[i].objects != selected_point_objects_) continue;
+            const int found = selection_.kind == Kind::ObservationPoint
+                                  ? static_cast<int>(i)
+                                  : positionPointFor(*now, static_cast<int>(i));
+            if (found < 0) break;
+            selection_.index = found;
+            return;
+        }
     }
-    if (!kept) selection_ = {};
+    selection_ = {};
+    dropGizmo();
 }
 
 void Editor::goToFrame(int frame) {
@@ -353,6 +384,19 @@ void Editor::runKeypad() {
     for (const KeypadKey& key : keypad_) {
         if (ImGui::IsKeyPressed(key.key) && key.ctrl == io.KeyCtrl) key.run();
     }
+}
+
+std::vector<int> Editor::objectsOfSelectedPoint() const {
+    using Kind = ui::Selection::Kind;
+    if (plan() == nullptr || selection_.index < 0) return {};
+    auto index = static_cast<std::size_t>(selection_.index);
+    if (selection_.kind == Kind::PositionPoint && index < plan()->position_points.size()) {
+        index = static_cast<std::size_t>(plan()->position_points[index].observation_point);
+    } else if (selection_.kind != Kind::ObservationPoint) {
+        return {};
+    }
+    if (index >= plan()->observation_points.size()) return {};
+    return plan()->observation_points[index].objects;
 }
 
 int Editor::frameCount() const {

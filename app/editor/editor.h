@@ -124,6 +124,8 @@ class Editor {
     void goToFrame(int frame);
     void lookThroughFrame(bool through);
     void lookAlongPose(const Pose& pose);
+    void dropGizmo();
+    [[nodiscard]] std::vector<int> objectsOfSelectedPoint() const;
     void bringIntoView(const Eigen::AlignedBox3d& box);
     void lockSelectedPoint();
     void deleteSelected();
@@ -157,6 +159,7 @@ class Editor {
 
     // What is chosen and shown.
     ui::Selection selection_;
+    std::vector<int> selected_point_objects_;  // ids; finds a point again in the next plan
     ui::LayerSettings layer_settings_;
     std::vector<bool> hidden_;  // by object id
     int frame_ = 0;             // of the trajectory
@@ -199,6 +202,7 @@ class Editor {
     // What the drawing thread has.
     std::uint64_t drawn_geometry_ = 0;
     const void* drawn_light_ = nullptr;
+    const void* drawn_scene_ = nullptr;
     bool scene_sent_ = false;
     bool scene_framed_ = false;
 
@@ -207,6 +211,8 @@ class Editor {
     std::function<void()> after_unsaved_;
     std::string unsaved_what_next_;
     bool saving_for_question_ = false;
+    std::optional<ui::PreviewImage> picture_to_save_;
+    bool scene_wanted_to_restore_ = false;
     std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
     std::vector<LostWork> lost_;
     CommandStack::State autosaved_;

@@ -58,8 +58,15 @@ void Editor::addFileCommands() {
                        focus_tab_ = "Export";
                    },
                    needs_project});
-    commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q),
-                   [this] { afterUnsaved([this] { quitting_ = true; }, "before you leave"); }});
+    commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q), [this] {
+                       afterUnsaved(
+                           [this] {
+                               // Saved, or thrown away by its owner: nothing is lost.
+                               autosave_.discard();
+                               quitting_ = true;
+                           },
+                           "before you leave");
+                   }});
 }
 
 void Editor::addEditCommands() {
@@ -72,7 +79,7 @@ void Editor::addEditCommands() {
                    [this]() -> std::string {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
                    }});
-    commands_.add({"edit.redo_y", "Edit", "Redo (the other key)", ctrl(GLFW_KEY_Y),
+    commands_.add({"edit.redo_y", "Edit", "Redo (Ctrl+Y)", ctrl(GLFW_KEY_Y),
                    [this] { workspace_.redo(); },
                    [this]() -> std::string {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
@@ -83,9 +90,11 @@ void Editor::addEditCommands() {
     commands_.add({"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
                    [this] {
                        const std::vector<int> objects = selection_.objects;
+                       workspace_.endMerge();
                        for (const int id : objects) {
-                           apply({{"op", "exclude"}, {"object", id}});
+                           apply({{"op", "exclude"}, {"object", id}}, "exclude selected");
                        }
+                       workspace_.endMerge();
                    },
                    needs_object});
     commands_.add({"edit.include",
@@ -94,9 +103,11 @@ void Editor::addEditCommands() {
                    {GLFW_KEY_X, false, true},
                    [this] {
                        const std::vector<int> objects = selection_.objects;
+                       workspace_.endMerge();
                        for (const int id : objects) {
-                           apply({{"op", "include"}, {"object", id}});
+                           apply({{"op", "include"}, {"object", id}}, "include selected");
                        }
+                       workspace_.endMerge();
                    },
                    needs_object});
     commands_.add({"edit.split",

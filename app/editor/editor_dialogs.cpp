@@ -50,7 +50,8 @@ void Editor::askForFile(const std::string& id) {
         request.accept = "Save";
         request.extension = ".png";
         request.filters = {{"PNG pictures", {".png"}}};
-        request.name = fmt::format("frame_{:06}.png", frame_);
+        request.name =
+            fmt::format("frame_{:06}.png", picture_to_save_ ? picture_to_save_->frame : frame_);
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
@@ -68,13 +69,18 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
     if (answer.id == "open") {
         openAfterAsking(answer.path);
     } else if (answer.id == "locate scene") {
-        workspace_.open(scene_wanted_by_, answer.path);
+        if (scene_wanted_to_restore_) {
+            workspace_.restore(scene_wanted_by_, answer.path);
+        } else {
+            workspace_.open(scene_wanted_by_, answer.path);
+        }
     } else if (answer.id == "save") {
         workspace_.save(answer.path);
     } else if (answer.id == "preview.png") {
-        const ui::PreviewImage& image = drawing_.preview();
-        if (image.record.width == 0) return;
-        savePicture(answer.path, image);
+        if (picture_to_save_ && picture_to_save_->record.width > 0) {
+            savePicture(answer.path, *picture_to_save_);
+        }
+        picture_to_save_.reset();
     } else {
         answerExportFile(answer);
     }
@@ -161,7 +167,6 @@ void Editor::drawUnsaved() {
             save();
             break;
         case ui::UnsavedAnswer::Discard: {
-            autosave_.discard();
             const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
             then();
             break;
@@ -217,6 +222,7 @@ void Editor::drawDialogs() {
         if (pressed >= 0) {
             if (locate && pressed == 0) {
                 scene_wanted_by_ = notice_->missing_scene_of;
+                scene_wanted_to_restore_ = notice_->restores;
                 askForFile("locate scene");
             }
             notice_.reset();

@@ -4,6 +4,10 @@
 #include "render/formats/formats.h"
 #include "render/modalities.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+
 namespace dollytrack::editor {
 namespace {
 
@@ -42,7 +46,8 @@ ui::ExportView Editor::exportView() const {
     } else if (!workspace_.isOpen()) {
         view.why_not = "No scene is open.";
     } else if (!workspace_.planIsCurrent()) {
-        view.why_not = "The plan is still being made.";
+        view.why_not = workspace_.planError().empty() ? "The plan is still being made."
+                                                      : workspace_.planError();
     } else if (frameCount() == 0) {
         view.why_not = "There is no trajectory: nothing can be captured.";
     }
@@ -108,7 +113,16 @@ void Editor::answerExportFile(const ui::FileAnswer& answer) {
 void Editor::drawSheet() {
     const ui::ImageViewerView view = sheet_.view();
     if (!sheet_.isOpen()) return;
-    if (ui::drawImageViewer(view, sheet_state_).close) sheet_.close();
+    const ImGuiViewport* screen = ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(screen->WorkPos);
+    ImGui::SetNextWindowSize(screen->WorkSize);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin(
+        "contact sheet", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    const bool closed = ui::drawImageViewer(view, sheet_state_).close;
+    ImGui::End();
+    if (closed || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) sheet_.close();
 }
 
 }  // namespace dollytrack::editor

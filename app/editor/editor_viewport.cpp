@@ -19,14 +19,12 @@ using ui::Selection;
 render::View Editor::viewportView() const {
     const PlanOutcome& shown = workspace_.shown();
     render::View view;
-    const auto& frames =
-        plan() != nullptr ? plan()->trajectory.frames : std::vector<TrajectoryFrame>();
-    if (through_camera_ && static_cast<std::size_t>(frame_) < frames.size()) {
+    if (through_camera_ && frame_ < frameCount()) {
         CameraParams camera = shown.params.camera;
         camera.width_px = pane_.width;
         camera.height_px = pane_.height;
         view.intrinsics = makeIntrinsics(camera);
-        view.pose = frames[static_cast<std::size_t>(frame_)].pose;
+        view.pose = plan()->trajectory.frames[static_cast<std::size_t>(frame_)].pose;
         view.near_m = camera.near_m;
     } else {
         view = viewport_.camera.view(pane_.width, pane_.height);
@@ -116,11 +114,13 @@ void Editor::requestPreview() {
 
 void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
     const ui::ViewImage& image = drawing_.view();
+    // A picture or layers of what was open before say nothing of what is.
+    if (image.geometry != workspace_.shown().geometry) return;
     const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
     const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
     const double scale = window_.contentScale() * settings_.zoom;
     const auto picked = layers_.layers().pick(image.view, pixel, depth, scale);
-    if (picked && !add) {
+    if (picked && !add && layers_.layers().plan == workspace_.shown().plan) {
         const int index = picked->tag.index;
         switch (picked->tag.kind) {
             case ui::Picked::ObservationPoint:
@@ -161,7 +161,10 @@ void Editor::editWithGizmo() {
     const std::vector<NoGoBox>& boxes = workspace_.state().edits.plan.no_go;
     const bool box = selection_.kind == Selection::Kind::NoGoBox && index < boxes.size();
     gizmo_has_mouse_ = false;
-    if ((!point && !box) || through_camera_) return;
+    if ((!point && !box) || through_camera_) {
+        if (gizmo_.dragged != ui::GizmoPart::None) dropGizmo();
+        return;
+    }
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;
@@ -225,7 +228,10 @@ void Editor::drawPreview() {
     if (!has) view.why_not = "There is no trajectory.";
     const ui::PreviewActions actions = ui::drawPreviewPanel(view, preview_);
     preview_hovered_ = actions.hovered;
-    if (actions.save_png) askForFile("preview.png");
+    if (actions.save_png) {
+        picture_to_save_ = drawing_.preview();
+        askForFile("preview.png");
+    }
 }
 
 void Editor::drawLegend() {
@@ -255,7 +261,9 @@ void Editor::drawCentre() {
                                    loading.stage);
     } else if (!workspace_.isOpen()) {
         view.message = "Drop a scene or a project here, or press Ctrl+O to open one.";
-    } else if (view.image == nullptr || view.image->serial == 0) {
+    } else if (view.image == nullptr || view.image->serial == 0 ||
+               view.image->geometry != workspace_.shown().geometry) {
+        view.image = nullptr;
         view.message = "Preparing the scene …";
     }
     view.locked = through_camera_;

@@ -183,6 +183,7 @@ struct LayerBuilder::Desk {
 
 Layers LayerBuilder::Desk::build(const LayersRequest& request) {
     Layers layers;
+    layers.plan = request.plan;
     if (!request.scene) return layers;
     const ui::LayerSettings& on = request.settings;
     if (on.free_space && request.free_space) {

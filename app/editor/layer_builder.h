@@ -38,7 +38,8 @@ struct LayersRequest {
 /// Everything drawn over the scene, bottom first.
 struct Layers {
     std::vector<std::shared_ptr<const ui::PlanLayer>> layers;
-    int candidates_of = -1;  // the observation point whose candidates are shown
+    std::shared_ptr<const Plan> plan;  // they show
+    int candidates_of = -1;            // the observation point whose candidates are shown
 
     /// The tagged element under a pixel, the best of all layers.
     [[nodiscard]] std::optional<ui::PickedElement> pick(const render::View& view,

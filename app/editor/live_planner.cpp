@@ -5,7 +5,9 @@
 #include "planning/free_space/free_space.h"
 #include "planning/pipeline.h"
 
+#include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace dollytrack::editor {
 
@@ -13,6 +15,7 @@ namespace dollytrack::editor {
 struct LivePlanner::Desk {
     std::shared_ptr<const Scene> imported;
     SceneEdits scene_edits;
+    SizeRules size_rules;
     std::shared_ptr<const Scene> scene;
     std::vector<std::string> warnings;
     std::uint64_t geometry = 0;
@@ -25,13 +28,19 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
                                        const planning::PlanParams& params) {
     const SceneEdits& edits = request.state->edits.scene;
     const bool same_file = imported == request.imported;
-    if (same_file && scene && scene_edits == edits) return {};
-    const bool same_geometry = same_file && scene && sameGeometry(scene_edits, edits);
     const SizeRules rules{params.targets.small_volume_m3, params.targets.size_ratio};
+    const bool same_rules = size_rules.small_volume_m3 == rules.small_volume_m3 &&
+                            size_rules.size_ratio == rules.size_ratio;
+    if (same_file && scene && same_rules && scene_edits == edits) return {};
+    const bool same_geometry = same_file && scene && sameGeometry(scene_edits, edits);
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
     if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
     imported = request.imported;
     scene_edits = edits;
+    size_rules = rules;
+    const auto& all = edited->report.warnings;
+    const std::size_t imported_ones = std::min(imported->report.warnings.size(), all.size());
+    warnings.assign(all.begin() + static_cast<std::ptrdiff_t>(imported_ones), all.end());
     scene = std::make_shared<const Scene>(std::move(*edited));
     if (!same_geometry) {
         ++geometry;
@@ -74,6 +83,7 @@ void LivePlanner::start(PlanRequest request) {
         }
         outcome.scene = desk->scene;
         outcome.geometry = desk->geometry;
+        outcome.warnings = desk->warnings;
         const PlanEdits edits =
             findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
         const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
@@ -83,9 +93,16 @@ void LivePlanner::start(PlanRequest request) {
             outcome.measured = measured;
             publish();
         };
-        auto plan = desk->pipeline->run(
-            outcome.params, edits, job,
-            [&](std::shared_ptr<const Plan> moving) { collect(std::move(moving), false); });
+        Result<std::shared_ptr<const Plan>> plan = fail(ErrorCode::Failed, "");
+        try {
+            plan = desk->pipeline->run(
+                outcome.params, edits, job,
+                [&](std::shared_ptr<const Plan> moving) { collect(std::move(moving), false); });
+        } catch (const std::exception& error) {
+            desk->scene.reset();  // what is half made is made anew next time
+            plan = fail(ErrorCode::Failed, std::string("Planning failed: ") + error.what() +
+                                               "; try a larger octree_resolution_m.");
+        }
         if (plan) return collect(std::move(*plan), true);
         if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
         outcome.error = std::move(plan.error());

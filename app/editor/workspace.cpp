@@ -7,6 +7,9 @@
 #include "engine/plan/plan_json.h"
 #include "render/light_rig.h"
 
+#include <algorithm>
+#include <exception>
+
 namespace dollytrack::editor {
 namespace {
 
@@ -28,20 +31,40 @@ Status setParameter(nlohmann::json& parameters, const std::string& name,
 Workspace::Workspace(std::function<void()> wake)
     : wake_(wake), loader_(wake), saver_(wake), lighter_(wake), planner_(wake) {}
 
-Workspace::~Workspace() = default;
+Workspace::~Workspace() {
+    saver_.finish();
+}
 
 void Workspace::open(const std::filesystem::path& path,
                      const std::optional<std::filesystem::path>& scene_instead) {
-    std::error_code ignored;
-    const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
-    loader_.start([absolute, scene_instead, outbox = loaded_](const JobContext& job) {
-        outbox->put({absolute, openProject(absolute, scene_instead, job)});
-    });
+    load(path, scene_instead, false);
 }
 
-void Workspace::restore(const std::filesystem::path& copy) {
-    loader_.start([copy, outbox = loaded_](const JobContext& job) {
-        outbox->put({copy, openProject(copy, std::nullopt, job), true});
+void Workspace::restore(const std::filesystem::path& copy,
+                        const std::optional<std::filesystem::path>& scene_instead) {
+    load(copy, scene_instead, true);
+}
+
+void Workspace::load(const std::filesystem::path& path,
+                     const std::optional<std::filesystem::path>& scene_instead, bool restored) {
+    state_when_asked_ = stack_.state();
+    std::error_code ignored;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
+    loader_.start([absolute, scene_instead, restored, outbox = loaded_](const JobContext& job) {
+        LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
+        try {
+            outcome.opened = openProject(absolute, scene_instead, job);
+        } catch (const std::exception& error) {
+            outcome.opened = fail(ErrorCode::Failed,
+                                  std::string("The scene cannot be loaded: ") + error.what() + ".",
+                                  absolute.string());
+        }
+        if (!outcome.opened && isProjectFile(absolute)) {
+            const Result<io::ProjectFile> file = io::loadProject(absolute);
+            std::error_code error;
+            outcome.scene_is_missing = file && !std::filesystem::exists(file->scene, error);
+        }
+        outbox->put(std::move(outcome));
     });
 }
 
@@ -53,8 +76,9 @@ void Workspace::close() {
     light_.reset();
     lit_rooms_.clear();
     ++serial_;
+    ++document_;
+    restored_ = false;
     stack_.reset({});
-    restored_state_.reset();
     newly_opened_ = true;
 }
 
@@ -69,7 +93,7 @@ void Workspace::install(OpenedProject opened) {
         std::string text;
         for (const std::string& warning : opened.warnings) text += warning + "\n";
         text.pop_back();
-        notices_.push_back({false, "Please note", text, {}});
+        notices_.push_back({false, "Please note", text});
     }
     stack_.reset(opened.state);
     opened_ = std::move(opened);
@@ -77,29 +101,34 @@ void Workspace::install(OpenedProject opened) {
 }
 
 void Workspace::finishOpening(LoadOutcome outcome) {
+    const std::string name = outcome.path.filename().string();
+    if (outcome.opened && unsaved() && stack_.state() != state_when_asked_) {
+        notices_.push_back({true, name + " was not opened",
+                            "The open project was changed in the meantime. Save it, then open " +
+                                name + " again."});
+        return;
+    }
     if (outcome.opened) {
         if (outcome.restored) {
             outcome.opened->project = Autosave::takeOrigin(outcome.opened->others);
         }
         install(std::move(*outcome.opened));
-        if (outcome.restored) restored_state_ = stack_.state();
+        restored_ = outcome.restored;
+        if (restored_) stack_.markUnsaved();
         return;
     }
     const Error& error = outcome.opened.error();
     if (error.code == ErrorCode::Cancelled) return;
-    Notice notice{true, "Cannot open " + outcome.path.filename().string(), describe(error), {}};
-    if (isProjectFile(outcome.path)) {
-        const Result<io::ProjectFile> file = io::loadProject(outcome.path);
-        std::error_code ignored;
-        if (file && !std::filesystem::exists(file->scene, ignored)) {
-            notice.missing_scene_of = outcome.path;
-        }
+    Notice notice{true, "Cannot open " + name, describe(error)};
+    if (outcome.scene_is_missing) {
+        notice.missing_scene_of = outcome.path;
+        notice.restores = outcome.restored;
     }
     log::error("project", describe(error));
     notices_.push_back(std::move(notice));
 }
 
-io::ProjectFile Workspace::snapshot() const {
+io::ProjectFile Workspace::snapshot(bool with_plan) const {
     io::ProjectFile file;
     file.scene = opened_->scene_file;
     file.scene_sha256 = opened_->imported->source_sha256;
@@ -107,16 +136,24 @@ io::ProjectFile Workspace::snapshot() const {
     file.parameters = state().parameters;
     file.edits = editsJson(state().edits, opened_->loaded_edits);
     file.others = opened_->others;
-    if (planIsCurrent() && shown_.plan) file.result = resultJson(*shown_.scene, *shown_.plan);
+    if (with_plan && planIsCurrent() && shown_.plan)
+        file.result = resultJson(*shown_.scene, *shown_.plan);
     return file;
 }
 
 void Workspace::save(const std::filesystem::path& path) {
     if (!isOpen()) return;
-    saver_.start(
-        [file = snapshot(), path, state = stack_.state(), outbox = saved_](const JobContext&) {
-            outbox->put({path, state, io::saveProject(file, path)});
-        });
+    const bool planned = planIsCurrent() && shown_.plan;
+    SaveOutcome request{++save_serial_, document_, path, stack_.state(), {}};
+    saver_.start([file = snapshot(false), scene = shown_.scene,
+                  plan = planned ? shown_.plan : nullptr, outcome = std::move(request),
+                  outbox = saved_](const JobContext&) {
+        io::ProjectFile whole = file;
+        SaveOutcome done = outcome;
+        if (plan) whole.result = resultJson(*scene, *plan);
+        done.status = io::saveProject(whole, done.path);
+        outbox->put(std::move(done));
+    });
 }
 
 Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
@@ -129,8 +166,9 @@ Status Workspace::apply(const nlohmann::json& operation, const std::string& merg
     ProjectState next = state();
     Result<std::string> name = applyOperation(next, {*shown_.scene, setParameter}, operation);
     if (!name) return tl::unexpected<Error>(std::move(name.error()));
+    const CommandStack::State before = stack_.state();
     stack_.push(*name, std::move(next), merge_key);
-    replan();
+    if (stack_.state() != before) replan();
     return {};
 }
 
@@ -138,8 +176,9 @@ void Workspace::setParameters(const nlohmann::json& parameters, const std::strin
                               const std::string& merge_key) {
     ProjectState next = state();
     next.parameters = parameters;
+    const CommandStack::State before = stack_.state();
     stack_.push(name, std::move(next), merge_key);
-    replan();
+    if (stack_.state() != before) replan();
 }
 
 void Workspace::undo() {
@@ -155,8 +194,9 @@ void Workspace::redo() {
 }
 
 void Workspace::goTo(std::size_t step) {
+    const CommandStack::State before = stack_.state();
     stack_.goTo(step);
-    replan();
+    if (stack_.state() != before) replan();
 }
 
 void Workspace::replan() {
@@ -205,14 +245,16 @@ void Workspace::poll() {
         light_ = std::make_shared<const render::LightVolume>(std::move(*light));
     }
     if (std::optional<SaveOutcome> outcome = saved_->take()) {
+        if (outcome->serial == save_serial_) saves_answered_ = save_serial_;
         if (!outcome->status) {
             log::error("project", describe(outcome->status.error()));
-            notices_.push_back({true, "Cannot save", describe(outcome->status.error()), {}});
-        } else if (isOpen()) {
-            opened_->project = outcome->path;
-            if (outcome->state == stack_.state()) stack_.markSaved();
-            restored_state_.reset();
+            notices_.push_back({true, "Cannot save", describe(outcome->status.error())});
+        } else {
             log::info("project", "saved " + outcome->path.string());
+            if (isOpen() && outcome->document == document_) {
+                opened_->project = outcome->path;
+                stack_.markSaved(outcome->state);
+            }
         }
     }
     updateLight();

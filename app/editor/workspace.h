@@ -31,13 +31,14 @@ class Workspace {
     void open(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
     /// Opens a copy that Autosave kept, as unsaved work of the project it came from.
-    void restore(const std::filesystem::path& copy);
+    void restore(const std::filesystem::path& copy,
+                 const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// Writes the project, with the plan if it is up to date. The outcome arrives as a notice.
     void save(const std::filesystem::path& path);
-    /// The project as it is now, as one would save it.
-    [[nodiscard]] io::ProjectFile snapshot() const;
+    /// The project as it is now, as one would save it, with the plan if it is up to date.
+    [[nodiscard]] io::ProjectFile snapshot(bool with_plan = true) const;
 
     // Changing; each change is one step of undo and starts planning
     /// Applies one operation (engine/document/operation.h). Operations with the same merge key in
@@ -62,9 +63,7 @@ class Workspace {
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
     [[nodiscard]] const CommandStack& history() const { return stack_; }
     [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
-    [[nodiscard]] bool unsaved() const {
-        return isOpen() && (restored_state_ == stack_.state() || !stack_.isSaved());
-    }
+    [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }
     /// The newest plan with the scene it belongs to; may be older than state().
     [[nodiscard]] const PlanOutcome& shown() const { return shown_; }
     [[nodiscard]] bool planIsCurrent() const {
@@ -73,7 +72,7 @@ class Workspace {
     [[nodiscard]] std::shared_ptr<const render::LightVolume> light() const { return light_; }
     [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
-    [[nodiscard]] bool saving() const { return saver_.state().busy; }
+    [[nodiscard]] bool saving() const { return saves_answered_ != save_serial_; }
     [[nodiscard]] bool lighting() const { return lighter_.state().busy; }
     /// From the last change to its trajectory being there, ms.
     [[nodiscard]] double lastLatency_ms() const { return latency_ms_; }
@@ -85,12 +84,15 @@ class Workspace {
         bool is_error = false;
         std::string title;
         std::string text;
-        std::filesystem::path missing_scene_of;  // a project whose scene has to be found
+        std::filesystem::path missing_scene_of = {};  // a project whose scene has to be found
+        bool restores = false;                   // it is a copy of lost work
     };
     [[nodiscard]] std::optional<Notice> takeNotice();
     /// Why the newest request gave no plan; empty when it did.
     [[nodiscard]] std::string planError() const;
     /// Whether a new project was opened since the last call.
+    /// Whether the open project is work that a crash had left.
+    [[nodiscard]] bool wasRestored() const { return restored_; }
     [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
 
   private:
@@ -98,13 +100,18 @@ class Workspace {
         std::filesystem::path path;
         Result<OpenedProject> opened;
         bool restored = false;
+        bool scene_is_missing = false;
     };
     struct SaveOutcome {
+        std::uint64_t serial = 0;
+        std::uint64_t document = 0;
         std::filesystem::path path;
         CommandStack::State state;
         Status status;
     };
 
+    void load(const std::filesystem::path& path,
+              const std::optional<std::filesystem::path>& scene_instead, bool restored);
     void replan();
     void install(OpenedProject opened);
     void finishOpening(LoadOutcome outcome);
@@ -113,7 +120,11 @@ class Workspace {
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
     CommandStack stack_;
-    CommandStack::State restored_state_;  // is in no file of the user's, though it was opened
+    std::uint64_t document_ = 0;  // rises with every project that is opened
+    std::uint64_t save_serial_ = 0;
+    std::uint64_t saves_answered_ = 0;
+    bool restored_ = false;
+    CommandStack::State state_when_asked_;  // to open another
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
     std::chrono::steady_clock::time_point changed_at_;

@@ -63,7 +63,7 @@ const CommandStack::State& CommandStack::goTo(std::size_t position) {
 }
 
 bool CommandStack::isSaved() const {
-    return saved_ == state() || *saved_ == *state();
+    return saved_ && (saved_ == state() || *saved_ == *state());
 }
 
 }  // namespace dollytrack

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -42,6 +43,10 @@ class CommandStack {
     /// Remembers that this state is on disk; isSaved() compares states, so that undoing back to
     /// the saved one counts.
     void markSaved() { saved_ = state(); }
+    /// The same for an earlier state: what was handed to the disk while editing went on.
+    void markSaved(State state) { saved_ = std::move(state); }
+    /// No state is on disk.
+    void markUnsaved() { saved_.reset(); }
     [[nodiscard]] bool isSaved() const;
 
     /// Forgets all steps and begins with another project's state, which counts as saved.

@@ -1,5 +1,9 @@
 #include "engine/jobs/background_worker.h"
 
+#include "engine/core/log.h"
+
+#include <exception>
+
 namespace dollytrack {
 
 BackgroundWorker::BackgroundWorker(std::function<void()> on_change)
@@ -33,6 +37,11 @@ void BackgroundWorker::cancel() {
     if (!cancel_running_) state_ = {};
 }
 
+void BackgroundWorker::finish() {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return !next_ && !cancel_running_; });
+}
+
 BackgroundWorker::State BackgroundWorker::state() const {
     const std::lock_guard lock(mutex_);
     return state_;
@@ -49,16 +58,23 @@ void BackgroundWorker::loop() {
         cancel_running_ = cancelled;
         state_ = {true, 0.0, {}};
         lock.unlock();
-        work(JobContext(cancelled, [this, cancelled](double fraction, std::string_view stage) {
+        const JobContext job(cancelled, [this, cancelled](double fraction, std::string_view stage) {
             {
                 const std::lock_guard guard(mutex_);
                 if (cancel_running_ == cancelled) state_ = {true, fraction, std::string(stage)};
             }
             if (on_change_) on_change_();
-        }));
+        });
+        try {
+            work(job);
+        } catch (const std::exception& error) {
+            // Out of memory, mostly. The next piece may fit.
+            log::error("jobs", std::string("unexpected failure: ") + error.what());
+        }
         lock.lock();
         cancel_running_.reset();
         if (!next_) state_ = {};
+        idle_.notify_all();
         lock.unlock();
         if (on_change_) on_change_();
         lock.lock();

@@ -34,6 +34,8 @@ class BackgroundWorker {
 
     void start(Work work);
     void cancel();
+    /// Returns when nothing runs or waits.
+    void finish();
     [[nodiscard]] State state() const;
 
   private:
@@ -42,6 +44,7 @@ class BackgroundWorker {
     std::function<void()> on_change_;
     mutable std::mutex mutex_;
     std::condition_variable work_arrived_;
+    std::condition_variable idle_;
     std::optional<Work> next_;
     std::shared_ptr<std::atomic<bool>> cancel_running_;
     State state_;

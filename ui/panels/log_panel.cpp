@@ -138,7 +138,8 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
     }
     if (state.seen_version != book.version()) {
         state.seen_version = book.version();
-        ImGui::SetScrollHereY(1.0F);
+        // Not while someone reads further up.
+        if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) ImGui::SetScrollHereY(1.0F);
     }
     ImGui::EndChild();
 }

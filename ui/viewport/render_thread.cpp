@@ -123,6 +123,7 @@ struct RenderThread::Impl {
     // The thread's own.
     std::shared_ptr<const Scene> scene;
     std::uint64_t geometry = 0;
+    std::shared_ptr<const render::LightVolume> lit_by;
     std::optional<render::SceneRenderer> renderer;
     std::optional<render::RenderTarget> view_target;
     std::optional<render::RenderTarget> preview_target;
@@ -206,12 +207,12 @@ void RenderThread::Impl::release() {
 }
 
 Status RenderThread::Impl::loadScene(SceneRequest request) {
-    {
+    const bool same = renderer && request.scene && request.geometry == geometry;
+    if (!same) {
         const std::lock_guard lock(mutex);
         is_ready = false;
         final_light = false;
     }
-    const bool same = renderer && request.scene && request.geometry == geometry;
     scene = request.scene;
     geometry = request.geometry;
     drawn_view.reset();
@@ -222,13 +223,14 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     const render::LightVolume plain = plainLight(*scene);
     const render::LightVolume& light = request.light ? *request.light : plain;
     if (same) {
-        renderer->setLight(light);
+        if (request.light != lit_by) renderer->setLight(light);
     } else {
         renderer.reset();  // before the new one: both may not fit
         Result<render::SceneRenderer> made = render::SceneRenderer::create(*scene, light);
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
         renderer.emplace(std::move(*made));
     }
+    lit_by = request.light;
     const std::lock_guard lock(mutex);
     is_ready = true;
     final_light = request.light != nullptr;
@@ -267,6 +269,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
     view_target->readDepth(image.depth_m);
     view_target->readIds(image.ids);
     gl::finish();  // the window's context may show it from now on
+    image.geometry = geometry;
     image.texture = canvas->picture();
     image.view = std::move(request.view);
     image.serial = ++serial;
@@ -383,7 +386,7 @@ const PreviewImage& RenderThread::preview() {
 
 bool RenderThread::ready() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->is_ready && !impl_->next_scene;
+    return impl_->is_ready;
 }
 
 bool RenderThread::finalLight() const {

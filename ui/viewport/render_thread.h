@@ -43,7 +43,8 @@ struct ViewImage {
     std::vector<float> depth_m;
     std::vector<std::uint16_t> ids;
     double milliseconds = 0.0;
-    std::uint64_t serial = 0;  // rises with every picture; 0: none yet
+    std::uint64_t geometry = 0;  // as setScene() was told
+    std::uint64_t serial = 0;    // rises with every picture; 0: none yet
 };
 
 /// What the preview shows of a frame.

@@ -65,10 +65,16 @@ std::string CommandTable::runShortcuts() const {
     const ImGuiIO& io = ImGui::GetIO();
     for (const Command& command : commands_) {
         const Shortcut& keys = command.shortcut;
-        if (keys.key == 0 || !ImGui::IsKeyPressed(keys.key)) continue;
+        // Holding a key down repeats what goes step by step, not what makes things.
+        const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
+                             keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
+        if (keys.key == 0 || !ImGui::IsKeyPressed(keys.key, repeats)) continue;
         if (keys.ctrl != io.KeyCtrl || keys.shift != io.KeyShift || keys.alt != io.KeyAlt) continue;
         // While typing only what no text holds is a command.
-        if (io.WantTextInput && !keys.ctrl && keys.key < GLFW_KEY_F1) continue;
+        const bool edits_text =
+            keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
+                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
+        if (io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1))) continue;
         if (!command.canRun()) continue;
         command.run();
         return command.id;
