@@ -1,0 +1,485 @@
+"""Uses the editor as a person does: a real window on a display of its own, real mouse and keys.
+
+What the window shows is asked through the socket of --inspect, which can only look.
+"""
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+try:
+    from Xlib import X, XK, Xatom, display, error
+    from Xlib.ext import xtest
+    from Xlib.protocol import event
+except ImportError:  # the tests then skip, or fail where a window is required
+    display = None
+
+REQUIRED = os.environ.get("DOLLYTRACK_REQUIRE_WINDOW") == "1"
+BUTTONS = {"left": 1, "middle": 2, "right": 3}
+# Names of keys as they are written in the menus, where X calls them something else.
+KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Return",
+           "esc": "Escape", "del": "Delete", "space": "space", "home": "Home", "end": "End",
+           "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
+           "backspace": "BackSpace", "=": "equal", "-": "minus"}
+
+
+def why_no_window():
+    """Empty where a window can be opened."""
+    if display is None:
+        return "python3-xlib is not installed"
+    if shutil.which("Xvfb") is None:
+        return "Xvfb is not installed"
+    return ""
+
+
+def need_window():
+    """Skips where no window can be opened, and says so; fails where one is required."""
+    why = why_no_window()
+    if why and REQUIRED:
+        sys.exit(f"a window is required, but {why}")
+    if why:
+        raise unittest.SkipTest(why)
+
+
+class Screen:
+    """A display of one's own."""
+
+    def __init__(self, width=1920, height=1080):
+        read, write = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24",
+             "-nolisten", "tcp", "-noreset"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start")
+        self.name = ":" + number
+        self.size = (width, height)
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Gone(Exception):
+    """The editor ended, or does not answer any more."""
+
+
+class Editor:
+    """One running editor with its window, mouse and keyboard."""
+
+    def __init__(self, program, screen, *arguments, home, size=(1280, 720), options=()):
+        self.home = pathlib.Path(home)
+        self.home.mkdir(parents=True, exist_ok=True)
+        # A Unix socket's name has to be short, and a test's folder may not be.
+        self.socket_folder = tempfile.mkdtemp(prefix="ed")
+        path = os.path.join(self.socket_folder, "s")
+        environment = {key: value for key, value in os.environ.items()
+                       if key not in ("XDG_CURRENT_DESKTOP", "WAYLAND_DISPLAY")}
+        environment.update(DISPLAY=screen.name, HOME=str(self.home), LC_ALL="C",
+                           XDG_CONFIG_HOME=str(self.home / "config"),
+                           XDG_STATE_HOME=str(self.home / "state"))
+        self.output = open(self.home / "output.txt", "ab")
+        self.process = subprocess.Popen(
+            [program, "--size", f"{size[0]}x{size[1]}", "--inspect", path, *options,
+             *map(str, arguments)],
+            env=environment, stdout=self.output, stderr=self.output, cwd=self.home)
+        self.screen = screen
+        self.connection = None
+        try:
+            self._connect(path)
+            self.display = display.Display(screen.name)
+            self.window = self._find_window()
+            self._focus()
+        except BaseException:
+            self.kill()
+            raise
+        self.mouse = (0, 0)
+
+    # Looking
+
+    def _connect(self, path, seconds=60):
+        deadline = time.time() + seconds
+        while True:
+            self.connection = socket.socket(socket.AF_UNIX)
+            try:
+                self.connection.connect(path)
+                break
+            except OSError:  # it is still starting
+                self.connection.close()
+            if self.process.poll() is not None or time.time() > deadline:
+                raise Gone(self.last_words())
+            time.sleep(0.02)
+        self.connection.settimeout(60)
+        self.lines = self.connection.makefile("rw")
+
+    def last_words(self):
+        self.output.flush()
+        text = (self.home / "output.txt").read_text(errors="replace")[-2000:]
+        return f"the editor ended with {self.process.poll()}: {text}"
+
+    def alive(self):
+        return self.process.poll() is None
+
+    def state(self):
+        """All that is shown now, after two frames with what came before."""
+        try:
+            self.lines.write("state\n")
+            self.lines.flush()
+            line = self.lines.readline()
+        except OSError as problem:
+            raise Gone(f"{problem}; {self.last_words()}") from problem
+        if not line:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.process.wait(5)
+            raise Gone(self.last_words())
+        return json.loads(line)
+
+    def wait(self, condition, what, seconds=60):
+        deadline = time.time() + seconds
+        while True:
+            state = self.state()
+            if condition(state):
+                return state
+            if time.time() > deadline:
+                shown = {key: value for key, value in state.items()
+                         if key not in ("items", "parameters")}
+                raise AssertionError(f"waited for {what} in vain: {json.dumps(shown)}")
+            time.sleep(0.03)
+
+    def idle(self, seconds=120):
+        """Until nothing is computed and the newest plan is shown."""
+        def at_rest(state):
+            busy = state["busy"]
+            working = busy["loading"] or busy["planning"] or busy["saving"]
+            return not working and (not state["open"] or state["plan_is_current"] or
+                                    state["plan_error"])
+        return self.wait(at_rest, "the editor to come to rest", seconds)
+
+    def items(self):
+        return self.state()["items"]
+
+    def has(self, name):
+        return name in self.items()
+
+    def item(self, name, seconds=10):
+        """The rectangle of a widget, once it is there."""
+        return self.wait(lambda state: name in state["items"], f"the item {name}",
+                         seconds)["items"][name]
+
+    def middle(self, name):
+        left, top, right, bottom = self.item(name)[:4]
+        return round((left + right) / 2), round((top + bottom) / 2)
+
+    def picture(self):
+        """The window as RGB bytes: (width, height, bytes)."""
+        size = self.window.get_geometry()
+        image = self.window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xFFFFFFFF)
+        data = image.data
+        rgb = bytearray(size.width * size.height * 3)
+        rgb[0::3], rgb[1::3], rgb[2::3] = data[2::4], data[1::4], data[0::4]
+        return size.width, size.height, bytes(rgb)
+
+    # The mouse
+
+    def move(self, x, y):
+        self.mouse = (round(x), round(y))
+        xtest.fake_input(self.display, X.MotionNotify, x=self.mouse[0], y=self.mouse[1])
+        self.display.sync()
+
+    def press(self, button="left"):
+        xtest.fake_input(self.display, X.ButtonPress, BUTTONS.get(button, button))
+        self.display.sync()
+
+    def release(self, button="left"):
+        xtest.fake_input(self.display, X.ButtonRelease, BUTTONS.get(button, button))
+        self.display.sync()
+
+    def point(self, target):
+        """Moves to a widget or a place, and lets the window see it there."""
+        x, y = self.middle(target) if isinstance(target, str) else target
+        self.move(x, y)
+        self.state()
+
+    def click(self, target, button="left", keys=(), times=1):
+        self.point(target)
+        with self.held(*keys):
+            for _ in range(times):
+                self.press(button)
+                if times == 1:
+                    self.state()
+                self.release(button)
+        return self.state()
+
+    def drag(self, start, end, button="left", keys=(), steps=8, look=None):
+        """From one place to another; `look` is called with each state on the way."""
+        self.point(start)
+        x0, y0 = self.mouse
+        x1, y1 = self.middle(end) if isinstance(end, str) else end
+        with self.held(*keys):
+            self.press(button)
+            self.state()
+            for step in range(1, steps + 1):
+                self.move(x0 + (x1 - x0) * step / steps, y0 + (y1 - y0) * step / steps)
+                state = self.state()
+                if look is not None:
+                    look(state)
+            self.release(button)
+        return self.state()
+
+    def wheel(self, target, notches):
+        """Up with positive numbers."""
+        self.point(target)
+        for _ in range(abs(notches)):
+            button = 4 if notches > 0 else 5
+            self.press(button)
+            self.release(button)
+            self.state()
+
+    def reach(self, name, over, most=60):
+        """Scrolls a panel down until a widget of it is fully to be seen."""
+        for _ in range(most):
+            items = self.items()
+            if name in items and items[name][3] - items[name][1] > 10:
+                return items[name]
+            self.wheel(over, -2)
+        raise AssertionError(f"{name} is nowhere in the panel")
+
+    # The keyboard
+
+    def _code(self, keysym):
+        code = self.display.keysym_to_keycode(keysym)
+        if code == 0:
+            raise KeyError(f"this keyboard has no key {XK.keysym_to_string(keysym)}")
+        return code
+
+    def _keysym(self, name):
+        keysym = XK.string_to_keysym(KEYSYMS.get(name.lower(), name))
+        return keysym if keysym != 0 else ord(name)
+
+    def hold(self, name):
+        xtest.fake_input(self.display, X.KeyPress, self._code(self._keysym(name)))
+        self.display.sync()
+
+    def let_go(self, name):
+        xtest.fake_input(self.display, X.KeyRelease, self._code(self._keysym(name)))
+        self.display.sync()
+
+    @contextlib.contextmanager
+    def held(self, *names):
+        for name in names:
+            self.hold(name)
+        if names:
+            self.state()
+        try:
+            yield
+        finally:
+            for name in reversed(names):
+                self.let_go(name)
+
+    def key(self, chord):
+        """'ctrl+shift+s', 'esc', 'F1'."""
+        *modifiers, last = chord.split("+") if chord != "+" else ["+"]
+        with self.held(*modifiers):
+            self.hold(last)
+            self.state()
+            self.let_go(last)
+        return self.state()
+
+    def type(self, text):
+        for letter in text:
+            keysym = ord(letter)
+            code = self._code(keysym)
+            shifted = self.display.keycode_to_keysym(code, 0) != keysym
+            if shifted:
+                self.hold("shift")
+            xtest.fake_input(self.display, X.KeyPress, code)
+            xtest.fake_input(self.display, X.KeyRelease, code)
+            if shifted:
+                self.let_go("shift")
+            self.display.sync()
+            time.sleep(0.004)  # one letter after the other, as hands do it
+        return self.state()
+
+    # What a window manager and other programs do
+
+    def _find_window(self):
+        """The editor's window: the visible one; the other belongs to its drawing thread."""
+        deadline = time.time() + 30
+        root = self.display.screen().root
+        while time.time() < deadline:
+            for window in root.query_tree().children:
+                with contextlib.suppress(error.BadWindow):
+                    shown = window.get_attributes().map_state == X.IsViewable
+                    if shown and window.get_wm_class():
+                        return window
+            time.sleep(0.05)
+        raise Gone("the editor opened no window: " + self.last_words())
+
+    def _focus(self):
+        self.window.set_input_focus(X.RevertToPointerRoot, X.CurrentTime)
+        self.display.sync()
+
+    def resize(self, width, height):
+        self.window.configure(x=0, y=0, width=width, height=height)
+        self.display.sync()
+        self.state()
+        return self.state()
+
+    def _tell(self, kind, data):
+        message = event.ClientMessage(window=self.window, client_type=self.display.intern_atom(kind),
+                                      data=(32, data))
+        self.window.send_event(message)
+        self.display.sync()
+
+    def close_window(self):
+        """The cross in the window's corner."""
+        protocols = self.display.intern_atom("WM_DELETE_WINDOW")
+        self._tell("WM_PROTOCOLS", [protocols, X.CurrentTime, 0, 0, 0])
+
+    def drop(self, *paths):
+        """Drops files onto the middle of the window, by the protocol XDND."""
+        atom = self.display.intern_atom
+        source = self.display.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
+        try:
+            source.set_selection_owner(atom("XdndSelection"), X.CurrentTime)
+            uris, plain = atom("text/uri-list"), X.NONE
+            version = 5 << 24
+            size = self.window.get_geometry()
+            x, y = size.width // 2, size.height // 2
+            self._tell("XdndEnter", [source.id, version, uris, plain, plain])
+            self._tell("XdndPosition", [source.id, 0, x << 16 | y, X.CurrentTime,
+                                        atom("XdndActionCopy")])
+            self._await_message("XdndStatus", lambda data: data[1] & 1)
+            self._tell("XdndDrop", [source.id, 0, X.CurrentTime, 0, 0])
+            text = "".join(pathlib.Path(path).absolute().as_uri() + "\r\n" for path in paths)
+            self._serve_selection(uris, text.encode())
+        finally:
+            source.destroy()
+            self.display.sync()
+        return self.state()
+
+    def _events(self, seconds):
+        deadline = time.time() + seconds
+        while time.time() < deadline:
+            if self.display.pending_events():
+                yield self.display.next_event()
+            else:
+                time.sleep(0.005)
+
+    def _await_message(self, kind, accepted):
+        atom = self.display.intern_atom(kind)
+        for one in self._events(10):
+            if one.type == X.ClientMessage and one.client_type == atom:
+                if accepted(one.data[1]):
+                    return
+                raise AssertionError("the editor refuses what is dragged over it")
+        raise AssertionError(f"the editor sent no {kind}")
+
+    def _serve_selection(self, kind, content):
+        finished = self.display.intern_atom("XdndFinished")
+        for one in self._events(10):
+            if one.type == X.SelectionRequest:
+                one.requestor.change_property(one.property, kind, 8, content)
+                one.requestor.send_event(event.SelectionNotify(
+                    time=one.time, requestor=one.requestor, selection=one.selection,
+                    target=one.target, property=one.property))
+                self.display.sync()
+            elif one.type == X.ClientMessage and one.client_type == finished:
+                return
+        raise AssertionError("the editor did not take what was dropped")
+
+    def clipboard(self):
+        """The text another program would paste."""
+        atom = self.display.intern_atom
+        reader = self.display.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
+        place = atom("DOLLYTRACK_TEST")
+        try:
+            reader.convert_selection(atom("CLIPBOARD"), atom("UTF8_STRING"), place, X.CurrentTime)
+            self.display.sync()
+            self.state()  # the owner answers when it handles its events
+            for one in self._events(10):
+                if one.type == X.SelectionNotify:
+                    if one.property == X.NONE:
+                        return ""
+                    found = reader.get_full_property(place, X.AnyPropertyType)
+                    value = found.value if found is not None else b""
+                    return value.decode() if isinstance(value, bytes) else value
+        finally:
+            reader.destroy()
+            self.display.sync()
+        raise AssertionError("nobody answers for the clipboard")
+
+    # What people do all the time
+
+    def menu(self, name, command):
+        """Opens a menu and chooses an entry: menu('file', 'file.close')."""
+        self.click("menu." + name)
+        return self.click("command." + command)
+
+    def run_command(self, words):
+        """By way of the command palette."""
+        self.key("ctrl+p")
+        self.item("palette.text")
+        self.type(words)
+        return self.key("enter")
+
+    def choose_file(self, path):
+        """Types a path into the file dialog that is open and accepts it."""
+        self.item("files.path")
+        self.click("files.path", times=2)
+        self.key("ctrl+a")
+        self.type(str(path))
+        self.key("enter")
+        self.wait(lambda state: not state["dialogs"]["file"] or "message.replace" in state["items"]
+                  or "files.overwrite" in state["items"], "the file dialog to close", 10)
+
+    def type_value(self, name, text):
+        """Ctrl+click on a number and type another."""
+        self.click(name, keys=["ctrl"])
+        self.key("ctrl+a")
+        self.type(text)
+        return self.key("enter")
+
+    # The end
+
+    def wait_end(self, seconds=30):
+        """The exit code, once the editor has ended by itself."""
+        try:
+            return self.process.wait(seconds)
+        except subprocess.TimeoutExpired as late:
+            raise AssertionError("the editor does not end") from late
+
+    def memory_mb(self):
+        with open(f"/proc/{self.process.pid}/status") as status:
+            for line in status:
+                if line.startswith("VmRSS:"):
+                    return int(line.split()[1]) / 1024
+        return 0.0
+
+    def kill(self):
+        """As a crash, or a power cut for this program."""
+        if self.alive():
+            self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+        self.tidy()
+
+    def tidy(self):
+        with contextlib.suppress(Exception):
+            self.display.close()
+        with contextlib.suppress(Exception):
+            self.lines.close()
+        with contextlib.suppress(Exception):
+            self.connection.close()
+        self.output.close()
+        shutil.rmtree(self.socket_folder, ignore_errors=True)

@@ -1,0 +1,120 @@
+"""Opening scenes and projects, and being told what is wrong with them."""
+import json
+
+from task import Task, plan
+import tiny_room
+
+
+class Opening(Task):
+    def test_open_a_scene_named_on_the_command_line(self):
+        state = self.start(self.room)
+        self.assertTrue(state["title"].startswith("room.obj"))
+        self.assertFalse(state["unsaved"])
+        self.assertEqual(state["history"], ["Open"])
+        project = plan(self.room, self.folder / "same.dolly")
+        self.assertEqual(state["plan"]["frames"], len(project["result"]["trajectory"]["frames"]))
+
+    def test_open_a_scene_by_typing_its_path(self):
+        state = self.start()
+        self.assertFalse(state["open"])
+        self.editor.key("ctrl+o")
+        self.editor.choose_file(self.room)
+        self.editor.wait(lambda state: state["open"], "the room to open")
+        self.assertEqual(self.editor.idle()["plan"]["objects"], 5)
+
+    def test_open_a_file_by_walking_through_folders(self):
+        self.start()
+        self.editor.key("ctrl+o")
+        self.editor.item("files.path")
+        self.editor.click("files.path")
+        self.editor.key("ctrl+a")
+        self.editor.type(str(self.room.parent) + "/")
+        self.editor.key("enter")
+        self.editor.click("files.row.room.obj")
+        self.editor.click("files.accept")
+        self.editor.wait(lambda state: state["open"], "the room to open")
+
+    def test_drop_a_scene(self):
+        self.start()
+        self.editor.drop(self.room)
+        self.editor.wait(lambda state: state["open"], "the room to open")
+        self.assertEqual(self.editor.idle()["plan"]["captured"], 5)
+
+    def test_drop_a_project(self):
+        project = self.folder / "small d\u00f6.dolly"  # a name that has to be decoded
+        plan(self.room, project, "--set", "fill=0.45")
+        self.start()
+        self.editor.drop(project)
+        self.editor.wait(lambda state: state["open"], "the project to open")
+        state = self.editor.idle()
+        self.assertEqual(state["project"], str(project))
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+
+    def test_a_broken_scene_leaves_the_open_project_as_it_was(self):
+        before = self.start_room()
+        broken = self.folder / "broken.glb"
+        broken.write_bytes(b"glTF" + bytes(range(200)))
+        self.editor.drop(broken)
+        self.assertIn("broken.glb", self.notice())
+        self.dismiss("ok")
+        after = self.editor.idle()
+        for key in ("title", "history", "parameters", "plan", "unsaved"):
+            self.assertEqual(after[key], before[key], key)
+
+    def test_a_broken_project_is_explained(self):
+        self.start_room()
+        broken = self.folder / "broken.dolly"
+        broken.write_text('{"dollytrack_project": 1, "scene": {')
+        self.editor.drop(broken)
+        self.assertIn("broken.dolly", self.notice())
+        self.dismiss("ok")
+        self.assertTrue(self.editor.state()["title"].startswith("room.obj"))
+
+    def test_a_project_of_a_newer_version_is_explained(self):
+        project = self.folder / "newer.dolly"
+        content = plan(self.room, project)
+        content["dollytrack_project"] = 99
+        project.write_text(json.dumps(content))
+        self.start(project)
+        self.assertRegex(self.notice(), "newer|99")
+        self.dismiss("ok")
+        self.assertFalse(self.editor.state()["open"])
+
+    def test_find_the_scene_of_a_project_that_has_moved(self):
+        scene = self.folder / "first.obj"
+        tiny_room.write(scene)
+        project = self.folder / "moved.dolly"
+        plan(scene, project, "--set", "fill=0.5")
+        moved = self.folder / "second.obj"
+        scene.rename(moved)
+        self.start(project)
+        self.notice()
+        self.editor.click("message.find_the_scene")
+        self.editor.choose_file(moved)
+        self.editor.wait(lambda state: state["open"], "the project to open")
+        state = self.editor.idle()
+        self.assertEqual(state["project"], str(project))
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.5)
+        self.assertEqual(state["plan"]["objects"], 5)
+
+    def test_open_a_recent_file_from_the_menu(self):
+        self.start_room()
+        self.editor.menu("file", "file.close")
+        self.editor.wait(lambda state: not state["open"], "the room to close")
+        self.editor.click("menu.file")
+        self.editor.click("recent.0")
+        self.editor.wait(lambda state: state["open"], "the room to open again")
+
+    def test_drop_another_scene_while_the_first_is_planned(self):
+        other = self.folder / "other.obj"
+        tiny_room.write(other)
+        self.start(self.room)
+        self.set_parameter("octree_resolution_m", "0.02")
+        self.editor.drag("parameters.octree_resolution_m",
+                         (1200, self.editor.middle("parameters.octree_resolution_m")[1]), steps=2)
+        self.editor.drop(other)
+        self.dismiss("dont_save")
+        self.editor.wait(lambda state: state["title"].startswith("other"), "the other scene")
+        state = self.editor.idle()
+        self.assertEqual(state["history"], ["Open"])
+        self.assertEqual(state["plan"]["objects"], 5)

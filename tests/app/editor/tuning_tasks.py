@@ -1,0 +1,102 @@
+"""Parameters, undo, the history and the command palette."""
+from task import SOFA, Task, plan
+
+
+class Tuning(Task):
+    def test_drag_a_slider_and_watch_the_plan_follow(self):
+        before = self.start_room()
+        item = self.find_parameter("fill")
+        left, top, right, bottom = self.editor.item(item)[:4]
+        middle = (top + bottom) / 2
+        frames = set()
+        self.editor.drag((left + 0.6 * (right - left), middle),
+                         (left + 0.3 * (right - left), middle), steps=12,
+                         look=lambda state: frames.add(state["plan"]["frames"]))
+        state = self.editor.idle()
+        self.assertLess(state["parameters"]["viewpoints"]["fill"], 0.5)
+        self.assertNotEqual(state["plan"]["frames"], before["plan"]["frames"])
+        self.assertEqual(len(state["history"]), 2, "one drag, one step of undo")
+        self.assertTrue(state["unsaved"])
+        fill = state["parameters"]["viewpoints"]["fill"]
+        same = plan(self.room, self.folder / "same.dolly", "--set", f"fill={fill}")
+        self.assertEqual(state["plan"]["frames"], len(same["result"]["trajectory"]["frames"]))
+
+    def test_type_a_value(self):
+        self.start_room()
+        state = self.set_parameter("corner_distance_m", "0.2")
+        self.assertAlmostEqual(state["parameters"]["smoothing"]["corner_distance_m"], 0.2)
+        self.assertEqual(len(state["history"]), 2)
+
+    def test_a_typed_value_stays_within_its_range(self):
+        self.start_room()
+        state = self.set_parameter("fill", "40")
+        self.assertLessEqual(state["parameters"]["viewpoints"]["fill"], 1.0)
+        self.assertEqual(state["plan_error"], "")
+
+    def test_reset_one_parameter(self):
+        before = self.start_room()
+        self.set_parameter("max_speed_mps", "0.25")
+        self.editor.click("parameters.max_speed_mps.reset")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"], before["parameters"])
+        self.assertEqual(state["plan"], before["plan"])
+
+    def test_reset_all_parameters(self):
+        before = self.start_room()
+        self.set_parameter("max_speed_mps", "0.25")
+        self.set_parameter("fill", "0.5")
+        self.editor.click("parameters.reset_all")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"], before["parameters"])
+        self.assertEqual(len(state["history"]), 4)
+
+    def test_undo_and_redo_with_the_keyboard(self):
+        before = self.start_room()
+        changed = self.set_parameter("fill", "0.4")
+        self.editor.key("ctrl+z")
+        undone = self.editor.idle()
+        self.assertEqual((undone["parameters"], undone["plan"]),
+                         (before["parameters"], before["plan"]))
+        self.assertFalse(undone["unsaved"])
+        self.editor.key("ctrl+shift+z")
+        redone = self.editor.idle()
+        self.assertEqual((redone["parameters"], redone["plan"]),
+                         (changed["parameters"], changed["plan"]))
+
+    def test_go_back_in_the_history(self):
+        before = self.start_room()
+        for value in ("0.3", "0.35", "0.4"):
+            self.set_parameter("fill", value)
+        self.editor.click("tab.history")
+        self.editor.click("history.step.1")
+        state = self.editor.idle()
+        self.assertEqual(state["history_position"], 1)
+        self.assertAlmostEqual(state["parameters"]["viewpoints"]["fill"], 0.3)
+        self.editor.click("history.step.0")
+        self.assertEqual(self.editor.idle()["plan"], before["plan"])
+
+    def test_choose_the_path_mode_from_a_list(self):
+        self.start_room()
+        self.editor.click(self.find_parameter("path_mode"))
+        choices = [name for name in self.editor.items() if name.startswith("choice.")]
+        self.assertGreater(len(choices), 1)
+        other = next(name for name in sorted(choices) if name != "choice.tour")
+        self.editor.click(other)
+        state = self.editor.idle()
+        self.assertEqual("choice." + state["parameters"]["path"]["path_mode"], other)
+
+    def test_find_a_parameter_with_the_palette(self):
+        self.start_room()
+        self.editor.run_command("corner dist")
+        self.editor.wait(lambda state: "parameters.corner_distance_m" in state["items"] and
+                         "parameters.fill" not in state["items"], "the parameter")
+
+    def test_find_an_object_with_the_palette(self):
+        self.start_room()
+        self.editor.run_command("sofa")
+        self.editor.wait(lambda state: state["selected"] == [SOFA], "the sofa")
+
+    def test_run_a_command_with_the_palette(self):
+        self.start_room()
+        self.editor.run_command("layers roadmap")
+        self.editor.wait(lambda state: state["layers"]["roadmap"], "the roadmap")
