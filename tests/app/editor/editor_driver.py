@@ -289,12 +289,17 @@ class Editor:
 
     def key(self, chord):
         """'ctrl+shift+s', 'esc', 'F1'."""
-        *modifiers, last = chord.split("+") if chord != "+" else ["+"]
-        with self.held(*modifiers):
-            self.hold(last)
-            self.state()
-            self.let_go(last)
+        self.tap(chord)
         return self.state()
+
+    def tap(self, chord):
+        """A key that may end the editor: nothing is asked afterwards."""
+        *modifiers, last = chord.split("+")
+        for name in (*modifiers, last):
+            self.hold(name)
+            time.sleep(0.03)
+        for name in (last, *reversed(modifiers)):
+            self.let_go(name)
 
     def type(self, text):
         for letter in text:

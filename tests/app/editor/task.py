@@ -138,12 +138,18 @@ class Task(unittest.TestCase):
                 round(top + 0.5 * (bottom - top) + focal * along(down) / depth))
 
     def without_layers(self):
-        """Only the scene, so that a click meets objects."""
+        """Only the scene, so that a click meets objects; the preview lies over some of them."""
+        self.show_preview(False)
         for key, layer in (("F3", "points"), ("F5", "trajectory")):
             if self.editor.state()["layers"][layer]:
                 self.editor.key(key)
         state = self.editor.state()
         self.assertFalse(state["layers"]["points"] or state["layers"]["trajectory"])
+
+    def show_preview(self, wanted):
+        if ("preview.grip" in self.editor.items()) != wanted:
+            self.editor.click("preview.fold")
+        self.assertEqual("preview.grip" in self.editor.items(), wanted)
 
     def wait_picture(self):
         """Until the viewport's picture shows what is asked for now."""
@@ -161,9 +167,10 @@ class Task(unittest.TestCase):
 
     def select_position_point(self, place):
         """Clicks a position point in the viewport, with nothing else in the way."""
-        layers = self.editor.state()["layers"]
-        if layers["trajectory"]:
+        state = self.editor.state()
+        if state["layers"]["trajectory"]:
             self.editor.key("F5")
+        self.show_preview(False)
         self.editor.key("7")  # from above, where points seldom hide one another
         self.wait_picture()
         self.editor.click(self.place_of(place))

@@ -1,0 +1,129 @@
+"""Datasets made from the editor, and the preview that shows what they will hold."""
+import hashlib
+import subprocess
+
+import cv2
+import numpy
+
+from task import Programs, Task
+
+DONE, CANCELLED = 3, 4  # of ui/export_job.h
+SMALL = ("--set", "width_px=160", "--set", "height_px=120", "--max-frames", "12")
+
+
+class Exporting(Task):
+    def queue(self, folder, *left_out):
+        """Fills in the export panel and queues the dataset; returns the job's number."""
+        self.editor.key("ctrl+e")
+        self.editor.click("export.folder")
+        self.editor.key("ctrl+a")
+        self.editor.type(str(folder))
+        self.editor.key("enter")
+        for name in left_out:
+            self.press_in_panel(name)
+        self.press_in_panel("export.add")
+        state = self.editor.wait(lambda now: now["exports"], "the job")
+        return state["exports"][-1]["id"]
+
+    def press_in_panel(self, name):
+        left, top, right, bottom = self.editor.reach(name, self.panel_place())[:4]
+        self.editor.click(((left + right) / 2, (top + bottom) / 2))
+
+    def panel_place(self):
+        """Over the settings, but over nothing that the wheel would change."""
+        left, top, *_ = self.editor.item("tab.timeline")[:4]
+        return left + 8, top + 110
+
+    def finished(self, job, state=DONE, seconds=120):
+        def at_end(now):
+            return any(one["id"] == job and one["state"] == state for one in now["exports"])
+        now = self.editor.wait(at_end, "the export to end", seconds)
+        return next(one for one in now["exports"] if one["id"] == job)
+
+    def by_command_line(self, folder, *arguments):
+        subprocess.run([Programs.command_line, "-q", "export", str(self.project), "--out",
+                        str(folder), *arguments], check=True, stdout=subprocess.DEVNULL)
+
+    def hashes(self, folder):
+        """All files that are the dataset; the mark of the writer is about the run."""
+        return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+                for path in sorted(folder.rglob("*"))
+                if path.is_file() and not path.name.startswith(".")}
+
+    def test_export_what_the_command_line_exports(self):
+        self.start_project(*SMALL)
+        out = self.folder / "dataset"
+        job = self.finished(self.queue(out))
+        self.assertEqual(job["frames_done"], 12)
+        same = self.folder / "same"
+        self.by_command_line(same)
+        ours, theirs = self.hashes(out), self.hashes(same)
+        self.assertEqual(set(ours), set(theirs))
+        differing = [name for name in ours if ours[name] != theirs[name] and
+                     name != "dataset.json"]
+        self.assertEqual(differing, [])
+
+    def test_look_at_the_contact_sheet(self):
+        self.start_project(*SMALL)
+        job = self.queue(self.folder / "dataset")
+        self.finished(job)
+        self.press_job(job, "sheet")
+        self.editor.wait(lambda now: now["dialogs"]["sheet"], "the contact sheet")
+        self.editor.item("image.pane")
+        self.assertFalse(self.editor.key("esc")["dialogs"]["sheet"])
+
+    def press_job(self, job, what):
+        name = f"export.job.{job}.{what}"
+        if name not in self.editor.items():
+            place = (1000, self.editor.item("tab.timeline")[1] + 110)
+            item = self.editor.reach(name, place)
+            self.editor.click(((item[0] + item[2]) / 2, (item[1] + item[3]) / 2))
+        else:
+            self.editor.click(name)
+
+    def test_cancel_an_export_and_continue_it(self):
+        self.start_project("--max-frames", "60")
+        out = self.folder / "dataset"
+        job = self.queue(out)
+        self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
+        self.press_job(job, "cancel")
+        cancelled = self.finished(job, CANCELLED)
+        self.assertLess(cancelled["frames_done"], 60)
+        self.press_job(job, "resume")
+        self.assertEqual(self.finished(job)["frames_done"], 60)
+        self.assertEqual(len(list((out / "depth").glob("*.png"))), 60)
+
+    def saved_preview(self, modality, frame):
+        self.editor.type_value("timeline.frame", str(frame))
+        if modality != "rgb":
+            self.editor.click("preview.modality")
+            self.editor.click("preview.modality." + modality)
+        self.editor.wait(lambda now: now["preview"]["frame"] == frame and
+                         now["preview"]["final_light"] and not now["busy"]["drawing"],
+                         "the preview", 60)
+        path = self.folder / f"{modality}.png"
+        self.editor.click("preview.save")
+        self.editor.choose_file(path)
+        for _ in range(100):
+            self.editor.state()
+            if path.exists():
+                break
+        return cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+
+    def exported(self, folder, modality):
+        """The only frame of a dataset."""
+        found = list((folder / modality).glob("*.png"))
+        self.assertEqual(len(found), 1, modality)
+        return cv2.imread(str(found[0]), cv2.IMREAD_UNCHANGED)
+
+    def test_the_preview_is_what_will_be_exported(self):
+        self.start_project(*SMALL)
+        out = self.folder / "dataset"
+        self.by_command_line(out, "--range", "7:8")
+        for modality in ("rgb", "depth", "instance", "semantic"):
+            ours = self.saved_preview(modality, 7)
+            theirs = self.exported(out, modality)
+            self.assertEqual((ours.shape, ours.dtype), (theirs.shape, theirs.dtype), modality)
+            apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max()
+            self.assertLessEqual(apart, 1 if modality == "rgb" else 0, modality)
+            self.assertGreater(len(numpy.unique(ours)), 1, "not an empty picture")

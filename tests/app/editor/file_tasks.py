@@ -1,0 +1,148 @@
+"""Saving, quitting, closing, and work that survives a crash."""
+import json
+import time
+
+from task import SOFA, Task
+
+
+class Files(Task):
+    def changed_room(self):
+        self.start_room()
+        return self.set_parameter("fill", "0.45")
+
+    def save_as(self, path):
+        self.editor.key("ctrl+shift+s")
+        self.editor.item("files.name")
+        self.editor.choose_file(path)
+        return self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+
+    def test_save_reopen_and_find_everything_equal(self):
+        self.changed_room()
+        self.select_row(SOFA)
+        self.editor.point("viewport")
+        self.editor.key("x")
+        before = self.editor.idle()
+        project = self.folder / "kept.dolly"
+        self.assertEqual(self.save_as(project)["project"], str(project))
+        self.editor.tap("ctrl+q")
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        after = self.start(project)
+        for key in ("parameters", "plan"):
+            self.assertEqual(after[key], before[key])
+        self.assertEqual(after["edits"]["changes"], before["edits"]["changes"])
+        self.assertFalse(after["unsaved"])
+
+    def test_save_again_with_the_keyboard(self):
+        self.changed_room()
+        project = self.folder / "kept.dolly"
+        self.save_as(project)
+        self.set_parameter("fill", "0.5")
+        self.editor.key("ctrl+s")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        content = json.loads(project.read_text())
+        self.assertEqual(content["parameters"]["viewpoints"]["fill"], 0.5)
+        frames = len(content["result"]["trajectory"]["frames"])
+        self.assertEqual(frames, self.editor.state()["plan"]["frames"])
+
+    def test_a_folder_that_is_missing_is_said(self):
+        self.changed_room()
+        self.editor.key("ctrl+shift+s")
+        self.editor.item("files.name")
+        self.editor.click("files.path")
+        self.editor.key("ctrl+a")
+        self.editor.type(str(self.folder / "nowhere" / "kept.dolly"))
+        self.editor.key("enter")
+        time.sleep(0.3)
+        state = self.editor.state()
+        self.assertTrue(state["dialogs"]["file"], "one can correct what was typed")
+        self.assertTrue(state["unsaved"])
+        self.editor.click("files.cancel")
+
+    def test_quitting_with_unsaved_work_asks_and_can_be_called_off(self):
+        self.changed_room()
+        self.editor.close_window()
+        self.editor.wait(lambda state: state["dialogs"]["unsaved"], "the question")
+        self.editor.click("message.cancel")
+        state = self.editor.wait(lambda state: not state["dialogs"]["unsaved"], "no question")
+        self.assertTrue(state["unsaved"])
+
+    def test_quit_and_throw_the_work_away(self):
+        self.changed_room()
+        self.ends = True
+        self.editor.close_window()
+        self.editor.point("message.dont_save")
+        self.editor.press()
+        time.sleep(0.1)
+        self.editor.release()
+        self.assertEqual(self.editor.wait_end(), 0)
+        # It was thrown away on purpose: nothing is offered again.
+        self.editor.tidy()
+        self.ends = False
+        self.assertFalse(self.start()["dialogs"]["lost_work"])
+
+    def test_quit_and_save(self):
+        self.changed_room()
+        project = self.folder / "kept.dolly"
+        self.save_as(project)
+        self.set_parameter("fill", "0.35")
+        self.ends = True
+        self.editor.close_window()
+        self.editor.point("message.save")
+        self.editor.press()
+        time.sleep(0.1)
+        self.editor.release()
+        self.assertEqual(self.editor.wait_end(), 0)
+        content = json.loads(project.read_text())
+        self.assertEqual(content["parameters"]["viewpoints"]["fill"], 0.35)
+
+    def test_quit_at_once_when_nothing_changed(self):
+        self.start_room()
+        self.ends = True
+        self.editor.close_window()
+        self.assertEqual(self.editor.wait_end(), 0)
+
+    def test_close_the_project(self):
+        self.start_room()
+        self.editor.key("ctrl+w")
+        state = self.editor.wait(lambda state: not state["open"], "the room to close")
+        self.assertNotIn("plan", state)
+        self.assertNotIn("objects.row.10", state["items"])
+
+    def test_opening_another_scene_asks_for_unsaved_work(self):
+        self.changed_room()
+        self.editor.drop(self.room)
+        self.editor.click("message.cancel")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+
+    def test_get_the_work_back_after_a_crash(self):
+        self.start_room()
+        self.select_row(SOFA)
+        self.editor.point("viewport")
+        self.editor.key("x")
+        before = self.editor.idle()
+        copies = self.folder / "home" / "state" / "dollytrack" / "autosave"
+        for _ in range(200):
+            if any("excluded" in path.read_text() for path in copies.glob("*.dolly")):
+                break
+            time.sleep(0.05)
+            self.editor.state()
+        self.editor.kill()
+        self.start()
+        self.editor.click("message.restore")
+        self.editor.wait(lambda state: state["open"], "the lost work")
+        state = self.editor.idle()
+        self.assertEqual(state["edits"]["changes"], before["edits"]["changes"])
+        self.assertEqual(state["plan"], before["plan"])
+        self.assertTrue(state["unsaved"])
+
+    def test_save_over_another_file_after_being_asked(self):
+        self.changed_room()
+        project = self.folder / "kept.dolly"
+        project.write_text("something else")
+        self.editor.key("ctrl+shift+s")
+        self.editor.choose_file(project)
+        self.editor.click("message.replace")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.assertEqual(json.loads(project.read_text())["dollytrack_project"], 1)

@@ -1,0 +1,227 @@
+"""Looking at the scene: selecting, hiding, the camera, layers, the timeline, the algorithm."""
+import math
+import os
+import time
+
+from task import MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
+
+SOFA_TOP = (0.5, -1.5, 0.7)
+TABLE_TOP = (3.3, -1.9, 0.74)
+
+
+class Selecting(Task):
+    def test_click_objects_in_the_viewport(self):
+        self.start_room()
+        self.without_layers()
+        self.wait_picture()
+        state = self.editor.click(self.place_of(SOFA_TOP))
+        self.assertEqual((state["selection_kind"], state["selected"]), (OBJECT, [SOFA]))
+        state = self.editor.click(self.place_of(TABLE_TOP), keys=["ctrl"])
+        self.assertEqual((state["selection_kind"], state["selected"]), (OBJECTS, [SOFA, TABLE]))
+        state = self.editor.key("esc")
+        self.assertEqual((state["selection_kind"], state["selected"]), (NONE, []))
+
+    def test_select_in_the_list_and_read_about_it(self):
+        self.start_room()
+        state = self.select_row(SOFA)
+        self.assertEqual(state["selection_kind"], OBJECT)
+        self.editor.item("selection.class")
+        self.editor.item("selection.target")
+
+    def test_search_the_list(self):
+        self.start_room()
+        self.editor.click("objects.filter")
+        state = self.editor.type("mug")
+        rows = [name for name in state["items"] if name.startswith("objects.row.")]
+        self.assertEqual(rows, [f"objects.row.{MUG}"])
+
+    def test_go_to_the_frame_that_captures_an_object_best(self):
+        self.start_room()
+        self.select_row(SOFA)
+        link = self.editor.reach("selection.best_frame", "selection.frame")
+        self.editor.click(((link[0] + link[2]) / 2, (link[1] + link[3]) / 2))
+        state = self.editor.state()
+        self.assertGreater(state["frame"], 0)
+        self.editor.wait(lambda now: now["preview"]["frame"] == state["frame"], "the preview")
+
+    def test_exclude_an_object_and_take_it_back(self):
+        before = self.start_room()
+        self.editor.click(f"objects.target.{SOFA}")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"]["objects"], before["plan"]["objects"] - 1)
+        self.assertEqual(state["plan"]["excluded"], 1)
+        self.editor.run_command("sofa")
+        self.editor.wait(lambda now: now["selected"] == [SOFA], "the sofa")
+        self.editor.click("selection.target")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"]["objects"], before["plan"]["objects"])
+        self.assertEqual(state["plan"]["frames"], before["plan"]["frames"])
+
+    def test_change_an_objects_class(self):
+        self.start_room()
+        self.select_row(TABLE)
+        self.editor.click("selection.class")
+        self.editor.item("selection.class.filter")
+        self.editor.type("bathtub")
+        self.editor.click("selection.class.36")
+        state = self.editor.idle()
+        self.assertEqual(len(state["history"]), 2)
+        self.assertIn("36", str(state["edits"]).replace("bathtub", "36"))
+
+    def test_hide_an_object_and_show_all(self):
+        self.start_room()
+        self.without_layers()
+        self.editor.click(f"objects.eye.{SOFA}")
+        self.wait_picture()
+        state = self.editor.click(self.place_of(SOFA_TOP))
+        self.assertNotIn(SOFA, state["selected"], "what is hidden cannot be clicked")
+        self.editor.key("esc")
+        self.editor.point("viewport")
+        self.editor.key("alt+h")
+        self.wait_picture()
+        state = self.editor.click(self.place_of(SOFA_TOP))
+        self.assertEqual(state["selected"], [SOFA])
+
+
+class Looking(Task):
+    def test_orbit_pan_and_zoom(self):
+        start = self.start_room()["camera"]
+        x, y = self.editor.middle("viewport")
+        y -= 60
+        turned = self.editor.drag((x, y), (x + 120, y + 40))["camera"]
+        self.assertNotAlmostEqual(turned["azimuth"], start["azimuth"], 1)
+        self.assertEqual(turned["pivot"], start["pivot"])
+        moved = self.editor.drag((x, y), (x + 80, y), button="middle")["camera"]
+        self.assertEqual(moved["azimuth"], turned["azimuth"])
+        self.assertGreater(math.dist(moved["pivot"], turned["pivot"]), 0.1)
+        self.editor.wheel((x, y), 4)
+        near = self.editor.state()["camera"]
+        self.assertLess(near["distance"], 0.75 * moved["distance"])
+        looked = self.editor.drag((x, y), (x + 60, y), button="right")["camera"]
+        self.assertNotEqual(looked["azimuth"], near["azimuth"])
+
+    def test_zoom_keeps_the_point_under_the_mouse(self):
+        self.start_room()
+        self.wait_picture()
+        place = self.place_of(SOFA_TOP)
+        self.editor.wheel(place, 5)
+        after = self.place_of(SOFA_TOP)
+        self.assertLess(math.dist(place, after), 8, "px")
+
+    def test_fly_with_the_keys(self):
+        start = self.start_room()["camera"]
+        x, y = self.editor.middle("viewport")
+        self.editor.point((x, y - 60))
+        self.editor.press("right")
+        self.editor.state()
+        self.editor.hold("w")
+        for _ in range(10):
+            self.editor.state()
+        self.editor.let_go("w")
+        self.editor.release("right")
+        self.assertGreater(math.dist(self.editor.state()["camera"]["pivot"], start["pivot"]), 0.05)
+
+    def test_axis_views_and_parallel_projection(self):
+        self.start_room()
+        state = self.editor.key("7")
+        self.assertAlmostEqual(state["camera"]["elevation"], math.pi / 2)
+        state = self.editor.key("1")
+        self.assertAlmostEqual(state["camera"]["elevation"], 0.0)
+        front = state["camera"]["azimuth"]
+        state = self.editor.key("ctrl+1")
+        self.assertAlmostEqual(abs(state["camera"]["azimuth"] - front), math.pi)
+        state = self.editor.key("5")
+        self.assertTrue(state["camera"]["orthographic"])
+        self.assertFalse(self.editor.key("5")["camera"]["orthographic"])
+
+    def test_frame_the_selected_object(self):
+        self.start_room()
+        self.select_row(MUG)
+        self.editor.point("viewport")
+        camera = self.editor.key("f")["camera"]
+        self.assertLess(math.dist(camera["pivot"], (3.145, -1.245, 0.79)), 0.02)
+        self.assertLess(camera["distance"], 1.0)
+
+    def test_look_through_the_camera_and_leave_it(self):
+        self.start_room()
+        self.assertTrue(self.editor.key("0")["through_camera"])
+        self.assertFalse(self.editor.key("esc")["through_camera"])
+
+    def test_switch_layers(self):
+        self.start_room()
+        for key, layer in (("F2", "free_space"), ("F3", "points"), ("F4", "roadmap"),
+                           ("F5", "trajectory"), ("F7", "no_go")):
+            before = self.editor.state()["layers"][layer]
+            picture = self.editor.picture()
+            state = self.editor.key(key)
+            self.assertNotEqual(state["layers"][layer], before, layer)
+            if layer != "no_go":  # there is none to be seen
+                self.wait_picture()
+                self.assertNotEqual(self.editor.picture(), picture, layer)
+
+    def test_the_window_rests_when_nothing_happens(self):
+        self.start_room()
+        self.editor.wait(lambda state: state["preview"]["final_light"] and
+                         not state["busy"]["drawing"], "the light", 60)
+        self.editor.state()
+        used = self.processor_seconds()
+        serial = self.editor.state()["picture_serial"]
+        time.sleep(2.0)
+        self.assertLess(self.processor_seconds() - used, 0.6, "s of work in 2 s of rest")
+        self.assertEqual(self.editor.state()["picture_serial"], serial)
+
+    def processor_seconds(self):
+        with open(f"/proc/{self.editor.process.pid}/stat") as file:
+            fields = file.read().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+class Timeline(Task):
+    def test_scrub_the_timeline(self):
+        state = self.start_room()
+        left, top, right, bottom = self.editor.item("timeline.axis")[:4]
+        y = top + 8
+        seen = []
+        self.editor.drag((left + 0.4 * (right - left), y), (left + 0.9 * (right - left), y),
+                         look=lambda now: seen.append(now["frame"]))
+        self.assertEqual(seen, sorted(seen))
+        self.assertGreater(seen[-1] - seen[0], state["plan"]["frames"] // 5)
+        self.editor.wait(lambda now: now["preview"]["frame"] == now["frame"], "the preview")
+
+    def test_play_and_pause(self):
+        self.start_room()
+        self.assertTrue(self.editor.key("space")["playing"])
+        self.editor.wait(lambda state: state["frame"] >= 5, "the fifth frame", 20)
+        state = self.editor.key("space")
+        self.assertFalse(state["playing"])
+        self.assertEqual(self.editor.state()["frame"], state["frame"])
+
+    def test_step_through_frames_and_key_frames(self):
+        state = self.start_room()
+        keys = sorted(int(name.rsplit(".", 1)[1]) for name in state["items"]
+                      if name.startswith("timeline.key."))
+        self.assertEqual(len(keys), state["plan"]["key_frames"])
+        self.assertEqual(self.editor.key("right")["frame"], 1)
+        self.assertEqual(self.editor.key("left")["frame"], 0)
+        self.assertEqual(self.editor.key("shift+right")["frame"], keys[1])
+        self.assertEqual(self.editor.click("timeline.next_key")["frame"], keys[2])
+        self.assertEqual(self.editor.click("timeline.previous_key")["frame"], keys[1])
+        self.assertEqual(self.editor.click("timeline.end")["frame"], state["plan"]["frames"] - 1)
+        self.assertEqual(self.editor.click("timeline.start")["frame"], 0)
+
+    def test_type_a_frame(self):
+        self.start_room()
+        self.assertEqual(self.editor.type_value("timeline.frame", "42")["frame"], 42)
+
+    def test_step_the_algorithm_forward_and_back(self):
+        state = self.start_room()
+        steps = state["plan"]["steps"]
+        self.editor.click("tab.algorithm")
+        self.assertTrue(self.editor.state()["layers"]["stepping"])
+        self.assertEqual(self.editor.click("steps.forward")["step"], 1)
+        self.assertEqual(self.editor.click("steps.forward")["step"], 2)
+        self.assertEqual(self.editor.click("steps.back")["step"], 1)
+        self.assertEqual(self.editor.click("steps.last")["step"], steps)
+        self.assertEqual(self.editor.click("steps.first")["step"], 0)
+        self.editor.click("steps.play")
+        self.editor.wait(lambda now: now["step"] >= 3, "steps to be played", 20)

@@ -1,0 +1,96 @@
+"""The window itself: its size, its theme, help and the log."""
+from task import Task
+
+
+class Window(Task):
+    def assertInside(self, size):
+        """Nothing that can be clicked is cut off by the window's edge."""
+        state = self.editor.state()
+        for name, (left, top, right, bottom, *_) in state["items"].items():
+            self.assertTrue(left >= -0.5 and top >= -0.5 and right <= size[0] + 0.5 and
+                            bottom <= size[1] + 0.5, f"{name} {left, top, right, bottom}")
+        return state["items"]
+
+    def test_resize_the_window(self):
+        self.start_room()
+        large = None
+        for size in ((1920, 1080), (1280, 720), (800, 500)):
+            self.editor.resize(*size)
+            self.editor.wait(lambda state: not state["busy"]["drawing"], "the picture")
+            items = self.assertInside(size)
+            for name in ("menu.file", "menu.help", "tab.parameters", "tab.objects",
+                         "tab.timeline", "tab.log", "timeline.play", "viewport",
+                         "parameters.filter"):
+                self.assertIn(name, items, size)
+            left, top, right, bottom = items["viewport"][:4]
+            self.assertGreater(right - left, 250, size)
+            self.assertGreater(bottom - top, 100, size)
+            large = large or items
+        self.assertGreater(large["viewport"][2] - large["viewport"][0], 1000)
+
+    def test_dialogs_fit_into_a_small_window(self):
+        self.start_room(size=(800, 500))
+        self.editor.key("ctrl+o")
+        self.editor.item("files.accept")
+        self.assertInside((800, 500))
+        self.editor.click("files.cancel")
+        self.editor.key("F1")
+        self.editor.item("help.filter")
+        self.assertInside((800, 500))
+
+    def test_light_theme_and_larger_text_are_remembered(self):
+        self.start_room()
+        dark = self.editor.picture()
+        height = self.height_of("parameters.filter")
+        self.editor.menu("window", "window.light")
+        self.editor.key("ctrl+=")
+        self.editor.key("ctrl+=")
+        state = self.editor.state()
+        self.assertEqual(state["theme"], "light")
+        self.assertGreater(state["zoom"], 1.15)
+        self.assertGreater(self.height_of("parameters.filter"), height)
+        light = self.editor.picture()
+        self.assertGreater(sum(light[2]) / len(light[2]), sum(dark[2]) / len(dark[2]) + 40)
+        self.editor.tap("ctrl+q")
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        state = self.start_room()
+        self.assertEqual(state["theme"], "light")
+        self.assertGreater(state["zoom"], 1.15)
+
+    def height_of(self, name):
+        item = self.editor.item(name)
+        return item[3] - item[1]
+
+    def test_read_the_help(self):
+        self.start()
+        self.assertTrue(self.editor.key("F1")["dialogs"]["help"])
+        self.editor.item("help.filter")
+        self.assertFalse(self.editor.key("esc")["dialogs"]["help"])
+
+    def test_copy_the_log(self):
+        self.start()
+        broken = self.folder / "broken.obj"
+        broken.write_text("v nothing\n")
+        self.editor.drop(broken)
+        self.notice()
+        self.dismiss("ok")
+        self.editor.click("tab.log")
+        self.editor.click("log.copy")
+        self.assertIn("broken.obj", self.editor.clipboard())
+
+    def test_hide_the_panels(self):
+        self.start_room()
+        before = self.editor.item("viewport")
+        for side in ("left", "right", "bottom"):
+            self.editor.menu("window", "window." + side)
+        after = self.editor.item("viewport")
+        self.assertGreater(after[2] - after[0], before[2] - before[0] + 300)
+        self.assertGreater(after[3] - after[1], before[3] - before[1] + 100)
+
+    def test_drag_the_border_of_a_panel(self):
+        self.start_room()
+        x, y = self.editor.middle("splitter.left")
+        before = self.editor.item("viewport")[0]
+        self.editor.drag((x, y), (x + 60, y))
+        self.assertAlmostEqual(self.editor.item("viewport")[0], before + 60, delta=4)
