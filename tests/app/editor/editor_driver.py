@@ -46,6 +46,7 @@ def need_window():
     if why and REQUIRED:
         sys.exit(f"a window is required, but {why}")
     if why:
+        print("skipped: " + why)
         raise unittest.SkipTest(why)
 
 

@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+"""Kills the editor at random moments of work: little is lost, and the project always opens.
+
+Usage: kill_test.py EDITOR COMMAND_LINE [--long] [--seed N]
+"""
+import argparse
+import pathlib
+import random
+import sys
+import tempfile
+import time
+from unittest import SkipTest
+
+from editor_driver import Editor, Screen, need_window
+from task import Programs, plan
+import tiny_room  # noqa: E402
+
+MOST_LOST_S = 30.0
+
+
+class Crash:
+    """One editor that is killed while somebody works, and the one that is started after it."""
+
+    def __init__(self, screen, folder, dice):
+        self.screen = screen
+        self.folder = folder
+        self.dice = dice
+        self.project = folder / "room.dolly"
+        self.changes = [(0.0, 0.6)]  # when, and the fill that was chosen then
+
+    def start(self, *arguments):
+        return Editor(Programs.editor, self.screen, *arguments, home=self.folder / "home")
+
+    def work_until_killed(self):
+        editor = self.start(self.project)
+        try:
+            editor.wait(lambda state: state["open"], "the project to open")
+            editor.click("parameters.filter")
+            editor.type("fill")
+            left, top, right, bottom = editor.item("parameters.fill")[:4]
+            end = time.monotonic() + self.dice.uniform(0.5, 9.0)
+            while time.monotonic() < end:
+                editor.move(self.dice.uniform(left + 5, right - 5), (top + bottom) / 2)
+                editor.press()
+                editor.state()
+                editor.release()
+                fill = editor.state()["parameters"]["viewpoints"]["fill"]
+                self.changes.append((time.monotonic(), fill))
+                if self.dice.random() < 0.2:
+                    editor.tap("ctrl+s")
+                time.sleep(self.dice.uniform(0.0, 0.4))
+        finally:
+            self.killed_at = time.monotonic()
+            editor.kill()
+
+    def look_afterwards(self):
+        """What is wrong, or nothing."""
+        editor = self.start(self.project)
+        try:
+            editor.wait(lambda state: state["open"] or state["notice"], "the project to open")
+            state = editor.idle()
+            if not state["open"]:
+                return "the project does not open: " + state["notice"]
+            saved = state["parameters"]["viewpoints"]["fill"]
+            if "message.restore" in state["items"]:
+                editor.click("message.restore")
+                editor.wait(lambda now: not now["dialogs"]["lost_work"], "the copy")
+                time.sleep(0.2)
+                state = editor.idle()
+            fill = state["parameters"]["viewpoints"]["fill"]
+            return self.judge(fill) and self.judge(saved)
+        finally:
+            editor.kill()
+            for copy in (self.folder / "home" / "state").rglob("*.dolly"):
+                copy.unlink()
+
+    def judge(self, fill):
+        when = [at for at, value in self.changes if abs(value - fill) < 1e-9]
+        if not when:
+            return f"a fill of {fill} was never chosen: {self.changes}"
+        newer = [at for at, _ in self.changes if at > when[-1]]
+        lost = self.killed_at - newer[0] if newer else 0.0
+        return f"{lost:.1f} s of work are lost" if lost > MOST_LOST_S else ""
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("editor")
+    parser.add_argument("command_line")
+    parser.add_argument("--long", action="store_true")
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    try:
+        need_window()
+    except SkipTest:
+        return
+    Programs.editor = arguments.editor
+    Programs.command_line = arguments.command_line
+    dice = random.Random(arguments.seed)
+    screen = Screen(1280, 720)
+    try:
+        with tempfile.TemporaryDirectory(prefix="kill") as temporary:
+            for number in range(40 if arguments.long else 4):
+                folder = pathlib.Path(temporary) / str(number)
+                folder.mkdir()
+                tiny_room.write(folder / "room.obj")
+                plan(folder / "room.obj", folder / "room.dolly")
+                crash = Crash(screen, folder, dice)
+                crash.work_until_killed()
+                problem = crash.look_afterwards()
+                if problem:
+                    sys.exit(f"kill {number} of seed {arguments.seed}: {problem}")
+    finally:
+        screen.close()
+
+
+if __name__ == "__main__":
+    main()
