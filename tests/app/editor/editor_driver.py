@@ -3,6 +3,7 @@
 What the window shows is asked through the socket of --inspect, which can only look.
 """
 import contextlib
+import ctypes
 import json
 import os
 import pathlib
@@ -29,6 +30,12 @@ KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Re
            "esc": "Escape", "del": "Delete", "space": "space", "home": "Home", "end": "End",
            "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
            "backspace": "BackSpace", "=": "equal", "-": "minus"}
+
+
+def die_with_parent():
+    """In the child: a test that is killed leaves nothing running."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
 
 
 def why_no_window():
@@ -58,7 +65,8 @@ class Screen:
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24",
              "-nolisten", "tcp", "-noreset"],
-            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            preexec_fn=die_with_parent)
         os.close(write)
         with os.fdopen(read) as numbers:
             number = numbers.readline().strip()
@@ -94,7 +102,8 @@ class Editor:
         self.process = subprocess.Popen(
             [program, "--size", f"{size[0]}x{size[1]}", "--inspect", path, *options,
              *map(str, arguments)],
-            env=environment, stdout=self.output, stderr=self.output, cwd=self.home)
+            env=environment, stdout=self.output, stderr=self.output, cwd=self.home,
+            preexec_fn=die_with_parent)
         self.screen = screen
         self.connection = None
         try:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Prints how quickly the editor follows changes. Not a test: times depend on the machine.
 
-Usage: figures.py EDITOR SCENE
+Usage: figures.py EDITOR SCENE [PARAMETER...]
 """
 import pathlib
 import sys
@@ -34,7 +34,8 @@ def other_value(value, turn):
 
 
 def measure(editor, name, value, repeats):
-    """ms from each change to its trajectory in the window."""
+    """ms from each change to its trajectory in the window; typing changes at every letter, so a
+    run for the letter before is under way and has to be called off."""
     times = []
     item = show(editor, name)
     for turn in range(repeats):
@@ -51,6 +52,18 @@ def measure(editor, name, value, repeats):
     return times
 
 
+def from_rest(editor, name):
+    """ms from one change of a slider, made while nothing runs, to its trajectory."""
+    times = []
+    left, top, right, bottom = editor.item(show(editor, name))[:4]
+    for turn in range(REPEATS):
+        editor.click((left + (0.3 + 0.1 * turn) * (right - left), (top + bottom) / 2))
+        times.append(editor.idle(300)["latency_ms"])
+    editor.click("parameters." + name + ".reset")
+    editor.idle(300)
+    return sorted(times)
+
+
 def longest_frame(editor):
     """The longest frame while a slider is dragged and planning runs without a pause, ms."""
     left, top, right, bottom = editor.item(show(editor, "fill"))[:4]
@@ -64,7 +77,7 @@ def longest_frame(editor):
 
 
 def main():
-    program, scene = sys.argv[1:3]
+    program, scene, *wanted = sys.argv[1:]
     screen = Screen(1280, 720)
     with tempfile.TemporaryDirectory(prefix="figures") as home:
         editor = Editor(program, screen, pathlib.Path(scene).absolute(), home=home)
@@ -76,10 +89,15 @@ def main():
             state = editor.wait(lambda now: not now["busy"]["lighting"], "the light", 300)
             print(f"{scene}: {len(state['objects'])} objects, {state['plan']['frames']} frames")
             for _, name, value in sections(state):
+                if wanted and name not in wanted:
+                    continue
                 repeats = REPEATS if name == "corner_distance_m" else 2
                 times = sorted(measure(editor, name, value, repeats))
                 print(f"  {name:24} median {times[len(times) // 2]:8.1f} ms   "
                       f"most {times[-1]:8.1f} ms", flush=True)
+            times = from_rest(editor, "corner_distance_m")
+            print(f"  corner_distance_m from rest, by a click: median {times[len(times) // 2]:.1f} ms"
+                  f"   most {times[-1]:.1f} ms", flush=True)
             print(f"  longest frame while planning {longest_frame(editor):.1f} ms", flush=True)
         finally:
             editor.kill()
