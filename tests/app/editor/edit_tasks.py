@@ -30,6 +30,7 @@ class ByHand(Task):
 
     def test_move_a_position_point_with_the_gizmo(self):
         point = self.first_point()
+        self.show_preview(True)
         x, y = self.editor.middle("gizmo.x")
         origin = self.editor.middle("gizmo.free")
         length = math.dist((x, y), origin)
