@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kModalities = {Modality::Rgb, Modality::Depth, Modality::Instance,
                                     Modality::Semantic, Modality::Normal};
 constexpr float kMargin = 10.0F;
-constexpr float kNarrowest = 270.0F;
+constexpr float kNarrowest = 290.0F;
 
 bool isLeft(PaneCorner corner) {
     return corner == PaneCorner::TopLeft || corner == PaneCorner::BottomLeft;

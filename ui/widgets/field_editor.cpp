@@ -4,6 +4,7 @@
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,16 @@ void copyValue(const Field& from, const Field& to) {
         from.value);
 }
 
+/// The number that is being typed, and into which field. There is one keyboard.
+struct Typed {
+    std::string field;
+    std::string value;
+};
+Typed& typed() {
+    static Typed the_number;
+    return the_number;
+}
+
 void explainField(const Field& field, const Field& standard) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
@@ -138,9 +149,23 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     const float reset_width = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
     result.changed = std::visit([&](const auto& value) { return edit(value, field); }, field.value);
+    // A number that is being typed counts when it is whole: "0.45" is not 0, then 0.4, then 0.45.
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetItemID());
+    if (typing && result.changed) {
+        typed() = {path, field.valueText()};
+        result.changed = false;
+    }
     const bool drags = std::holds_alternative<Field::Real>(field.value) ||
                        std::holds_alternative<Field::Integer>(field.value);
     result.finished = drags ? ImGui::IsItemDeactivatedAfterEdit() : result.changed;
+    if (!typing && typed().field == path) {
+        const bool applied = setField({field}, field.name + "=" + typed().value).has_value();
+        typed() = {};
+        result.changed = result.changed || applied;
+        result.finished = true;
+    } else if (typing) {
+        result.finished = false;
+    }
     nameItem(path);
     if (ImGui::IsItemHovered()) explainField(field, standard);
     if (differs) {
