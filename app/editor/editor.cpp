@@ -269,9 +269,9 @@ void Editor::applyRequest(const ui::EditRequest& request) {
 }
 
 void Editor::dropGizmo() {
+    if (gizmo_.dragged != ui::GizmoPart::None) workspace_.endMerge();
     gizmo_ = {};
     gizmo_pose_.reset();
-    workspace_.endMerge();
 }
 
 void Editor::select(ui::Selection selection) {
@@ -304,6 +304,7 @@ void Editor::selectObject(int object, bool add) {
 
 void Editor::keepSelection() {
     using Kind = ui::Selection::Kind;
+    if (selection_.kind == Kind::None) return;
     const Plan* now = plan();
     const auto fits = [&](std::size_t count) {
         return selection_.index >= 0 && static_cast<std::size_t>(selection_.index) < count;

@@ -38,10 +38,11 @@ void PictureFile::show(const std::filesystem::path& file) {
 
 void PictureFile::close() {
     file_.clear();
-    texture_.reset();
 }
 
 ui::ImageViewerView PictureFile::view() {
+    // Not in close(): the frame in which it is closed still shows it.
+    if (!isOpen()) texture_.reset();
     if (std::optional<Pixels> pixels = read_->take(); pixels && isOpen()) {
         if (pixels->rgba.empty()) {
             message_ = "The picture " + file_.string() + " cannot be read.";
