@@ -4,10 +4,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "ui/panels/timeline_data.h"
 #include "ui/theme.h"
-#include "ui/widgets/field_editor.h"
 #include "ui/widgets/splitter.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -436,6 +434,12 @@ Eigen::AlignedBox3d Editor::selectedBox() const {
         }
     }
     return box;
+}
+
+std::optional<OrientedBox> Editor::boxAroundSelection() const {
+    const Eigen::AlignedBox3d around = selectedBox();
+    if (around.isEmpty()) return std::nullopt;
+    return OrientedBox{around.center(), 0.5 * around.sizes(), 0.0};
 }
 
 }  // namespace dollytrack::editor

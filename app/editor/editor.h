@@ -80,16 +80,17 @@ class Editor {
     void drawLayers();
     void drawEdits();
     void drawExport();
-    // editor_export.cpp
-    void makeExportQueue();
-    void drawSheet();
-    [[nodiscard]] ui::ExportView exportView() const;
-    [[nodiscard]] nlohmann::json exportsJson() const;
     void drawParameters();
     void drawMetrics();
     void drawSelection();
     void drawTimeline();
     void drawSteps();
+
+    // editor_export.cpp
+    void makeExportQueue();
+    void drawSheet();
+    [[nodiscard]] ui::ExportView exportView() const;
+    [[nodiscard]] nlohmann::json exportsJson() const;
 
     // editor_viewport.cpp
     void drawCentre();
@@ -131,6 +132,7 @@ class Editor {
     void deleteSelected();
     void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;
+    [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;
     [[nodiscard]] int frameCount() const;
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 

@@ -152,14 +152,8 @@ void Editor::addEditCommands() {
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
          [this] {
-             const Eigen::AlignedBox3d around = selectedBox();
-             const Eigen::Vector3d center =
-                 around.isEmpty() ? viewport_.camera.pivot : around.center();
-             const Eigen::Vector3d size =
-                 around.isEmpty() ? Eigen::Vector3d(1.0, 1.0, 1.0) : around.sizes().eval();
-             apply({{"op", "add_no_go"},
-                    {"center", ui::pointJson(center)},
-                    {"size", ui::pointJson(size)}});
+             const OrientedBox box{viewport_.camera.pivot, Eigen::Vector3d::Constant(0.5), 0.0};
+             apply(ui::addNoGoOperation(boxAroundSelection().value_or(box)));
              const auto& boxes = workspace_.state().edits.plan.no_go;
              if (!boxes.empty()) {
                  select(Selection::ofItem(Selection::Kind::NoGoBox,

@@ -101,12 +101,7 @@ void Editor::drawEdits() {
         view.max_height_m = draft_.free_space.max_height_m;
     }
     view.pivot = viewport_.camera.pivot;
-    if (const Eigen::AlignedBox3d around = selectedBox(); !around.isEmpty()) {
-        OrientedBox box;
-        box.center = around.center();
-        box.half_size = 0.5 * around.sizes();
-        view.around_selection = box;
-    }
+    view.around_selection = boxAroundSelection();
     const ui::EditsActions actions = ui::drawEditsPanel(view);
     applyRequest(actions.edit);
     if (actions.select) select(*actions.select);

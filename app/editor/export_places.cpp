@@ -12,20 +12,21 @@
 #include <sstream>
 
 namespace dollytrack::editor {
-namespace {
-
 namespace fs = std::filesystem;
 
-bool inPath(const char* program) {
+fs::path findInPath(const std::string& program) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        if (!folder.empty() && access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+        std::error_code error;
+        const fs::path file = fs::path(folder) / program;
+        if (!folder.empty() && fs::is_regular_file(file, error) &&
+            access(file.c_str(), X_OK) == 0) {
+            return file;
+        }
     }
-    return false;
+    return {};
 }
-
-}  // namespace
 
 fs::path folderBeside(const fs::path& folder, const fs::path& project,
                       const std::vector<ui::ExportJob>& jobs) {
@@ -44,7 +45,7 @@ fs::path folderBeside(const fs::path& folder, const fs::path& project,
 }
 
 std::string whyNoFolders() {
-    static const bool there = inPath("xdg-open");
+    static const bool there = !findInPath("xdg-open").empty();
     return there ? "" : "Install xdg-utils to open folders from here.";
 }
 

@@ -9,6 +9,9 @@
 
 namespace dollytrack::editor {
 
+/// A program in PATH; empty when it is in none of its folders.
+[[nodiscard]] std::filesystem::path findInPath(const std::string& program);
+
 /// A folder for another project's dataset, beside `folder` and named after the project; with a
 /// number where a job of the queue writes there already.
 [[nodiscard]] std::filesystem::path folderBeside(const std::filesystem::path& folder,

@@ -1,6 +1,7 @@
 #include "app/editor/export_queue.h"
 
 #include "app/editor/child_process.h"
+#include "app/editor/export_places.h"
 #include "app/editor/export_progress.h"
 
 #include <fmt/format.h>
@@ -60,13 +61,7 @@ Result<fs::path> findExportProgram() {
     if (!error && isProgram(self.parent_path() / "dollytrack")) {
         return self.parent_path() / "dollytrack";
     }
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        if (!folder.empty() && isProgram(fs::path(folder) / "dollytrack")) {
-            return fs::path(folder) / "dollytrack";
-        }
-    }
+    if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
     return fail(ErrorCode::Failed,
                 "The program 'dollytrack', which does the exporting, is neither beside the editor "
                 "nor in PATH; build or install it.");

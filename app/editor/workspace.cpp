@@ -15,17 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Status setParameter(nlohmann::json& parameters, const std::string& name,
-                    const nlohmann::json& value) {
-    planning::PlanParams params;
-    const FieldList fields = planning::listFields(params);
-    if (Status status = setFromJson(fields, parameters); !status) return status;
-    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-    if (Status status = setField(fields, name + "=" + text); !status) return status;
-    parameters = toJson(fields);
-    return {};
-}
-
 }  // namespace
 
 Workspace::Workspace(std::function<void()> wake)
@@ -164,7 +153,8 @@ Status Workspace::apply(const nlohmann::json& operation, const std::string& merg
         return fail(ErrorCode::Failed, "The objects are being made anew; try again in a moment.");
     }
     ProjectState next = state();
-    Result<std::string> name = applyOperation(next, {*shown_.scene, setParameter}, operation);
+    Result<std::string> name =
+        applyOperation(next, {*shown_.scene, planning::setParameter}, operation);
     if (!name) return tl::unexpected<Error>(std::move(name.error()));
     const CommandStack::State before = stack_.state();
     stack_.push(*name, std::move(next), merge_key);

@@ -76,8 +76,6 @@ class Workspace {
     [[nodiscard]] bool lighting() const { return lighter_.state().busy; }
     /// From the last change to its trajectory being there, ms.
     [[nodiscard]] double lastLatency_ms() const { return latency_ms_; }
-    /// What other parts keep in the project file, by section.
-    nlohmann::json& others() { return opened_->others; }
 
     /// A message for the user, to be shown in the window until it is read.
     struct Notice {
@@ -85,7 +83,7 @@ class Workspace {
         std::string title;
         std::string text;
         std::filesystem::path missing_scene_of = {};  // a project whose scene has to be found
-        bool restores = false;                   // it is a copy of lost work
+        bool restores = false;                        // it is a copy of lost work
     };
     [[nodiscard]] std::optional<Notice> takeNotice();
     /// Why the newest request gave no plan; empty when it did.

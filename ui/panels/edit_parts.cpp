@@ -55,6 +55,15 @@ json turnJson(const Eigen::Quaterniond& rotation) {
     return {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
 }
 
+nlohmann::json addNoGoOperation(const OrientedBox& box) {
+    constexpr double kThinnest_m = 0.05;
+    const Eigen::Vector3d size = (2.0 * box.half_size).cwiseMax(kThinnest_m);
+    return {{"op", "add_no_go"},
+            {"center", pointJson(box.center)},
+            {"size", pointJson(size)},
+            {"yaw_deg", box.yaw * 180.0 / std::numbers::pi}};
+}
+
 std::string objectName(const Scene& scene, int id) {
     if (id < 1 || id > static_cast<int>(scene.objects.size())) return {};
     const std::string& name = scene.object(id).name;

@@ -20,6 +20,8 @@ nlohmann::json objectKey(const Scene& scene, int id);
 nlohmann::json objectKeys(const Scene& scene, const std::vector<int>& ids);
 nlohmann::json pointJson(const Eigen::Vector3d& point);
 nlohmann::json turnJson(const Eigen::Quaterniond& rotation);
+/// The operation that adds a no-go box; flat ones get a thickness that can be grabbed.
+nlohmann::json addNoGoOperation(const OrientedBox& box);
 
 /// "sofa", or "object 12" where it has no name; empty for 0.
 std::string objectName(const Scene& scene, int id);

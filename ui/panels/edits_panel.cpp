@@ -155,15 +155,6 @@ void drawRemoved(const EditsView& view, EditsActions& actions) {
 }
 
 /// A picture or a rug may be flat, a box may not.
-json newBox(const OrientedBox& box) {
-    constexpr double kThinnest_m = 0.05;
-    const Eigen::Vector3d size = (2.0 * box.half_size).cwiseMax(kThinnest_m);
-    return {{"op", "add_no_go"},
-            {"center", pointJson(box.center)},
-            {"size", pointJson(size)},
-            {"yaw_deg", box.yaw * 180.0 / std::numbers::pi}};
-}
-
 void drawBoxes(const EditsView& view, EditsActions& actions) {
     const auto& boxes = view.edits->plan.no_go;
     if (!section("No-go boxes", boxes.size(), "edits.boxes")) return;
@@ -186,12 +177,13 @@ void drawBoxes(const EditsView& view, EditsActions& actions) {
         ImGui::Spacing();
     }
     if (button("Add box", "edits.add_box", {.tip = "A box of 1 m in the middle of the view"})) {
-        actions.edit.operation = newBox({view.pivot, Eigen::Vector3d::Constant(0.5), 0.0});
+        actions.edit.operation =
+            addNoGoOperation({view.pivot, Eigen::Vector3d::Constant(0.5), 0.0});
     }
     flowTo("Add around selection");
     const std::string why_not = view.around_selection ? "" : "Select an object first.";
     if (button("Add around selection", "edits.add_box_around", {.why_not = why_not})) {
-        actions.edit.operation = newBox(*view.around_selection);
+        actions.edit.operation = addNoGoOperation(*view.around_selection);
     }
 }
 

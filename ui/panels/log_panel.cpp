@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/choice_combo.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -37,14 +38,8 @@ ImVec4 levelColor(log::Level level) {
 
 bool matches(const log::Record& record, const LogPanelState& state) {
     if (static_cast<int>(record.level) < state.least_level) return false;
-    const auto in = [&](const std::string& text) {
-        return std::search(text.begin(), text.end(), state.filter.begin(), state.filter.end(),
-                           [](char a, char b) {
-                               return std::tolower(static_cast<unsigned char>(a)) ==
-                                      std::tolower(static_cast<unsigned char>(b));
-                           }) != text.end();
-    };
-    return state.filter.empty() || in(record.message) || in(record.subsystem);
+    return containsIgnoringCase(record.message, state.filter) ||
+           containsIgnoringCase(record.subsystem, state.filter);
 }
 
 std::string asText(const log::Record& record) {

@@ -4,6 +4,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/choice_combo.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -22,13 +23,6 @@ const ObjectCapture* captureOf(const ObjectsView& view, int id) {
     if (view.captures == nullptr) return nullptr;
     const auto at = std::ranges::lower_bound(*view.captures, id, {}, &ObjectCapture::object_id);
     return at != view.captures->end() && at->object_id == id ? &*at : nullptr;
-}
-
-bool contains(std::string_view text, const std::string& part) {
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) ==
-                      std::tolower(static_cast<unsigned char>(b));
-           }) != text.end();
 }
 
 bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Object& object) {
@@ -56,8 +50,8 @@ bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Obje
         default:
             break;
     }
-    return state.filter.empty() || contains(object.name, state.filter) ||
-           contains(nyu40Name(object.nyu40), state.filter);
+    return state.filter.empty() || containsIgnoringCase(object.name, state.filter) ||
+           containsIgnoringCase(nyu40Name(object.nyu40), state.filter);
 }
 
 void drawState(const Object& object, const ObjectCapture* capture) {

@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/field_editor.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -21,11 +22,7 @@ std::string sectionTitle(std::string section) {
 
 bool matches(const Field& field, const std::string& filter) {
     if (filter.empty()) return true;
-    const auto contains = [&](std::string_view text) {
-        return std::search(text.begin(), text.end(), filter.begin(), filter.end(),
-                           [](char a, char b) { return std::tolower(a) == std::tolower(b); }) !=
-               text.end();
-    };
+    const auto contains = [&](std::string_view text) { return containsIgnoringCase(text, filter); };
     return contains(field.name) || contains(readableName(field)) || contains(field.text()) ||
            contains(field.symbol()) || contains(field.section);
 }

@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -29,14 +30,6 @@ std::string dateText(std::int64_t seconds) {
     return text.data();
 }
 
-bool beginsWith(const std::string& text, const std::string& part) {
-    return text.size() >= part.size() &&
-           std::equal(part.begin(), part.end(), text.begin(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) ==
-                      std::tolower(static_cast<unsigned char>(b));
-           });
-}
-
 /// Letters typed in quick succession go to the first name that begins with them.
 void jumpToTyped(const FileListView& view, FileListState& state) {
     ImGuiIO& io = ImGui::GetIO();
@@ -48,7 +41,8 @@ void jumpToTyped(const FileListView& view, FileListState& state) {
         if (c >= 32 && c < 127) state.typed += static_cast<char>(c);
     }
     for (std::size_t row = 0; row < view.rows->size(); ++row) {
-        if (!beginsWith(view.listing->entries[(*view.rows)[row]].name, state.typed)) continue;
+        if (!beginsWithIgnoringCase(view.listing->entries[(*view.rows)[row]].name, state.typed))
+            continue;
         state.selected = static_cast<int>(row);
         state.scroll = true;
         return;

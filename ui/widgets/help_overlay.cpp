@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -51,13 +52,6 @@ Block fieldBlock() {
              {"Coarser", "Shift+Drag"}}};
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) ==
-                      std::tolower(static_cast<unsigned char>(b));
-           }) != text.end();
-}
-
 std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& filter) {
     std::vector<Block> blocks;
     for (const Command& command : commands.all()) {
@@ -68,9 +62,10 @@ std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& f
     blocks.push_back(mouseBlock());
     blocks.push_back(fieldBlock());
     for (Block& block : blocks) {
-        if (contains(block.title, filter)) continue;
+        if (containsIgnoringCase(block.title, filter)) continue;
         std::erase_if(block.lines, [&](const Line& line) {
-            return !contains(line.text, filter) && !contains(line.keys, filter);
+            return !containsIgnoringCase(line.text, filter) &&
+                   !containsIgnoringCase(line.keys, filter);
         });
     }
     std::erase_if(blocks, [](const Block& block) { return block.lines.empty(); });

@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -16,14 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOffers = 8;
-
-bool beginsWith(const std::string& text, const std::string& part) {
-    return text.size() >= part.size() &&
-           std::equal(part.begin(), part.end(), text.begin(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) ==
-                      std::tolower(static_cast<unsigned char>(b));
-           });
-}
 
 /// "/home/a/ro" as "/home/a/" and "ro".
 std::pair<std::string, std::string> splitTyped(const std::string& text) {
@@ -89,7 +82,7 @@ void PathLine::updateOffers(const FolderOrder& order) {
     shown.hidden = shown.hidden || part.starts_with('.');
     FolderListing matching;
     for (const FolderEntry& entry : listing_->entries) {
-        if (beginsWith(entry.name, part)) matching.entries.push_back(entry);
+        if (beginsWithIgnoringCase(entry.name, part)) matching.entries.push_back(entry);
     }
     for (const std::uint32_t row : arrange(matching, shown)) {
         if (offers_.size() == kMostOffers) break;
