@@ -69,7 +69,7 @@ struct ObjectGeometry {
     const float* vertices = nullptr;  // Embree's own copy
     const unsigned* indices = nullptr;
     std::uint32_t first_triangle = 0;
-    RTCScene alone = nullptr;  // a scene of its own, for castObject()
+    RTCScene alone = nullptr;  // a scene of its own, for meetsObject()
 
     [[nodiscard]] Eigen::Vector3d corner(unsigned triangle, unsigned k) const {
         const float* v = vertices + 3UL * indices[3UL * triangle + k];
@@ -188,21 +188,20 @@ RayHit RayCaster::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& dir
     return impl_->trace(impl_->scene, makeRay(origin, direction, min_distance, max_distance));
 }
 
-void RayCaster::castBundle(const Eigen::Vector3d& origin,
-                           std::span<const Eigen::Vector3d> directions, double min_distance,
-                           std::vector<RayHit>& hits) const {
-    constexpr std::size_t kPacket = 8;
-    hits.resize(directions.size());
+void RayCaster::castBundle(const Eigen::Vector3d& origin, std::span<const BundleRay> rays,
+                           double min_distance, std::vector<RayHit>& hits) const {
+    constexpr std::size_t kPacket = 16;
+    hits.resize(rays.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    for (std::size_t first = 0; first < directions.size(); first += kPacket) {
-        const std::size_t count = std::min(kPacket, directions.size() - first);
-        RTCRayHit8 packet{};
-        alignas(32) int valid[kPacket] = {};
+    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size() - first);
+        RTCRayHit16 packet{};
+        alignas(64) int valid[kPacket] = {};
         for (std::size_t i = 0; i < count; ++i) {
-            const RTCRay ray = makeRay(origin, directions[first + i], min_distance,
-                                       std::numeric_limits<double>::infinity());
+            const BundleRay& asked = rays[first + i];
+            const RTCRay ray = makeRay(origin, asked.direction, min_distance, asked.max_distance);
             valid[i] = -1;
             packet.ray.org_x[i] = ray.org_x;
             packet.ray.org_y[i] = ray.org_y;
@@ -215,7 +214,7 @@ void RayCaster::castBundle(const Eigen::Vector3d& origin,
             packet.ray.mask[i] = ray.mask;
             packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
-        rtcIntersect8(valid, impl_->scene, &context, &packet);
+        rtcIntersect16(valid, impl_->scene, &context, &packet);
         for (std::size_t i = 0; i < count; ++i) {
             const unsigned geometry = packet.hit.geomID[i];
             hits[first + i] =
@@ -227,10 +226,14 @@ void RayCaster::castBundle(const Eigen::Vector3d& origin,
     }
 }
 
-RayHit RayCaster::castObject(int object_id, const Eigen::Vector3d& origin,
-                             const Eigen::Vector3d& direction, double max_distance) const {
+bool RayCaster::meetsObject(int object_id, const Eigen::Vector3d& origin,
+                            const Eigen::Vector3d& direction, double max_distance) const {
     const auto index = static_cast<std::size_t>(object_id) - 1;
-    return impl_->trace(impl_->objects[index].alone, makeRay(origin, direction, 0.0, max_distance));
+    RTCRay ray = makeRay(origin, direction, 0.0, max_distance);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(impl_->objects[index].alone, &context, &ray);
+    return ray.tfar < 0.0F;
 }
 
 bool RayCaster::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {

@@ -38,13 +38,19 @@ class RayCaster {
                               double max_distance = std::numeric_limits<double>::infinity(),
                               double min_distance = 0.0) const;
 
-    /// The same for many directions from one point, much faster when neighbours in the list point
-    /// nearly alike. hits[i] belongs to directions[i].
-    void castBundle(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
+    /// A ray of a bundle, and how far it goes, in lengths of its direction.
+    struct BundleRay {
+        Eigen::Vector3d direction;
+        float max_distance = std::numeric_limits<float>::infinity();
+    };
+
+    /// The same for many rays from one point, much faster when neighbours in the list point nearly
+    /// alike. hits[i] belongs to rays[i].
+    void castBundle(const Eigen::Vector3d& origin, std::span<const BundleRay> rays,
                     double min_distance, std::vector<RayHit>& hits) const;
 
-    /// The same as if `object_id` stood alone in empty space.
-    [[nodiscard]] RayHit castObject(
+    /// Whether the ray would meet `object_id` if that stood alone in empty space.
+    [[nodiscard]] bool meetsObject(
         int object_id, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 

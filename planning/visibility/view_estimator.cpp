@@ -43,28 +43,11 @@ std::vector<Eigen::Vector3d> extremePoints(const Scene& scene, const Object& obj
     return points;
 }
 
-/// Distance at which a ray leaves a box, in lengths of its direction; negative when it misses it.
-/// Spares asking for the object itself about most rays that pass it by.
-class BoxExit {
-  public:
-    BoxExit(const OrientedBox& box, const Eigen::Vector3d& origin)
-        : turn_(Eigen::AngleAxisd(-box.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix()),
-          origin_(box.toBox(origin)),
-          half_(box.half_size.array() + 1e-4 * (1.0 + box.half_size.maxCoeff())) {}
-
-    [[nodiscard]] double operator()(const Eigen::Vector3d& direction) const {
-        const Eigen::Array3d inverse = (turn_ * direction).array().inverse();
-        const Eigen::Array3d a = (-half_ - origin_.array()) * inverse;
-        const Eigen::Array3d b = (half_ - origin_.array()) * inverse;
-        const double enter = a.min(b).maxCoeff();
-        const double leave = a.max(b).minCoeff();
-        return enter <= leave ? leave : -1.0;
-    }
-
-  private:
-    Eigen::Matrix3d turn_;
-    Eigen::Vector3d origin_;
-    Eigen::Array3d half_;
+/// What one estimate works with; kept by each thread to spare the allocations.
+struct Scratch {
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<RayCaster::BundleRay> rays;  // one a pixel
+    std::vector<RayHit> hits;
 };
 
 }  // namespace
@@ -74,10 +57,12 @@ ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const Ca
       rays_(&rays),
       intrinsics_(makeIntrinsics(camera)),
       near_m_(camera.near_m),
-      extremes_(scene.objects.size()) {
+      extremes_(scene.objects.size()),
+      hulls_(scene.objects.size()) {
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         if (scene.objects[i].role == Role::Target) {
             extremes_[i] = extremePoints(scene, scene.objects[i]);
+            hulls_[i] = SlabHull(scene, scene.objects[i]);
         }
     });
 }
@@ -114,19 +99,30 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     const int rows = std::max(1, static_cast<int>(std::ceil(area->sizes().y() / cell)));
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
 
-    std::vector<Eigen::Vector3d> directions;
-    std::vector<Eigen::Vector2d> pixels;
-    for (int row = 0; row < rows; ++row) {
+    // Rays that pass the object by say nothing, and none need go further than behind it. In blocks,
+    // so that neighbours in the list are neighbours in the image.
+    constexpr int kBlock = 4;
+    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
+    thread_local Scratch scratch;
+    auto& [pixels, rays, hits] = scratch;
+    pixels.clear();
+    rays.clear();
+    for (int block = 0; block < rows; block += kBlock) {
         for (int column = 0; column < columns; ++column) {
-            pixels.emplace_back(area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5));
-            directions.emplace_back(world_from_camera *
-                                    intrinsics_.unproject(pixels.back().x(), pixels.back().y()));
+            for (int row = block; row < std::min(rows, block + kBlock); ++row) {
+                const Eigen::Vector2d pixel =
+                    area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5);
+                const Eigen::Vector3d direction =
+                    world_from_camera * intrinsics_.unproject(pixel.x(), pixel.y());
+                const float exit = hull.exit(direction);
+                if (exit <= 0.0F) continue;
+                pixels.push_back(pixel);
+                rays.push_back({direction, exit});
+            }
         }
     }
-    std::vector<RayHit> hits;
-    rays_->castBundle(pose.position, directions, near_m_, hits);
+    rays_->castBundle(pose.position, rays, near_m_, hits);
 
-    const BoxExit box_exit(scene_->object(object_id).box, pose.position);
     int silhouette = 0;
     int visible = 0;
     Eigen::AlignedBox2d visible_box;
@@ -135,7 +131,8 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
         const int met = hits[i].object_id;
         if (met == 0) continue;
         const bool hidden = met != object_id;
-        if (hidden && rays_->castObject(object_id, pose.position, directions[i]).object_id == 0) {
+        if (hidden && !rays_->meetsObject(object_id, pose.position, rays[i].direction,
+                                          rays[i].max_distance)) {
             continue;
         }
         ++silhouette;

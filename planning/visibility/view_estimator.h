@@ -5,6 +5,7 @@
 #include "engine/math/pose.h"
 #include "engine/plan/capture.h"
 #include "engine/scene/scene.h"
+#include "planning/visibility/slab_hull.h"
 
 #include <Eigen/Geometry>
 
@@ -53,6 +54,7 @@ class ViewEstimator {
     Intrinsics intrinsics_;
     double near_m_;
     std::vector<std::vector<Eigen::Vector3d>> extremes_;
+    std::vector<SlabHull> hulls_;
 };
 
 /// How the object shows in a frame of a trajectory.

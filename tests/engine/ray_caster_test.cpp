@@ -23,12 +23,15 @@ TEST(RayCaster, HitsTheFirstSurfaceAtItsExactDistance) {
     EXPECT_EQ(rays.cast({2.0, 1.5, 1.2}, {-1, 0, 0}, 1.9).object_id, 0);
 }
 
-TEST(RayCaster, CastObjectLooksThroughEverythingElse) {
+TEST(RayCaster, MeetsObjectLooksThroughEverythingElse) {
     const Scene scene = test::furnishedRoom();
     const RayCaster rays(scene);
     const int wall = 5;
     ASSERT_EQ(scene.object(wall).name, "wall_west");
-    EXPECT_NEAR(rays.castObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}).distance, 2.0, 1e-5);
+    EXPECT_TRUE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}));
+    EXPECT_TRUE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}, 2.001));
+    EXPECT_FALSE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}, 1.999));
+    EXPECT_FALSE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {1, 0, 0}));
 }
 
 TEST(RayCaster, SeesOnlyThroughAir) {

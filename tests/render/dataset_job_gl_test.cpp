@@ -176,7 +176,7 @@ TEST_F(DatasetJobGl, CapturesMatchACountByRays) {
                 for (int x = -480; x < 640; ++x) {
                     if (object.role != Role::Target) continue;
                     const Eigen::Vector3d way = pose.rotation * lens.unproject(x + 0.5, y + 0.5);
-                    if (rays_.castObject(object.id, pose.position, way).object_id == 0) continue;
+                    if (!rays_.meetsObject(object.id, pose.position, way)) continue;
                     ++whole;
                     if (x < 0 || y < 0 || x >= 160 || y >= 120) continue;
                     if (rays_.cast(pose.position, way).object_id != object.id) continue;

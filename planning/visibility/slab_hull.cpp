@@ -1,0 +1,80 @@
+#include "planning/visibility/slab_hull.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dollytrack::planning {
+namespace {
+
+// One of each pair of opposite directions to a cell's neighbours.
+constexpr std::array<std::array<int, 3>, SlabHull::kSlabs> kNormals = {{{1, 0, 0},
+                                                                        {0, 1, 0},
+                                                                        {0, 0, 1},
+                                                                        {1, 1, 0},
+                                                                        {1, -1, 0},
+                                                                        {1, 0, 1},
+                                                                        {1, 0, -1},
+                                                                        {0, 1, 1},
+                                                                        {0, 1, -1},
+                                                                        {1, 1, 1},
+                                                                        {1, 1, -1},
+                                                                        {1, -1, 1},
+                                                                        {-1, 1, 1}}};
+// Wider by this share, so that float rounding never lets a ray miss what it grazes.
+constexpr float kSlack = 1e-4F;
+// Keeps the speed across a slab that a ray runs along from being zero.
+constexpr float kParallel = 1e-20F;
+
+}  // namespace
+
+SlabHull::SlabHull(const Scene& scene, const Object& object) {
+    const Eigen::Matrix3f turn =
+        Eigen::AngleAxisf(static_cast<float>(object.box.yaw), Eigen::Vector3f::UnitZ())
+            .toRotationMatrix();
+    for (int k = 0; k < kSlabs; ++k) {
+        const auto& n = kNormals[static_cast<std::size_t>(k)];
+        const Eigen::Vector3f normal = turn * Eigen::Vector3f(n[0], n[1], n[2]).normalized();
+        for (int axis = 0; axis < 3; ++axis) {
+            normals_[static_cast<std::size_t>(axis)][k] = normal[axis];
+        }
+    }
+    low_.head<kSlabs>().setConstant(std::numeric_limits<float>::infinity());
+    high_.head<kSlabs>().setConstant(-std::numeric_limits<float>::infinity());
+    float furthest = 0.0F;
+    for (std::uint32_t v = object.first_vertex; v < object.first_vertex + object.vertex_count;
+         ++v) {
+        const Eigen::Vector3f& p = scene.positions[v];
+        const Slabs along = p.x() * normals_[0] + p.y() * normals_[1] + p.z() * normals_[2];
+        low_.head<kSlabs>() = low_.head<kSlabs>().min(along.head<kSlabs>());
+        high_.head<kSlabs>() = high_.head<kSlabs>().max(along.head<kSlabs>());
+        furthest = std::max(furthest, p.cwiseAbs().maxCoeff());
+    }
+    const float slack = kSlack * (1.0F + furthest);
+    low_ -= slack;
+    high_ += slack;
+}
+
+SlabHull::From::From(const SlabHull& hull, const Eigen::Vector3d& origin) : hull_(&hull) {
+    const Eigen::Vector3f p = origin.cast<float>();
+    const Slabs along =
+        p.x() * hull.normals_[0] + p.y() * hull.normals_[1] + p.z() * hull.normals_[2];
+    to_low_ = hull.low_ - along;
+    to_high_ = hull.high_ - along;
+}
+
+float SlabHull::From::exit(const Eigen::Vector3d& direction) const {
+    const Eigen::Vector3f d = direction.cast<float>();
+    const Slabs speed = d.x() * hull_->normals_[0] + d.y() * hull_->normals_[1] +
+                        d.z() * hull_->normals_[2] + kParallel;
+    const Slabs inverse = speed.inverse();
+    const Slabs a = to_low_ * inverse;
+    const Slabs b = to_high_ * inverse;
+    const float enter = a.min(b).maxCoeff();
+    const float leave = a.max(b).minCoeff();
+    return enter <= leave ? leave * (1.0F + kSlack) : -1.0F;
+}
+
+}  // namespace dollytrack::planning
