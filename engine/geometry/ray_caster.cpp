@@ -82,6 +82,7 @@ struct ClosestSearch {
     Eigen::Vector3d query;
     double best_squared = 0.0;
     ClosestPoint best;
+    bool any = false;  // the first surface within reach will do
 };
 
 bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
@@ -96,8 +97,29 @@ bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
     search.best_squared = squared;
     search.best = {static_cast<int>(arguments->geomID) + 1, std::sqrt(squared), point};
     // Rounded up, so that float rounding never hides a closer triangle.
-    arguments->query->radius = static_cast<float>(search.best.distance) * 1.000001F;
+    arguments->query->radius =
+        search.any ? 0.0F : static_cast<float>(search.best.distance) * 1.000001F;
     return true;
+}
+
+/// The closest surface within `max_distance`, or any within it.
+ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& objects,
+                         const Eigen::Vector3d& point, double max_distance, bool any) {
+    ClosestSearch search;
+    search.objects = &objects;
+    search.query = point;
+    search.any = any;
+    search.best_squared = max_distance * max_distance;
+    RTCPointQuery query{};
+    query.x = static_cast<float>(search.query.x());
+    query.y = static_cast<float>(search.query.y());
+    query.z = static_cast<float>(search.query.z());
+    // Wider by the rounding of the query point itself, so that nothing at the rim is missed.
+    query.radius = upperBound(max_distance * 1.000001 + 1e-6);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene, &query, &context, nullptr, &search);
+    return search.best;
 }
 
 }  // namespace
@@ -245,20 +267,11 @@ bool RayCaster::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) con
 }
 
 ClosestPoint RayCaster::closest(const Eigen::Vector3d& point, double max_distance) const {
-    ClosestSearch search;
-    search.objects = &impl_->objects;
-    search.query = point;
-    search.best_squared = max_distance * max_distance;
-    RTCPointQuery query{};
-    query.x = static_cast<float>(point.x());
-    query.y = static_cast<float>(point.y());
-    query.z = static_cast<float>(point.z());
-    // Wider by the rounding of the query point itself, so that nothing at the rim is missed.
-    query.radius = upperBound(max_distance * 1.000001 + 1e-6);
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(impl_->scene, &query, &context, nullptr, &search);
-    return search.best;
+    return findSurface(impl_->scene, impl_->objects, point, max_distance, false);
+}
+
+bool RayCaster::isClear(const Eigen::Vector3d& point, double distance) const {
+    return findSurface(impl_->scene, impl_->objects, point, distance, true).object_id == 0;
 }
 
 }  // namespace dollytrack

@@ -62,6 +62,9 @@ class RayCaster {
         const Eigen::Vector3d& point,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 
+    /// Whether no surface lies nearer than `distance`; quicker than to ask for the closest one.
+    [[nodiscard]] bool isClear(const Eigen::Vector3d& point, double distance) const;
+
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -34,7 +34,9 @@ double SweptSphere::clearance(const Eigen::Vector3d& position, double limit) con
 
 bool SweptSphere::fits(const Eigen::Vector3d& position) const {
     const double reach = radius_m_ + kMargin;
-    return free_space_->componentAt(position) >= 0 && clearance(position, reach) >= reach &&
+    return free_space_->componentAt(position) >= 0 &&
+           (free_space_->clearanceLowerBound(position) >= reach ||
+            rays_->isClear(position, reach)) &&
            (!region_ || region_->verdict(position, reach) == Verdict::Legal);
 }
 

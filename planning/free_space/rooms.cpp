@@ -55,7 +55,7 @@ std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid
                     fits[i] = 1;
                     continue;
                 }
-                fits[i] = rays.closest(grid.centerOf(x, y, z), radius_m).object_id == 0 ? 1 : 0;
+                fits[i] = rays.isClear(grid.centerOf(x, y, z), radius_m) ? 1 : 0;
             }
         }
     });

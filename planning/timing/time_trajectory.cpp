@@ -1,31 +1,21 @@
 #include "planning/timing/time_trajectory.h"
 
+#include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
+#include "planning/timing/turn.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::planning {
 namespace {
 
-// Slerp may rise this much above its ends before heading and elevation are interpolated instead.
-constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
-// From steep views the shortest way to what lies behind leads over the top, where the heading
-// flips.
-constexpr double kSteep = 50.0 * std::numbers::pi / 180.0;
-constexpr double kLargeTurn = 0.5 * std::numbers::pi;
-constexpr int kTurnSamples = 64;
 constexpr std::int64_t kMostFrames = 1'000'000;
-
-double heading(const Eigen::Vector3d& forward) {
-    return std::atan2(forward.y(), forward.x());
-}
-double elevation(const Eigen::Vector3d& forward) {
-    return std::asin(std::clamp(forward.z(), -1.0, 1.0));
-}
+constexpr std::size_t kGrain = 8;  // stretches a thread takes at once
 
 /// The motion from one key frame to the next.
 struct Stretch {
@@ -33,8 +23,7 @@ struct Stretch {
     std::size_t path_index = 0;
     const SmoothPath::Key* from = nullptr;
     const SmoothPath::Key* to = nullptr;
-    Eigen::Quaterniond from_rotation;
-    Eigen::Quaterniond to_rotation;
+    Turn turn;
     Eigen::Vector3d from_target, to_target;
     double least_time_s = 0.0;  // by the limits
 
@@ -59,10 +48,10 @@ class Timer {
         s.to = &path.keys[key + 1];
         s.from_target = target(*s.from);
         s.to_target = target(*s.to);
-        s.from_rotation = rotation(*s.from);
-        s.to_rotation = rotation(*s.to);
+        s.turn = Turn(rotation(*s.from), rotation(*s.to));
+        const double turn_limit = params_.max_turn_dps * std::numbers::pi / 180.0;
         s.least_time_s = std::max((s.to->arc_m - s.from->arc_m) / params_.max_speed_mps,
-                                  turnTime(s.from_rotation, s.to_rotation));
+                                  s.turn.greatestRate() / turn_limit);
         return s;
     }
 
@@ -75,7 +64,7 @@ class Timer {
             : s.to->arc_m <= s.from->arc_m
                 ? s.from->position  // two keys at one place
                 : s.path->at(s.from->arc_m + share * (s.to->arc_m - s.from->arc_m));
-        frame.pose.rotation = betweenOrientations(s.from_rotation, s.to_rotation, share);
+        frame.pose.rotation = s.turn.at(share);
         const double distance = (1.0 - share) * (s.from_target - s.from->position).norm() +
                                 share * (s.to_target - s.to->position).norm();
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
@@ -116,21 +105,6 @@ class Timer {
                                    : lookAt(key.position, target(key)).rotation;
     }
 
-    /// Taking the roll out makes some parts of the turn faster than others: the fastest decides.
-    [[nodiscard]] double turnTime(const Eigen::Quaterniond& from,
-                                  const Eigen::Quaterniond& to) const {
-        double fastest = 0.0;
-        Eigen::Quaterniond last = from;
-        for (int i = 1; i <= kTurnSamples; ++i) {
-            const Eigen::Quaterniond next =
-                betweenOrientations(from, to, static_cast<double>(i) / kTurnSamples);
-            fastest = std::max(fastest, angleBetween(last, next));
-            last = next;
-        }
-        const double limit = params_.max_turn_dps * std::numbers::pi / 180.0;
-        return fastest * kTurnSamples / limit;
-    }
-
     const std::vector<PositionPoint>& points_;
     const std::vector<ObservationPoint>& targets_;
     const TimingParams& params_;
@@ -159,41 +133,24 @@ double intervalWithin(const std::vector<Stretch>& stretches, std::size_t path_co
 
 }  // namespace
 
-Eigen::Quaterniond betweenOrientations(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-                                       double t) {
-    if (t <= 0.0) return from;
-    if (t >= 1.0) return to;
-    const Eigen::Vector3d a = from * Eigen::Vector3d::UnitZ();
-    const Eigen::Vector3d b = to * Eigen::Vector3d::UnitZ();
-    const double highest = std::max(std::abs(elevation(a)), std::abs(elevation(b)));
-    double risen = 0.0;
-    for (int i = 1; i < 16; ++i) {
-        const Eigen::Vector3d f = from.slerp(i / 16.0, to) * Eigen::Vector3d::UnitZ();
-        risen = std::max(risen, std::abs(elevation(f)) - highest);
-    }
-    const double turn = std::remainder(heading(b) - heading(a), 2.0 * std::numbers::pi);
-    const bool over_the_top = highest > kSteep && std::abs(turn) > kLargeTurn;
-    if (risen <= kDetour && !over_the_top) return withoutRoll(from.slerp(t, to));
-    const double yaw = heading(a) + t * turn;
-    const double pitch = elevation(a) + t * (elevation(b) - elevation(a));
-    return lookAlong(
-        {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)},
-        {std::sin(yaw), -std::cos(yaw), 0.0});
-}
-
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,
                                   const TimingParams& params) {
     const Timer timer(position_points, observation_points, params);
-    std::vector<Stretch> stretches;
+    std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: path and key
     std::size_t keyed_paths = 0;
     for (std::size_t p = 0; p < paths.size(); ++p) {
         keyed_paths += paths[p].keys.empty() ? 0 : 1;
-        for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) {
-            stretches.push_back(timer.stretch(paths[p], p, k));
-        }
+        for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) begins.emplace_back(p, k);
     }
+    std::vector<Stretch> stretches(begins.size());
+    parallelRanges(begins.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto [p, k] = begins[i];
+            stretches[i] = timer.stretch(paths[p], p, k);
+        }
+    });
     Trajectory trajectory;
     trajectory.frame_interval_s = 1.0 / params.frame_rate;
     if (params.max_frames > 0) {
@@ -211,18 +168,28 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                     "frame_rate, raise max_speed_mps or max_turn_dps, or set max_frames.",
                     "frame_rate");
     }
-    auto stretch = stretches.begin();
+    std::vector<std::size_t> first_frames;  // of each stretch
+    std::size_t frames = 0;
+    std::size_t stretch = 0;
+    trajectory.frames.resize(static_cast<std::size_t>(total));
     for (std::size_t p = 0; p < paths.size(); ++p) {
         if (paths[p].keys.empty()) continue;
-        trajectory.frames.push_back(timer.first(paths[p], p));
-        for (; stretch != stretches.end() && stretch->path_index == p; ++stretch) {
-            const std::int64_t count = stretch->frames(trajectory.frame_interval_s);
-            for (std::int64_t i = 1; i <= count; ++i) {
-                trajectory.frames.push_back(
-                    timer.frame(*stretch, static_cast<double>(i) / static_cast<double>(count)));
-            }
+        trajectory.frames[frames++] = timer.first(paths[p], p);
+        for (; stretch < stretches.size() && stretches[stretch].path_index == p; ++stretch) {
+            first_frames.push_back(frames);
+            frames +=
+                static_cast<std::size_t>(stretches[stretch].frames(trajectory.frame_interval_s));
         }
     }
+    parallelRanges(stretches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t s = begin; s < end; ++s) {
+            const std::int64_t count = stretches[s].frames(trajectory.frame_interval_s);
+            for (std::int64_t i = 1; i <= count; ++i) {
+                trajectory.frames[first_frames[s] + static_cast<std::size_t>(i - 1)] =
+                    timer.frame(stretches[s], static_cast<double>(i) / static_cast<double>(count));
+            }
+        }
+    });
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
         trajectory.frames[i].time_s = static_cast<double>(i) * trajectory.frame_interval_s;
     }

@@ -18,10 +18,4 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<ObservationPoint>& observation_points,
                                   const TimingParams& params);
 
-/// Orientation between two roll-free ones, itself roll-free; t in 0..1. Follows slerp, except
-/// where that would pass so near the vertical that the heading spins: there heading and elevation
-/// are interpolated.
-Eigen::Quaterniond betweenOrientations(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-                                       double t);
-
 }  // namespace dollytrack::planning

@@ -76,4 +76,19 @@ TEST(RayCaster, ClosestFindsNothingBeyondItsRadius) {
     EXPECT_EQ(rays.closest({2.0, 1.0, 1.6}, 0.05).object_id, 0);
 }
 
+TEST(RayCaster, IsClearAsFarAsTheClosestPoint) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    Random random(6);
+    for (int i = 0; i < 2000; ++i) {
+        const Eigen::Vector3d p(random.uniform(-1, 5), random.uniform(-1, 4),
+                                random.uniform(-1, 3));
+        const double closest = rays.closest(p).distance;
+        EXPECT_TRUE(rays.isClear(p, closest * (1.0 - 1e-9)));
+        EXPECT_FALSE(rays.isClear(p, closest * (1.0 + 1e-9) + 1e-12));
+        const double distance = random.uniform(0.0, 0.5);
+        EXPECT_EQ(rays.isClear(p, distance), closest >= distance);
+    }
+}
+
 }  // namespace dollytrack

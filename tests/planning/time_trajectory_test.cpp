@@ -1,6 +1,7 @@
 #include "planning/timing/time_trajectory.h"
 
 #include "planning/plan_params.h"
+#include "planning/timing/turn.h"
 
 #include <gtest/gtest.h>
 
@@ -110,9 +111,9 @@ void expectLimitsKept(const Trajectory& trajectory, const TimingParams& params) 
 TEST(BetweenOrientations, StaysRollFreeAndEndsExactly) {
     const Quaterniond from = looking(0, 0);
     const Quaterniond to = looking(90, -60);
-    EXPECT_LT(angle(betweenOrientations(from, to, 0.0), from), 1e-7);
-    EXPECT_LT(angle(betweenOrientations(from, to, 1.0), to), 1e-7);
-    for (int i = 0; i <= 100; ++i) expectRollFree(betweenOrientations(from, to, i / 100.0));
+    EXPECT_LT(angle(Turn(from, to).at(0.0), from), 1e-7);
+    EXPECT_LT(angle(Turn(from, to).at(1.0), to), 1e-7);
+    for (int i = 0; i <= 100; ++i) expectRollFree(Turn(from, to).at(i / 100.0));
 }
 
 // Between steep views the shortest turn passes the vertical, where the heading would spin.
@@ -126,8 +127,7 @@ TEST(BetweenOrientations, NeverSpinsTheHeading) {
                 double largest = 0.0;
                 Quaterniond last = from;
                 for (int i = 1; i <= kSteps; ++i) {
-                    const Quaterniond now =
-                        betweenOrientations(from, to, static_cast<double>(i) / kSteps);
+                    const Quaterniond now = Turn(from, to).at(static_cast<double>(i) / kSteps);
                     expectRollFree(now);
                     largest = std::max(largest, angle(last, now));
                     last = now;
