@@ -57,13 +57,14 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
 LivePlanner::LivePlanner(std::function<void()> wake)
     : outcomes_(std::make_shared<Outbox<PlanOutcome>>()),
       desk_(std::make_shared<Desk>()),
-      worker_(std::move(wake)) {}
+      wake_(std::move(wake)),
+      worker_(wake_) {}
 
 LivePlanner::~LivePlanner() = default;
 
 void LivePlanner::start(PlanRequest request) {
     worker_.start([request = std::move(request), desk = desk_,
-                   outbox = outcomes_](const JobContext& job) {
+                   outbox = outcomes_, wake = wake_](const JobContext& job) {
         const auto begin = std::chrono::steady_clock::now();
         PlanOutcome outcome;
         outcome.serial = request.serial;
@@ -73,6 +74,7 @@ void LivePlanner::start(PlanRequest request) {
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                     .count();
             outbox->put(outcome);
+            wake();
         };
         Status status =
             setFromJson(planning::listFields(outcome.params), request.state->parameters);

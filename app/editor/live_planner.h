@@ -7,6 +7,7 @@
 #include "planning/plan_params.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,7 @@ class LivePlanner {
     struct Desk;
     std::shared_ptr<Outbox<PlanOutcome>> outcomes_;
     std::shared_ptr<Desk> desk_;  // what the worker keeps between runs
+    std::function<void()> wake_;
     BackgroundWorker worker_;     // last: it stops before what it uses goes
 };
 

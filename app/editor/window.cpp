@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -20,6 +21,7 @@ namespace dollytrack::editor {
 namespace {
 
 std::string last_glfw_error;
+std::atomic<bool> woken = false;  // by wake(), since the last wait for events
 
 void onGlfwError(int, const char* description) {
     last_glfw_error = description;
@@ -120,11 +122,13 @@ Result<std::unique_ptr<gl::Context>> Window::sharedContext() {
 }
 
 void Window::wake() {
+    woken = true;
     glfwPostEmptyEvent();
 }
 
 void Window::run(const std::function<bool()>& frame) {
     constexpr double kSleep_s = 0.5;    // without events: what the clock changes
+    constexpr double kBlink_s = 0.2;    // the same while a text cursor blinks
     constexpr double kFrame_ms = 15.0;  // where the driver does not wait for the screen
     bool goes_on = true;
     while (goes_on) {
@@ -132,12 +136,15 @@ void Window::run(const std::function<bool()>& frame) {
             glfwPollEvents();
             --frames_to_draw_;
         } else {
+            const double sleep_s = ImGui::GetIO().WantTextInput ? kBlink_s : kSleep_s;
             const auto begin = Clock::now();
-            glfwWaitEventsTimeout(kSleep_s);
-            // ImGui needs a few frames until everything has reacted to an event.
-            if (millisecondsSince(begin) < 1000.0 * kSleep_s) frames_to_draw_ = 3;
+            glfwWaitEventsTimeout(sleep_s);
+            const bool by_work = woken.exchange(false) && !input_.waits();
+            // ImGui needs a few frames until everything has reacted to an event. Each one that is
+            // not needed slows the work down whose news it shows.
+            if (!by_work && millisecondsSince(begin) < 1000.0 * sleep_s) frames_to_draw_ = 3;
         }
-        if (ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput) animate();
+        if (ImGui::IsAnyMouseDown()) animate();
         const auto begin = Clock::now();
         drawFrame(frame, goes_on);
         last_frame_ms_ = millisecondsSince(begin);

@@ -2,9 +2,16 @@
 
 #include "engine/core/log.h"
 
+#include <chrono>
 #include <exception>
 
 namespace dollytrack {
+namespace {
+
+// A window that is woken more often by mere progress takes the time from the work itself.
+constexpr auto kProgressEvery = std::chrono::milliseconds(100);
+
+}  // namespace
 
 BackgroundWorker::BackgroundWorker(std::function<void()> on_change)
     : on_change_(std::move(on_change)), thread_([this] { loop(); }) {}
@@ -58,11 +65,15 @@ void BackgroundWorker::loop() {
         cancel_running_ = cancelled;
         state_ = {true, 0.0, {}};
         lock.unlock();
-        const JobContext job(cancelled, [this, cancelled](double fraction, std::string_view stage) {
+        std::chrono::steady_clock::time_point told;  // the first news is told at once
+        const JobContext job(cancelled, [&](double fraction, std::string_view stage) {
             {
                 const std::lock_guard guard(mutex_);
                 if (cancel_running_ == cancelled) state_ = {true, fraction, std::string(stage)};
             }
+            const auto now = std::chrono::steady_clock::now();
+            if (now - told < kProgressEvery) return;
+            told = now;
             if (on_change_) on_change_();
         });
         try {

@@ -25,7 +25,9 @@ class BackgroundWorker {
         std::string stage;
     };
 
-    /// `on_change` is called from the worker's thread when there is news: to wake a window.
+    /// `on_change` is called from the worker's thread when a piece has ended, and at most ten times
+    /// a second for its progress: to wake a window. Work that puts out a part of its result before
+    /// it ends tells so itself.
     explicit BackgroundWorker(std::function<void()> on_change = {});
     /// Cancels and waits.
     ~BackgroundWorker();

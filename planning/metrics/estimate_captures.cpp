@@ -61,6 +61,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
         if (scene.objects[i].role != Role::Target || job.cancelled()) return;
         std::vector<ObjectView> coarse;
         for (std::size_t f = 0; f < trajectory.frames.size(); ++f) {
+            if (job.cancelled()) return;
             const Pose& pose = trajectory.frames[f].pose;
             if (!mayCapture(views, pose, id)) continue;
             coarse.push_back(

@@ -6,10 +6,12 @@ Usage: figures.py EDITOR SCENE [PARAMETER...]
 import pathlib
 import sys
 import tempfile
+import time
 
 from editor_driver import Editor, Screen
 
 REPEATS = 5
+UNWATCHED_S = 2.0  # asking for the state draws frames, which would slow down what is measured
 
 
 def sections(state):
@@ -45,6 +47,7 @@ def measure(editor, name, value, repeats):
             editor.click(offered[turn % len(offered)])
         else:
             editor.type_value(item, other_value(value, turn))
+        time.sleep(UNWATCHED_S)
         state = editor.idle(300)
         times.append(state["latency_ms"])
     editor.click(item + ".reset")
@@ -58,6 +61,7 @@ def from_rest(editor, name):
     left, top, right, bottom = editor.item(show(editor, name))[:4]
     for turn in range(REPEATS):
         editor.click((left + (0.3 + 0.1 * turn) * (right - left), (top + bottom) / 2))
+        time.sleep(UNWATCHED_S)
         times.append(editor.idle(300)["latency_ms"])
     editor.click("parameters." + name + ".reset")
     editor.idle(300)
