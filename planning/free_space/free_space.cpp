@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <string>
 
 namespace dollytrack::planning {
@@ -48,20 +49,20 @@ struct FreeSpace::Impl {
     std::vector<std::uint8_t> cells;  // state and leaf level
     std::vector<std::uint16_t> squared_gaps;
     std::array<double, 6> gap_beyond_m = {};
-    std::vector<std::uint8_t> room_of_cell;
+    FoundRooms found;
     std::vector<float> gap_m;  // by squared gap
     std::vector<Room> rooms;
     std::vector<std::vector<Eigen::Vector3f>> room_cells;
     OctreePtr octree;
     Eigen::AlignedBox3d bounds;
+    std::once_flag leaks_asked;  // by the report alone, never by planning
     LeakReport leaks;
 
     Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays,
                                      const CameraParams& camera, const SurfaceCells& surfaces,
                                      std::vector<std::uint8_t>& inside, const JobContext& job);
-    void setStates(const std::vector<std::uint8_t>& surfaces, std::vector<std::uint8_t>& inside,
-                   const FoundRooms& found);
-    void describeRooms(const FoundRooms& found);
+    void setStates(const std::vector<std::uint8_t>& surfaces, std::vector<std::uint8_t>& inside);
+    void describeRooms();
     void collectCells(std::size_t room);
     void makeGapTable();
 };
@@ -82,16 +83,16 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
         std::vector<std::uint8_t> tried = findInside(grid, surfaces.cells, sight, plan, rule);
         if (job.cancelled()) return cancelled();
         job.report(stage += 0.1);
-        FoundRooms found =
-            findRooms(scene, rays, grid, squared_gaps, tried, camera.camera_radius_m, job);
+        FoundRooms tried_rooms = findRooms(scene, rays, grid, surfaces.cells, squared_gaps, tried,
+                                           camera.camera_radius_m, job);
         if (job.cancelled()) return cancelled();
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
-        for (const FoundRoom& room : found.rooms) cells_found += room.cells;
-        // A laxer rule takes over only where the stricter one found nearly nothing.
+        for (const FoundRoom& room : tried_rooms.rooms) cells_found += room.cells;
+        // A laxer rule takes over only where the stricter one tried_rooms nearly nothing.
         if (best.room_of_cell.empty() ||
             kEnoughAir * static_cast<double>(cells_found) > static_cast<double>(best_cells)) {
-            best = std::move(found);
+            best = std::move(tried_rooms);
             best_cells = cells_found;
             inside = std::move(tried);
         }
@@ -104,7 +105,7 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
 
 /// Free is the air inside that is connected with a room.
 void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
-                                std::vector<std::uint8_t>& inside, const FoundRooms& found) {
+                                std::vector<std::uint8_t>& inside) {
     parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             inside[i] = inside[i] != 0 && found.hollow[i] == 0 ? 1 : 0;
@@ -115,7 +116,7 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
     for (const CellRun& run : air.runs) {
         const auto component = static_cast<std::size_t>(run.component);
         if (has_room[component] != 0) continue;
-        const auto row = room_of_cell.begin() +
+        const auto row = found.room_of_cell.begin() +
                          static_cast<std::ptrdiff_t>(grid.indexOf(run.x_begin, run.y, run.z));
         has_room[component] = std::any_of(row, row + (run.x_end - run.x_begin),
                                           [](std::uint8_t room) { return room != kNoRoom; });
@@ -134,7 +135,7 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
     }
 }
 
-void FreeSpace::Impl::describeRooms(const FoundRooms& found) {
+void FreeSpace::Impl::describeRooms() {
     const double size = grid.resolution_m;
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size);
     for (const FoundRoom& from : found.rooms) {
@@ -167,7 +168,7 @@ void FreeSpace::Impl::collectCells(std::size_t room) {
             const std::size_t row = grid.rowOf(y, z);
             for (int x = low[0]; x <= high[0]; ++x) {
                 const std::size_t i = row + static_cast<std::size_t>(x);
-                if (room_of_cell[i] != room) continue;
+                if (found.room_of_cell[i] != room) continue;
                 // A hashed choice: every n-th cell in order would leave stripes.
                 if (every > 1 && ((i * 0x9E3779B97F4A7C15U) >> 32U) % every != 0) continue;
                 centers.emplace_back(grid.centerOf(x, y, z).cast<float>());
@@ -243,17 +244,13 @@ Result<FreeSpace> FreeSpace::build(const Scene& scene, const RayCaster& rays,
                         "; lower camera_radius_m or octree_resolution_m, or check the units",
                     scene.name);
     }
-    impl->room_of_cell = std::move(found->room_of_cell);
-    impl->setStates(surfaces.cells, inside, *found);
-    impl->describeRooms(*found);
+    impl->found = std::move(*found);
+    impl->setStates(surfaces.cells, inside);
+    impl->describeRooms();
     if (job.cancelled()) return cancelled();
     job.report(0.8);
 
     impl->octree = buildOctree(grid, impl->cells);
-    if (job.cancelled()) return cancelled();
-    found->room_of_cell.swap(impl->room_of_cell);
-    impl->leaks = findLeaks(grid, impl->cells, *found);
-    found->room_of_cell.swap(impl->room_of_cell);
     impl->bounds = grid.box();
     impl->makeGapTable();
     job.report(1.0);
@@ -297,7 +294,8 @@ double FreeSpace::clearanceLowerBound(const Eigen::Vector3d& point) const {
 int FreeSpace::componentAt(const Eigen::Vector3d& point) const {
     std::array<int, 3> cell;
     if (!impl_->grid.find(point, cell)) return -1;
-    const std::uint8_t room = impl_->room_of_cell[impl_->grid.indexOf(cell[0], cell[1], cell[2])];
+    const std::uint8_t room =
+        impl_->found.room_of_cell[impl_->grid.indexOf(cell[0], cell[1], cell[2])];
     return room == kNoRoom ? -1 : room;
 }
 
@@ -349,6 +347,8 @@ double FreeSpace::resolution_m() const {
     return impl_->grid.resolution_m;
 }
 const LeakReport& FreeSpace::leaks() const {
+    std::call_once(impl_->leaks_asked,
+                   [&] { impl_->leaks = findLeaks(impl_->grid, impl_->cells, impl_->found); });
     return impl_->leaks;
 }
 

@@ -31,8 +31,40 @@ constexpr double kHollowVolume_m3 = 0.02;
 constexpr int kRays = 512;        // to look round a possible room
 constexpr int kHollowRays = 128;  // to look round a small place
 
+/// Whether a surface touches a cell along the axes from this one that lies wholly in the sphere
+/// around this one's middle. Next to walls and floors that spares most exact questions.
+class SurfaceInSphere {
+  public:
+    SurfaceInSphere(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces, double radius)
+        : grid_(grid), surfaces_(surfaces) {
+        // To the far corner of the cell k steps away; cells are marked a hair larger than they are.
+        while ((steps_ + 1.5) * (steps_ + 1.5) + 0.5 < 0.998 * radius * radius) ++steps_;
+    }
+
+    [[nodiscard]] bool operator()(int x, int y, int z) const {
+        for (int k = 1; k <= steps_; ++k) {
+            if ((x >= k && at(x - k, y, z)) || (x + k < grid_.count[0] && at(x + k, y, z)) ||
+                (y >= k && at(x, y - k, z)) || (y + k < grid_.count[1] && at(x, y + k, z)) ||
+                (z >= k && at(x, y, z - k)) || (z + k < grid_.count[2] && at(x, y, z + k))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    [[nodiscard]] bool at(int x, int y, int z) const {
+        return surfaces_[grid_.indexOf(x, y, z)] != 0;
+    }
+
+    const VoxelGrid& grid_;
+    const std::vector<std::uint8_t>& surfaces_;
+    int steps_ = 0;
+};
+
 /// Cells of `inside` in whose middle the sphere fits.
 std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid& grid,
+                                          const std::vector<std::uint8_t>& surfaces,
                                           const std::vector<std::uint16_t>& squared_gaps,
                                           const std::vector<std::uint8_t>& inside, double radius_m,
                                           const JobContext& job) {
@@ -40,6 +72,7 @@ std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid
     const double radius = radius_m / grid.resolution_m;  // cells
     const auto sure =
         static_cast<std::uint16_t>(std::min<double>(std::ceil(radius * radius), kMaxSquaredGap));
+    const SurfaceInSphere surface_in_sphere(grid, surfaces, radius);
     const auto row = static_cast<std::size_t>(grid.count[0]);
     const auto rows =
         static_cast<std::size_t>(grid.count[1]) * static_cast<std::size_t>(grid.count[2]);
@@ -55,6 +88,7 @@ std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid
                     fits[i] = 1;
                     continue;
                 }
+                if (surface_in_sphere(x, y, z)) continue;
                 fits[i] = rays.isClear(grid.centerOf(x, y, z), radius_m) ? 1 : 0;
             }
         }
@@ -137,12 +171,13 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
 }  // namespace
 
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
+                     const std::vector<std::uint8_t>& surfaces,
                      const std::vector<std::uint16_t>& squared_gaps,
                      const std::vector<std::uint8_t>& inside, double camera_radius_m,
                      const JobContext& job) {
     FoundRooms result;
     const std::vector<std::uint8_t> fits =
-        whereSphereFits(rays, grid, squared_gaps, inside, camera_radius_m, job);
+        whereSphereFits(rays, grid, surfaces, squared_gaps, inside, camera_radius_m, job);
     if (job.cancelled()) return result;
     const CellComponents pieces = findComponents(grid, fits, 1);
     const std::vector<FoundRoom> measured = measure(grid, pieces, squared_gaps);

@@ -34,6 +34,7 @@ struct FoundRooms {
 /// middle of every cell, by exact distance, and that are rooms rather than the hollow of a piece
 /// of furniture.
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
+                     const std::vector<std::uint8_t>& surfaces,
                      const std::vector<std::uint16_t>& squared_gaps,
                      const std::vector<std::uint8_t>& inside, double camera_radius_m,
                      const JobContext& job);
