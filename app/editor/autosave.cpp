@@ -68,11 +68,12 @@ bool Autosave::isDue() const {
     return std::chrono::steady_clock::now() - last_ >= kInterval && !writer_.state().busy;
 }
 
-void Autosave::store(io::ProjectFile snapshot, const std::filesystem::path& project) {
+void Autosave::store(io::ProjectFile snapshot, const Origin& origin) {
     last_ = std::chrono::steady_clock::now();
     ++count_;
     snapshot.result = nullptr;  // planning makes it again, and the copy stays small
-    snapshot.others[kSection] = {{"project", project.string()}};
+    snapshot.others[kSection] = {{"project", origin.project.string()},
+                                 {"project_sha256", origin.sha256}};
     writer_.start([snapshot = std::move(snapshot), file = file_,
                    old = std::exchange(restored_from_, {})](const JobContext&) {
         std::error_code ignored;
@@ -103,7 +104,7 @@ std::vector<LostWork> Autosave::findLost() {
         LostWork work;
         work.file = entry.path();
         nlohmann::json others = file->others;
-        work.project = takeOrigin(others);
+        work.project = takeOrigin(others).project;
         work.scene = file->scene.filename().string();
         std::error_code ignored;
         const auto written = std::filesystem::last_write_time(entry.path(), ignored);
@@ -121,16 +122,15 @@ void Autosave::forget(const LostWork& work) {
     std::filesystem::remove(work.file, ignored);
 }
 
-std::filesystem::path Autosave::takeOrigin(nlohmann::json& others) {
-    std::filesystem::path origin;
-    if (others.is_object() && others.contains(kSection)) {
-        const nlohmann::json& notes = others[kSection];
-        if (notes.is_object() && notes.contains("project") && notes["project"].is_string()) {
-            origin = notes["project"].get<std::string>();
-        }
-        others.erase(kSection);
-    }
-    return origin;
+Autosave::Origin Autosave::takeOrigin(nlohmann::json& others) {
+    if (!others.is_object() || !others.contains(kSection)) return {};
+    const nlohmann::json notes = others[kSection];
+    others.erase(kSection);
+    const auto text = [&](const char* name) {
+        const bool there = notes.is_object() && notes.contains(name) && notes[name].is_string();
+        return there ? notes[name].get<std::string>() : std::string();
+    };
+    return {text("project"), text("project_sha256")};
 }
 
 }  // namespace dollytrack::editor

@@ -22,13 +22,18 @@ struct LostWork {
 /// crash costs at most the interval.
 class Autosave {
   public:
+    /// The project that a copy's work belongs to.
+    struct Origin {
+        std::filesystem::path project;  // empty: never saved
+        std::string sha256;             // of that file when the work on it began
+    };
+
     Autosave();
     ~Autosave();
 
     /// Whether it is time to hand over a new copy.
     [[nodiscard]] bool isDue() const;
-    /// `project` is where the work was saved last.
-    void store(io::ProjectFile snapshot, const std::filesystem::path& project);
+    void store(io::ProjectFile snapshot, const Origin& origin);
     /// Copies handed over so far.
     [[nodiscard]] int count() const { return count_; }
     /// Removes the copy that this work was restored from, once the new one is written.
@@ -39,8 +44,8 @@ class Autosave {
     /// Copies whose editor no longer runs, newest first.
     [[nodiscard]] static std::vector<LostWork> findLost();
     static void forget(const LostWork& work);
-    /// Where the restored work belongs; empty when it was never saved. Takes our notes out.
-    static std::filesystem::path takeOrigin(nlohmann::json& others);
+    /// Takes our notes out of a copy's other sections.
+    [[nodiscard]] static Origin takeOrigin(nlohmann::json& others);
 
     static constexpr std::chrono::seconds kInterval{5};
 

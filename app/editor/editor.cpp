@@ -79,6 +79,7 @@ void Editor::refreshScene() {
         scene_sent_ = false;
         scene_framed_ = false;
         drawn_geometry_ = 0;
+        changed_file_.clear();
         // The copy was of the project before.
         if (autosaved_) autosave_.discard();
         autosaved_.reset();
@@ -161,7 +162,7 @@ bool Editor::frame() {
     refreshScene();
     play();
     if (!files_.isOpen() && !palette_.open && !help_.open && !notice_ && !after_unsaved_ &&
-        lost_.empty() && !sheet_.isOpen()) {
+        changed_file_.empty() && lost_.empty() && !sheet_.isOpen()) {
         commands_.runShortcuts();
         runKeypad();
     }
@@ -249,7 +250,7 @@ void Editor::autosave() {
         if (autosaved_) autosave_.discard();
         autosaved_.reset();
     } else if (autosaved_ != state && autosave_.isDue()) {
-        autosave_.store(workspace_.snapshot(false), workspace_.path());
+        autosave_.store(workspace_.snapshot(false), {workspace_.path(), workspace_.fileContent()});
         autosaved_ = state;
         if (restored_) autosave_.forgetAfterwards(*std::exchange(restored_, std::nullopt));
     }

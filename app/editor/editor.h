@@ -113,6 +113,7 @@ class Editor {
     void afterUnsaved(std::function<void()> then, const std::string& what_next);
     void drawUnsaved();
     void drawLostWork();
+    void drawChangedFile();
     void openAfterAsking(const std::filesystem::path& path);
     void save();
 
@@ -216,6 +217,7 @@ class Editor {
     std::optional<ui::PreviewImage> picture_to_save_;
     bool scene_wanted_to_restore_ = false;
     std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
+    std::filesystem::path changed_file_;     // by another program: overwrite it?
     std::vector<LostWork> lost_;
     CommandStack::State autosaved_;
     std::optional<LostWork> restored_;  // its copy goes when there is a new one

@@ -75,7 +75,8 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
             workspace_.open(scene_wanted_by_, answer.path);
         }
     } else if (answer.id == "save") {
-        workspace_.save(answer.path);
+        // The dialog has asked already whether a file that is there may be replaced.
+        workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             savePicture(answer.path, *picture_to_save_);
@@ -135,7 +136,7 @@ void Editor::save() {
     if (workspace_.path().empty()) {
         askForFile("save");
     } else {
-        workspace_.save(workspace_.path());
+        workspace_.save(workspace_.path(), Workspace::IfChanged::Ask);
     }
 }
 
@@ -150,7 +151,8 @@ void Editor::openAfterAsking(const std::filesystem::path& path) {
 }
 
 void Editor::drawUnsaved() {
-    if (!after_unsaved_) return;
+    // One message at a time; this one comes after what saving may ask.
+    if (!after_unsaved_ || !changed_file_.empty() || !lost_.empty()) return;
     if (saving_for_question_) {
         // The question is answered when the project is on the disk, or saving was given up.
         if (workspace_.saving() || files_.isOpen()) return;
@@ -201,6 +203,25 @@ void Editor::drawLostWork() {
     lost_.erase(lost_.begin());
 }
 
+void Editor::drawChangedFile() {
+    if (std::optional<std::filesystem::path> file = workspace_.takeChangedFile()) {
+        changed_file_ = std::move(*file);
+    }
+    if (changed_file_.empty()) return;
+    ui::MessageBox box;
+    box.title = changed_file_.filename().string() + " was changed by another program";
+    box.text =
+        "It does not hold what was opened or saved here last. Overwriting it loses what the other "
+        "program wrote.";
+    // Enter presses the first, which loses nothing.
+    box.buttons = {"Save as…", "Overwrite", "Cancel"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::filesystem::path file = std::exchange(changed_file_, {});
+    if (pressed == 0) askForFile("save");
+    if (pressed == 1) workspace_.save(file, Workspace::IfChanged::Overwrite);
+}
+
 void Editor::drawDialogs() {
     if (!notice_) notice_ = workspace_.takeNotice();
     if (const std::string error = drawing_.takeError(); !error.empty() && !notice_) {
@@ -210,8 +231,9 @@ void Editor::drawDialogs() {
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();
     drawLostWork();
+    drawChangedFile();
     drawUnsaved();
-    if (notice_ && lost_.empty() && !files_.isOpen()) {
+    if (notice_ && lost_.empty() && changed_file_.empty() && !files_.isOpen()) {
         ui::MessageBox box;
         box.is_error = notice_->is_error;
         box.title = notice_->title;

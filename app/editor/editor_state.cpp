@@ -94,6 +94,7 @@ nlohmann::json Editor::stateJson() {
           {"palette", palette_.open},
           {"unsaved", after_unsaved_ != nullptr && !saving_for_question_},
           {"lost_work", !lost_.empty()},
+          {"changed_file", !changed_file_.empty()},
           {"sheet", sheet_.isOpen()}}},
         {"preview",
          {{"frame", drawing_.preview().frame},

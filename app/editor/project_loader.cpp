@@ -35,6 +35,8 @@ Result<OpenedProject> openProject(const std::filesystem::path& path,
         opened.loaded_edits = file->edits;
         opened.import = std::move(file->import);
         opened.others = std::move(file->others);
+        opened.file_sha256 = file->file_sha256;
+        opened.file_has_plan = !file->result.is_null();
         planned_sha256 = file->scene_sha256;
         std::error_code error;
         if (!std::filesystem::exists(opened.scene_file, error)) {
@@ -53,6 +55,7 @@ Result<OpenedProject> openProject(const std::filesystem::path& path,
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     opened.imported = std::make_shared<const Scene>(std::move(*scene));
     if (!planned_sha256.empty() && planned_sha256 != opened.imported->source_sha256) {
+        opened.file_has_plan = false;
         opened.warnings.push_back(
             "The scene file has changed since the project was saved; objects were found again by "
             "name, and the plan is new.");

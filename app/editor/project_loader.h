@@ -23,6 +23,8 @@ struct OpenedProject {
     nlohmann::json import = nlohmann::json::object();
     nlohmann::json loaded_edits = nlohmann::json::object();  // as read, for keys we do not know
     nlohmann::json others = nlohmann::json::object();        // kept when it is saved
+    std::string file_sha256;                                 // of the project; empty: never saved
+    bool file_has_plan = false;                              // of this scene file
     std::vector<std::string> warnings;                       // what the user should know
 };
 

@@ -4,6 +4,8 @@
 #include "engine/core/log.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
+#include "engine/io/durable_file.h"
+#include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
 #include "render/light_rig.h"
 
@@ -67,6 +69,7 @@ void Workspace::close() {
     ++serial_;
     ++document_;
     restored_ = false;
+    changed_file_.reset();
     stack_.reset({});
     newly_opened_ = true;
 }
@@ -85,6 +88,8 @@ void Workspace::install(OpenedProject opened) {
         notices_.push_back({false, "Please note", text});
     }
     stack_.reset(opened.state);
+    if (!opened.project.empty()) known_files_->remember(opened.project, opened.file_sha256);
+    file_has_plan_ = opened.file_has_plan;
     opened_ = std::move(opened);
     replan();
 }
@@ -99,7 +104,10 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     }
     if (outcome.opened) {
         if (outcome.restored) {
-            outcome.opened->project = Autosave::takeOrigin(outcome.opened->others);
+            // The file may have been saved since by somebody else: known is what the work is of.
+            Autosave::Origin origin = Autosave::takeOrigin(outcome.opened->others);
+            outcome.opened->project = std::move(origin.project);
+            outcome.opened->file_sha256 = std::move(origin.sha256);
         }
         install(std::move(*outcome.opened));
         restored_ = outcome.restored;
@@ -130,19 +138,51 @@ io::ProjectFile Workspace::snapshot(bool with_plan) const {
     return file;
 }
 
-void Workspace::save(const std::filesystem::path& path) {
+void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
     if (!isOpen()) return;
     const bool planned = planIsCurrent() && shown_.plan;
-    SaveOutcome request{++save_serial_, document_, path, stack_.state(), {}};
+    const bool asks = if_changed == IfChanged::Ask;
+    const bool nothing_new =
+        asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned);
+    SaveOutcome request{++save_serial_, document_, path, stack_.state(), planned};
     saver_.start([file = snapshot(false), scene = shown_.scene,
-                  plan = planned ? shown_.plan : nullptr, outcome = std::move(request),
-                  outbox = saved_](const JobContext&) {
-        io::ProjectFile whole = file;
+                  plan = planned ? shown_.plan : nullptr, outcome = std::move(request), asks,
+                  nothing_new, known = known_files_, outbox = saved_](const JobContext&) {
         SaveOutcome done = outcome;
-        if (plan) whole.result = resultJson(*scene, *plan);
-        done.status = io::saveProject(whole, done.path);
+        std::error_code error;
+        done.was_there = nothing_new && std::filesystem::exists(done.path, error);
+        done.changed_elsewhere = !done.was_there && asks && known->changedElsewhere(done.path);
+        if (!done.was_there && !done.changed_elsewhere) {
+            io::ProjectFile whole = file;
+            if (plan) whole.result = resultJson(*scene, *plan);
+            const std::string text = io::projectText(whole, done.path);
+            done.status = io::writeWhole(done.path, text);
+            if (done.status) known->remember(done.path, io::sha256Of(text));
+        }
         outbox->put(std::move(done));
     });
+}
+
+void Workspace::finishSaving(SaveOutcome outcome) {
+    if (outcome.serial == save_serial_) saves_answered_ = save_serial_;
+    if (!outcome.status) {
+        log::error("project", describe(outcome.status.error()));
+        notices_.push_back({true, "Cannot save", describe(outcome.status.error())});
+        return;
+    }
+    if (outcome.was_there)
+        return log::info("project", "nothing to save in " + outcome.path.string());
+    const bool same_document = isOpen() && outcome.document == document_;
+    if (outcome.changed_elsewhere) {
+        log::warn("project", "not saved: another program has changed " + outcome.path.string());
+        if (same_document) changed_file_ = outcome.path;
+        return;
+    }
+    log::info("project", "saved " + outcome.path.string());
+    if (!same_document) return;
+    opened_->project = outcome.path;
+    file_has_plan_ = outcome.has_plan;
+    stack_.markSaved(outcome.state);
 }
 
 Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
@@ -234,19 +274,7 @@ void Workspace::poll() {
         light && isOpen() && lit_geometry_ == shown_.geometry) {
         light_ = std::make_shared<const render::LightVolume>(std::move(*light));
     }
-    if (std::optional<SaveOutcome> outcome = saved_->take()) {
-        if (outcome->serial == save_serial_) saves_answered_ = save_serial_;
-        if (!outcome->status) {
-            log::error("project", describe(outcome->status.error()));
-            notices_.push_back({true, "Cannot save", describe(outcome->status.error())});
-        } else {
-            log::info("project", "saved " + outcome->path.string());
-            if (isOpen() && outcome->document == document_) {
-                opened_->project = outcome->path;
-                stack_.markSaved(outcome->state);
-            }
-        }
-    }
+    if (std::optional<SaveOutcome> outcome = saved_->take()) finishSaving(std::move(*outcome));
     updateLight();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/known_files.h"
 #include "app/editor/live_planner.h"
 #include "app/editor/project_loader.h"
 #include "engine/document/command_stack.h"
@@ -35,8 +36,15 @@ class Workspace {
                  const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
     void cancelOpening() { loader_.cancel(); }
     void close();
-    /// Writes the project, with the plan if it is up to date. The outcome arrives as a notice.
-    void save(const std::filesystem::path& path);
+    /// Where another program has written the file since it was read or written here.
+    enum class IfChanged { Ask, Overwrite };
+    /// Writes the project, with the plan if it is up to date. An error arrives as a notice, a
+    /// question with takeChangedFile(). With Ask, a file that has all of it is left as it is.
+    void save(const std::filesystem::path& path, IfChanged if_changed);
+    /// The file that was not saved because another program has changed it.
+    [[nodiscard]] std::optional<std::filesystem::path> takeChangedFile() {
+        return std::exchange(changed_file_, std::nullopt);
+    }
     /// The project as it is now, as one would save it, with the plan if it is up to date.
     [[nodiscard]] io::ProjectFile snapshot(bool with_plan = true) const;
 
@@ -88,9 +96,11 @@ class Workspace {
     [[nodiscard]] std::optional<Notice> takeNotice();
     /// Why the newest request gave no plan; empty when it did.
     [[nodiscard]] std::string planError() const;
-    /// Whether a new project was opened since the last call.
     /// Whether the open project is work that a crash had left.
     [[nodiscard]] bool wasRestored() const { return restored_; }
+    /// SHA-256 of the project's file as this editor knows it; empty: not saved yet.
+    [[nodiscard]] std::string fileContent() const { return known_files_->contentOf(path()); }
+    /// Whether a new project was opened since the last call.
     [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
 
   private:
@@ -105,7 +115,10 @@ class Workspace {
         std::uint64_t document = 0;
         std::filesystem::path path;
         CommandStack::State state;
-        Status status;
+        bool has_plan = false;
+        Status status = {};
+        bool changed_elsewhere = false;  // so it was not written
+        bool was_there = false;          // all of it, so it was not written
     };
 
     void load(const std::filesystem::path& path,
@@ -113,6 +126,7 @@ class Workspace {
     void replan();
     void install(OpenedProject opened);
     void finishOpening(LoadOutcome outcome);
+    void finishSaving(SaveOutcome outcome);
     void updateLight();
 
     std::function<void()> wake_;
@@ -122,6 +136,9 @@ class Workspace {
     std::uint64_t save_serial_ = 0;
     std::uint64_t saves_answered_ = 0;
     bool restored_ = false;
+    bool file_has_plan_ = false;
+    std::optional<std::filesystem::path> changed_file_;
+    std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
     CommandStack::State state_when_asked_;  // to open another
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;

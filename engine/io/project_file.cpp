@@ -1,6 +1,7 @@
 #include "engine/io/project_file.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/sha256.h"
 
 #include <fmt/format.h>
 
@@ -95,6 +96,7 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
             json.erase(known);
         }
         project.others = std::move(json);
+        project.file_sha256 = sha256Of(*text);
         return project;
     } catch (const nlohmann::json::exception& e) {
         return badProject(path, fmt::format("A field of the project is missing or of the wrong "
@@ -103,7 +105,7 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     }
 }
 
-Status saveProject(const ProjectFile& project, const std::filesystem::path& path) {
+std::string projectText(const ProjectFile& project, const std::filesystem::path& path) {
     nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     const std::filesystem::path scene = std::filesystem::absolute(project.scene);
@@ -116,8 +118,11 @@ Status saveProject(const ProjectFile& project, const std::filesystem::path& path
     json["parameters"] = project.parameters;
     if (!project.edits.empty()) json["edits"] = project.edits;
     if (!project.result.is_null()) json["result"] = project.result;
-    return writeWhole(path,
-                      json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Status saveProject(const ProjectFile& project, const std::filesystem::path& path) {
+    return writeWhole(path, projectText(project, path));
 }
 
 }  // namespace dollytrack::io

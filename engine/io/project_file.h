@@ -22,10 +22,15 @@ struct ProjectFile {
     nlohmann::json edits = nlohmann::json::object();       // see document/edits_json.h
     nlohmann::json result;                                 // null before planning; see plan_json.h
     nlohmann::json others = nlohmann::json::object();      // what else the file holds
+    std::string file_sha256;  // of the file that it was read from; empty: it was not read
 };
 
 /// Errors: BadInput (missing, not JSON, not a project, of a later version), with file and line.
 Result<ProjectFile> loadProject(const std::filesystem::path& path);
+
+/// What saveProject() writes; the path of the scene depends on where that is.
+[[nodiscard]] std::string projectText(const ProjectFile& project,
+                                      const std::filesystem::path& path);
 
 /// Written whole or not at all. Error: CannotWrite.
 Status saveProject(const ProjectFile& project, const std::filesystem::path& path);

@@ -1,8 +1,9 @@
 """Saving, quitting, closing, and work that survives a crash."""
 import json
+import subprocess
 import time
 
-from task import SOFA, Task
+from task import SOFA, Programs, Task
 
 
 class Files(Task):
@@ -44,6 +45,79 @@ class Files(Task):
         self.assertEqual(content["parameters"]["viewpoints"]["fill"], 0.5)
         frames = len(content["result"]["trajectory"]["frames"])
         self.assertEqual(frames, self.editor.state()["plan"]["frames"])
+
+    def test_saving_again_without_changes_leaves_the_file_alone(self):
+        self.start_project()
+        before = self.project.stat()
+        self.editor.key("ctrl+s")
+        self.editor.idle()
+        self.set_parameter("fill", "0.45")
+        self.editor.point("viewport")
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.editor.key("ctrl+s")
+        self.editor.idle()
+        after = self.project.stat()
+        self.assertEqual((before.st_ino, before.st_mtime_ns), (after.st_ino, after.st_mtime_ns))
+        self.project.unlink()
+        self.editor.key("ctrl+s")
+        self.editor.idle()
+        self.assertTrue(self.project.exists(), "a file that is gone is written again")
+
+    def changed_by_both(self):
+        """A project in which the editor tuned a parameter and another program excluded an object;
+        returns what that program wrote."""
+        self.start_project()
+        self.set_parameter("fill", "0.45")
+        subprocess.run([Programs.command_line, "-q", "edit", self.project, "--op",
+                        '{"op": "exclude", "object": "sofa"}'],
+                       check=True, stdout=subprocess.DEVNULL)
+        self.editor.point("viewport")
+        return self.project.read_bytes()
+
+    def try_to_save(self):
+        self.editor.key("ctrl+s")
+        self.editor.wait(lambda state: state["dialogs"]["changed_file"], "the question")
+
+    def test_what_another_program_saved_is_not_overwritten_unasked(self):
+        theirs = self.changed_by_both()
+        self.try_to_save()
+        self.dismiss("cancel")
+        self.assertTrue(self.editor.idle()["unsaved"])
+        self.assertEqual(self.project.read_bytes(), theirs)
+        self.try_to_save()
+        self.editor.click("message.save_as")
+        mine = self.folder / "mine.dolly"
+        self.editor.choose_file(mine)
+        state = self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.assertEqual(state["project"], str(mine))
+        self.assertEqual(self.project.read_bytes(), theirs)
+        self.set_parameter("fill", "0.5")
+        self.editor.key("ctrl+s")  # nobody else has touched that one
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.assertEqual(json.loads(mine.read_text())["parameters"]["viewpoints"]["fill"], 0.5)
+
+    def test_overwrite_what_another_program_saved(self):
+        self.changed_by_both()
+        self.try_to_save()
+        self.dismiss("overwrite")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        content = json.loads(self.project.read_text())
+        self.assertEqual(content["parameters"]["viewpoints"]["fill"], 0.45)
+        self.assertNotIn("edits", content)
+        self.set_parameter("fill", "0.5")
+        self.editor.key("ctrl+s")
+        self.editor.wait(lambda state: not state["unsaved"], "saving without another question")
+
+    def test_quitting_does_not_overwrite_what_another_program_saved(self):
+        theirs = self.changed_by_both()
+        self.editor.close_window()
+        self.editor.click("message.save")
+        self.editor.wait(lambda state: state["dialogs"]["changed_file"], "the question")
+        self.dismiss("cancel")
+        state = self.editor.idle()
+        self.assertTrue(state["unsaved"] and not state["question"], "one stays")
+        self.assertEqual(self.project.read_bytes(), theirs)
 
     def test_a_folder_that_is_missing_is_said(self):
         self.changed_room()
@@ -116,18 +190,23 @@ class Files(Task):
         state = self.editor.idle()
         self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
 
+    def wait_copy(self, text):
+        """Until the copy of unsaved work holds the text."""
+        copies = self.folder / "home" / "state" / "dollytrack" / "autosave"
+        for _ in range(200):
+            if any(text in path.read_text() for path in copies.glob("*.dolly")):
+                return
+            time.sleep(0.05)
+            self.editor.state()
+        self.fail("there is no copy with " + text)
+
     def test_get_the_work_back_after_a_crash(self):
         self.start_room()
         self.select_row(SOFA)
         self.editor.point("viewport")
         self.editor.key("x")
         before = self.editor.idle()
-        copies = self.folder / "home" / "state" / "dollytrack" / "autosave"
-        for _ in range(200):
-            if any("excluded" in path.read_text() for path in copies.glob("*.dolly")):
-                break
-            time.sleep(0.05)
-            self.editor.state()
+        self.wait_copy("excluded")
         self.editor.kill()
         self.start()
         self.editor.click("message.restore")
@@ -136,6 +215,24 @@ class Files(Task):
         self.assertEqual(state["edits"]["changes"], before["edits"]["changes"])
         self.assertEqual(state["plan"], before["plan"])
         self.assertTrue(state["unsaved"])
+
+    def test_restored_work_does_not_overwrite_what_was_saved_since(self):
+        self.start_project()
+        self.set_parameter("fill", "0.45")
+        self.editor.wait(lambda state: state["autosaves"] > 0, "a copy")
+        self.wait_copy('"fill": 0.45')
+        self.editor.kill()
+        subprocess.run([Programs.command_line, "-q", "edit", self.project, "--op",
+                        '{"op": "exclude", "object": "sofa"}'],
+                       check=True, stdout=subprocess.DEVNULL)
+        theirs = self.project.read_bytes()
+        self.start()
+        self.editor.click("message.restore")
+        self.editor.wait(lambda state: state["open"], "the lost work")
+        self.editor.idle()
+        self.try_to_save()
+        self.dismiss("cancel")
+        self.assertEqual(self.project.read_bytes(), theirs)
 
     def test_save_over_another_file_after_being_asked(self):
         self.changed_room()
