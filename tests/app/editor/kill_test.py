@@ -1,19 +1,15 @@
 #!/usr/bin/python3
-"""Kills the editor at random moments of work: little is lost, and the project always opens.
-
-Usage: kill_test.py EDITOR COMMAND_LINE [--long] [--seed N]
-"""
-import argparse
+"""Kills the editor at random moments of work: little is lost, and the project always opens."""
 import pathlib
 import random
 import sys
 import tempfile
 import time
-from unittest import SkipTest
 
-from editor_driver import Editor, Screen, need_window
+from editor_driver import Editor, Screen
 from task import Programs, plan
 import tiny_room  # noqa: E402
+import window_arguments
 
 MOST_LOST_S = 30.0
 
@@ -83,18 +79,7 @@ class Crash:
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("editor")
-    parser.add_argument("command_line")
-    parser.add_argument("--long", action="store_true")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    try:
-        need_window()
-    except SkipTest:
-        return
-    Programs.editor = arguments.editor
-    Programs.command_line = arguments.command_line
+    arguments = window_arguments.read(__doc__)
     dice = random.Random(arguments.seed)
     screen = Screen(1280, 720)
     try:

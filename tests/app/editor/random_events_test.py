@@ -1,18 +1,14 @@
 #!/usr/bin/python3
-"""Seeded random mouse and key events: no crash, no OpenGL error, no growing memory.
-
-Usage: random_events_test.py EDITOR COMMAND_LINE [--long] [--seed N]
-"""
-import argparse
+"""Seeded random mouse and key events: no crash, no OpenGL error, no growing memory."""
 import pathlib
 import random
 import sys
 import tempfile
-from unittest import SkipTest
 
-from editor_driver import Editor, Gone, Screen, need_window
+from editor_driver import Editor, Gone, Screen
 from task import Programs
 import tiny_room  # noqa: E402
+import window_arguments
 
 SIZE = (1100, 700)
 # Everything but what ends the editor or goes to other folders of the machine.
@@ -119,18 +115,7 @@ def run(events, seed, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("editor")
-    parser.add_argument("command_line")
-    parser.add_argument("--long", action="store_true")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    try:
-        need_window()
-    except SkipTest:
-        return
-    Programs.editor = arguments.editor
-    Programs.command_line = arguments.command_line
+    arguments = window_arguments.read(__doc__)
     with tempfile.TemporaryDirectory(prefix="monkey") as folder:
         problem = run(20000 if arguments.long else 1000, arguments.seed, pathlib.Path(folder))
     if problem:
