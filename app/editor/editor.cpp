@@ -47,7 +47,8 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       sheet_(&Window::wake),
       files_(&Window::wake),
       draft_fields_(planning::listFields(draft_)),
-      standard_fields_(planning::listFields(standard_)) {
+      standard_fields_(planning::listFields(standard_)),
+      questions_(workspace_, doors()) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
     addCommands();
@@ -79,7 +80,7 @@ void Editor::refreshScene() {
         scene_sent_ = false;
         scene_framed_ = false;
         drawn_geometry_ = 0;
-        changed_file_.clear();
+        questions_.forgetProject();
         // The copy was of the project before.
         if (autosaved_) autosave_.discard();
         autosaved_.reset();
@@ -161,8 +162,8 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     play();
-    if (!files_.isOpen() && !palette_.open && !help_.open && !notice_ && !after_unsaved_ &&
-        changed_file_.empty() && lost_.empty() && !sheet_.isOpen()) {
+    if (!files_.isOpen() && !palette_.open && !help_.open && !sheet_.isOpen() &&
+        !questions_.waiting()) {
         commands_.runShortcuts();
         runKeypad();
     }
@@ -258,7 +259,7 @@ void Editor::autosave() {
 
 void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
     if (const Status done = workspace_.apply(operation, merge_key); !done) {
-        notice_ = Workspace::Notice{true, "That cannot be done", describe(done.error()), {}};
+        questions_.tell({true, "That cannot be done", describe(done.error()), {}});
     }
 }
 

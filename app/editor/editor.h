@@ -4,6 +4,7 @@
 #include "app/editor/export_queue.h"
 #include "app/editor/layer_builder.h"
 #include "app/editor/picture_file.h"
+#include "app/editor/questions.h"
 #include "app/editor/settings.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
@@ -47,7 +48,7 @@ class Editor {
 
     void open(const std::filesystem::path& path) { workspace_.open(path); }
     /// Asks what shall become of work that an earlier editor lost.
-    void offerLostWork() { lost_ = Autosave::findLost(); }
+    void offerLostWork() { questions_.offer(Autosave::findLost()); }
 
     /// Draws one frame; false ends the program.
     bool frame();
@@ -110,10 +111,7 @@ class Editor {
     void answerFile(const ui::FileAnswer& answer);
     void answerExportFile(const ui::FileAnswer& answer);
     void savePicture(const std::filesystem::path& path, const ui::PreviewImage& image);
-    void afterUnsaved(std::function<void()> then, const std::string& what_next);
-    void drawUnsaved();
-    void drawLostWork();
-    void drawChangedFile();
+    [[nodiscard]] Questions::Doors doors();
     void openAfterAsking(const std::filesystem::path& path);
     void save();
 
@@ -210,15 +208,10 @@ class Editor {
     bool scene_framed_ = false;
 
     // Questions to the user.
-    std::optional<Workspace::Notice> notice_;
-    std::function<void()> after_unsaved_;
-    std::string unsaved_what_next_;
-    bool saving_for_question_ = false;
+    Questions questions_;
     std::optional<ui::PreviewImage> picture_to_save_;
     bool scene_wanted_to_restore_ = false;
     std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
-    std::filesystem::path changed_file_;     // by another program: overwrite it?
-    std::vector<LostWork> lost_;
     CommandStack::State autosaved_;
     std::optional<LostWork> restored_;  // its copy goes when there is a new one
     bool quitting_ = false;

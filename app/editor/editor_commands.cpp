@@ -49,9 +49,10 @@ void Editor::addFileCommands() {
         {"file.save", "File", "Save", ctrl(GLFW_KEY_S), [this] { save(); }, needs_project});
     commands_.add({"file.save_as", "File", "Save as…", ctrlShift(GLFW_KEY_S),
                    [this] { askForFile("save"); }, needs_project});
-    commands_.add({"file.close", "File", "Close", ctrl(GLFW_KEY_W),
-                   [this] { afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },
-                   needs_project});
+    commands_.add(
+        {"file.close", "File", "Close", ctrl(GLFW_KEY_W),
+         [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },
+         needs_project});
     commands_.add({"file.export", "File", "Export the dataset…", ctrl(GLFW_KEY_E),
                    [this] {
                        settings_.layout.show_bottom = true;
@@ -59,13 +60,13 @@ void Editor::addFileCommands() {
                    },
                    needs_project});
     commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q), [this] {
-                       afterUnsaved(
-                           [this] {
-                               // Saved, or thrown away by its owner: nothing is lost.
-                               autosave_.discard();
-                               quitting_ = true;
-                           },
-                           "before you leave");
+                       const auto leave = [this] {
+                           // Saved, or thrown away by its owner: nothing is lost.
+                           autosave_.discard();
+                           quitting_ = true;
+                       };
+                       questions_.afterUnsaved([this, leave] { questions_.afterExports(leave); },
+                                               "before you leave");
                    }});
 }
 

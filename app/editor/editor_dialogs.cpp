@@ -4,7 +4,6 @@
 #include "engine/io/durable_file.h"
 #include "engine/io/png_writer.h"
 #include "ui/viewport/false_color.h"
-#include "ui/widgets/message_box.h"
 
 #include <fmt/format.h>
 
@@ -126,7 +125,7 @@ void Editor::savePicture(const std::filesystem::path& path, const ui::PreviewIma
                                    return io::writeWhole(path, std::span<const std::uint8_t>(png));
                                });
     if (!written) {
-        notice_ = Workspace::Notice{true, "Cannot save the picture", describe(written.error()), {}};
+        questions_.tell({true, "Cannot save the picture", describe(written.error()), {}});
     } else {
         log::info("editor", "saved " + path.string());
     }
@@ -140,116 +139,35 @@ void Editor::save() {
     }
 }
 
-void Editor::afterUnsaved(std::function<void()> then, const std::string& what_next) {
-    if (!workspace_.unsaved()) return then();
-    after_unsaved_ = std::move(then);
-    unsaved_what_next_ = what_next;
-}
-
 void Editor::openAfterAsking(const std::filesystem::path& path) {
-    afterUnsaved([this, path] { workspace_.open(path); }, "before another is opened");
+    questions_.afterUnsaved([this, path] { workspace_.open(path); }, "before another is opened");
 }
 
-void Editor::drawUnsaved() {
-    // One message at a time; this one comes after what saving may ask.
-    if (!after_unsaved_ || !changed_file_.empty() || !lost_.empty()) return;
-    if (saving_for_question_) {
-        // The question is answered when the project is on the disk, or saving was given up.
-        if (workspace_.saving() || files_.isOpen()) return;
-        saving_for_question_ = false;
-        const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
-        if (!workspace_.unsaved()) then();
-        return;
-    }
-    const std::string name = workspace_.path().empty() ? workspace_.sceneFile().filename().string()
-                                                       : workspace_.path().filename().string();
-    switch (ui::askUnsaved(name, unsaved_what_next_)) {
-        case ui::UnsavedAnswer::Save:
-            saving_for_question_ = true;
-            save();
-            break;
-        case ui::UnsavedAnswer::Discard: {
-            const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
-            then();
-            break;
-        }
-        case ui::UnsavedAnswer::Cancel:
-            after_unsaved_ = nullptr;
-            break;
-        case ui::UnsavedAnswer::None:
-            break;
-    }
-}
-
-void Editor::drawLostWork() {
-    if (lost_.empty()) return;
-    const LostWork& work = lost_.front();
-    ui::MessageBox box;
-    box.title = "Unsaved work was found";
-    box.text = fmt::format(
-        "The editor ended without saving {}.\nThe last copy is of {}.",
-        work.project.empty() ? "a project of " + work.scene : work.project.filename().string(),
-        work.when);
-    box.buttons = {"Restore", "Delete the copy", "Later"};
-    const int pressed = ui::drawMessageBox(box);
-    if (pressed < 0) return;
-    if (pressed == 0) {
+Questions::Doors Editor::doors() {
+    Questions::Doors doors;
+    doors.save = [this] { save(); };
+    doors.save_as = [this] { askForFile("save"); };
+    doors.restore = [this](const LostWork& work) {
         workspace_.restore(work.file);
         restored_ = work;
-        lost_.clear();  // one at a time; the others are offered again next time
-        return;
-    }
-    if (pressed == 1) Autosave::forget(work);
-    lost_.erase(lost_.begin());
-}
-
-void Editor::drawChangedFile() {
-    if (std::optional<std::filesystem::path> file = workspace_.takeChangedFile()) {
-        changed_file_ = std::move(*file);
-    }
-    if (changed_file_.empty()) return;
-    ui::MessageBox box;
-    box.title = changed_file_.filename().string() + " was changed by another program";
-    box.text =
-        "It does not hold what was opened or saved here last. Overwriting it loses what the other "
-        "program wrote.";
-    // Enter presses the first, which loses nothing.
-    box.buttons = {"Save as…", "Overwrite", "Cancel"};
-    const int pressed = ui::drawMessageBox(box);
-    if (pressed < 0) return;
-    const std::filesystem::path file = std::exchange(changed_file_, {});
-    if (pressed == 0) askForFile("save");
-    if (pressed == 1) workspace_.save(file, Workspace::IfChanged::Overwrite);
+    };
+    doors.find_scene = [this](const std::filesystem::path& project, bool restores) {
+        scene_wanted_by_ = project;
+        scene_wanted_to_restore_ = restores;
+        askForFile("locate scene");
+    };
+    doors.unfinished_exports = [this] { return exports_ ? exports_->unfinished() : 0; };
+    return doors;
 }
 
 void Editor::drawDialogs() {
-    if (!notice_) notice_ = workspace_.takeNotice();
-    if (const std::string error = drawing_.takeError(); !error.empty() && !notice_) {
+    if (const std::string error = drawing_.takeError(); !error.empty()) {
         log::error("drawing", error);
-        notice_ = Workspace::Notice{true, "The scene cannot be drawn", error, {}};
+        questions_.tell({true, "The scene cannot be drawn", error, {}});
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();
-    drawLostWork();
-    drawChangedFile();
-    drawUnsaved();
-    if (notice_ && lost_.empty() && changed_file_.empty() && !files_.isOpen()) {
-        ui::MessageBox box;
-        box.is_error = notice_->is_error;
-        box.title = notice_->title;
-        box.text = notice_->text;
-        const bool locate = !notice_->missing_scene_of.empty();
-        if (locate) box.buttons = {"Find the scene…", "Cancel"};
-        const int pressed = ui::drawMessageBox(box);
-        if (pressed >= 0) {
-            if (locate && pressed == 0) {
-                scene_wanted_by_ = notice_->missing_scene_of;
-                scene_wanted_to_restore_ = notice_->restores;
-                askForFile("locate scene");
-            }
-            notice_.reset();
-        }
-    }
+    questions_.draw(files_.isOpen());
     ui::CommandPaletteView palette;
     palette.commands = &commands_;
     palette.parameters = &palette_parameters_;

@@ -84,17 +84,12 @@ nlohmann::json Editor::stateJson() {
           {"no_go", layer_settings_.no_go_boxes},
           {"stepping", stepping_}}},
         {"window", {window_.settings().width, window_.settings().height}},
-        {"question", after_unsaved_ != nullptr ? unsaved_what_next_ : std::string()},
         {"autosaves", autosave_.count()},
         {"hidden", std::count(hidden_.begin(), hidden_.end(), true)},
-        {"notice", notice_ ? notice_->title + ": " + notice_->text : std::string()},
         {"dialogs",
          {{"file", files_.isOpen()},
           {"help", help_.open},
           {"palette", palette_.open},
-          {"unsaved", after_unsaved_ != nullptr && !saving_for_question_},
-          {"lost_work", !lost_.empty()},
-          {"changed_file", !changed_file_.empty()},
           {"sheet", sheet_.isOpen()}}},
         {"preview",
          {{"frame", drawing_.preview().frame},
@@ -113,6 +108,7 @@ nlohmann::json Editor::stateJson() {
         {"picture_serial", drawing_.view().serial},
         {"items", std::move(items)},
     };
+    questions_.addTo(state);
     if (shown.scene) {
         const render::View view = viewportView();
         for (const Object& object : shown.scene->objects) {

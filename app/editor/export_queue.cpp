@@ -196,6 +196,13 @@ bool ExportQueue::busy() const {
     return std::ranges::any_of(entries_, [](const Entry& entry) { return entry.job.active(); });
 }
 
+int ExportQueue::unfinished() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(std::ranges::count_if(entries_, [](const Entry& entry) {
+        return entry.job.active() || entry.job.state == ui::ExportState::Waiting;
+    }));
+}
+
 ExportQueue::Entry* ExportQueue::find(int id) {
     const auto at =
         std::ranges::find(entries_, id, [](const Entry& entry) { return entry.job.id; });

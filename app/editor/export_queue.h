@@ -54,6 +54,8 @@ class ExportQueue {
 
     [[nodiscard]] std::vector<ui::ExportJob> jobs() const;
     [[nodiscard]] bool busy() const;
+    /// How many run or wait.
+    [[nodiscard]] int unfinished() const;
 
   private:
     struct Entry {

@@ -93,6 +93,41 @@ class Exporting(Task):
         self.assertEqual(self.finished(job)["frames_done"], 60)
         self.assertEqual(len(list((out / "depth").glob("*.png"))), 60)
 
+    def test_leaving_while_an_export_runs_asks(self):
+        self.start_project("--max-frames", "60")
+        out = self.folder / "dataset"
+        self.queue(out)
+        self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
+        self.editor.close_window()
+        self.editor.wait(lambda now: now["dialogs"]["exports"], "the question")
+        self.dismiss("keep_exporting")
+        before = self.editor.state()["exports"][0]["frames_done"]
+        self.editor.wait(lambda now: now["exports"][0]["frames_done"] > before, "another frame")
+        self.ends = True
+        self.editor.close_window()
+        self.editor.point("message.stop_and_quit")
+        self.editor.press()
+        self.editor.release()
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.assertFalse((out / "dataset.json").exists(), "it was stopped")
+        self.assertGreaterEqual(len(list((out / "depth").glob("*.png"))), before)
+        self.by_command_line(out, "--resume")
+        same = self.folder / "same"
+        self.by_command_line(same)
+        self.assertEqual(self.hashes(out), self.hashes(same))
+
+    def test_an_export_that_waits_is_not_forgotten_when_one_leaves(self):
+        self.start_project("--max-frames", "60")
+        first = self.queue(self.folder / "first")
+        self.press_in_panel("export.hold")
+        self.queue(self.folder / "second")
+        self.press_job(first, "cancel")
+        self.finished(first, CANCELLED)
+        self.editor.close_window()
+        self.editor.wait(lambda now: now["dialogs"]["exports"], "the question")
+        self.assertFalse(self.editor.key("esc")["dialogs"]["exports"])
+        self.assertTrue(self.editor.alive())
+
     def saved_preview(self, modality, frame):
         self.editor.type_value("timeline.frame", str(frame))
         if modality != "rgb":

@@ -1,0 +1,189 @@
+#include "app/editor/questions.h"
+
+#include "ui/widgets/message_box.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace dollytrack::editor {
+
+Questions::Questions(Workspace& workspace, Doors doors)
+    : workspace_(workspace), doors_(std::move(doors)) {}
+
+void Questions::tell(Workspace::Notice notice) {
+    notice_ = std::move(notice);
+}
+
+void Questions::offer(std::vector<LostWork> lost) {
+    lost_ = std::move(lost);
+}
+
+void Questions::afterUnsaved(std::function<void()> then, const std::string& what_next) {
+    if (!workspace_.unsaved()) return then();
+    after_unsaved_ = std::move(then);
+    what_next_ = what_next;
+}
+
+void Questions::afterExports(std::function<void()> then) {
+    stopped_exports_ = doors_.unfinished_exports();
+    if (stopped_exports_ == 0) return then();
+    after_exports_ = std::move(then);
+}
+
+bool Questions::waiting() const {
+    return notice_ || !lost_.empty() || !changed_file_.empty() || after_unsaved_ || after_exports_;
+}
+
+bool Questions::pending(Kind kind) const {
+    switch (kind) {
+        case Kind::None:
+            return false;
+        case Kind::LostWork:
+            return !lost_.empty();
+        case Kind::ChangedFile:
+            return !changed_file_.empty();
+        case Kind::Unsaved:
+            return after_unsaved_ && !saving_;
+        case Kind::Exports:
+            return after_exports_ != nullptr;
+        case Kind::Notice:
+            return notice_.has_value();
+    }
+    return false;
+}
+
+void Questions::draw(bool choosing_file) {
+    if (!notice_) notice_ = workspace_.takeNotice();
+    if (auto file = workspace_.takeChangedFile()) changed_file_ = std::move(*file);
+    answerUnsaved(choosing_file);
+    if (choosing_file) return;
+    // One that is being read is not pushed aside by another.
+    if (!pending(shown_)) {
+        shown_ = Kind::None;
+        for (const Kind kind :
+             {Kind::LostWork, Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Notice}) {
+            if (shown_ == Kind::None && pending(kind)) shown_ = kind;
+        }
+    }
+    switch (shown_) {
+        case Kind::LostWork:
+            return drawLostWork();
+        case Kind::ChangedFile:
+            return drawChangedFile();
+        case Kind::Unsaved:
+            return drawUnsaved();
+        case Kind::Exports:
+            return drawExports();
+        case Kind::Notice:
+            return drawNotice();
+        case Kind::None:
+            break;
+    }
+}
+
+void Questions::answerUnsaved(bool choosing_file) {
+    // The question is answered when the project is on the disk, or saving was given up.
+    if (!saving_ || workspace_.saving() || choosing_file || !changed_file_.empty()) return;
+    saving_ = false;
+    const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
+    if (then && !workspace_.unsaved()) then();
+}
+
+void Questions::drawLostWork() {
+    const LostWork work = lost_.front();
+    ui::MessageBox box;
+    box.title = "Unsaved work was found";
+    box.text = fmt::format(
+        "The editor ended without saving {}.\nThe last copy is of {}.",
+        work.project.empty() ? "a project of " + work.scene : work.project.filename().string(),
+        work.when);
+    box.buttons = {"Restore", "Delete the copy", "Later"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    if (pressed == 0) {
+        lost_.clear();  // one at a time; the others are offered again next time
+        return doors_.restore(work);
+    }
+    if (pressed == 1) Autosave::forget(work);
+    lost_.erase(lost_.begin());
+}
+
+void Questions::drawChangedFile() {
+    ui::MessageBox box;
+    box.title = changed_file_.filename().string() + " was changed by another program";
+    box.text =
+        "It does not hold what was opened or saved here last. Overwriting it loses what the other "
+        "program wrote.";
+    // Enter presses the first, which loses nothing.
+    box.buttons = {"Save as…", "Overwrite", "Cancel"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::filesystem::path file = std::exchange(changed_file_, {});
+    if (pressed == 0) doors_.save_as();
+    if (pressed == 1) workspace_.save(file, Workspace::IfChanged::Overwrite);
+}
+
+void Questions::drawUnsaved() {
+    const std::string name = workspace_.path().empty() ? workspace_.sceneFile().filename().string()
+                                                       : workspace_.path().filename().string();
+    switch (ui::askUnsaved(name, what_next_)) {
+        case ui::UnsavedAnswer::Save:
+            saving_ = true;
+            doors_.save();
+            break;
+        case ui::UnsavedAnswer::Discard: {
+            const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
+            then();
+            break;
+        }
+        case ui::UnsavedAnswer::Cancel:
+            after_unsaved_ = nullptr;
+            break;
+        case ui::UnsavedAnswer::None:
+            break;
+    }
+}
+
+void Questions::drawExports() {
+    ui::MessageBox box;
+    box.title = stopped_exports_ == 1
+                    ? "An export is not finished"
+                    : fmt::format("{} exports are not finished", stopped_exports_);
+    box.text =
+        "Leaving stops it after the frame at hand. Finished frames stay in the folder: "
+        "\"dollytrack "
+        "export PROJECT --out FOLDER --resume\" goes on from there.";
+    box.buttons = {"Keep exporting", "Stop and quit"};
+    box.escape = 0;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::function<void()> then = std::exchange(after_exports_, nullptr);
+    if (pressed == 1) then();
+}
+
+void Questions::drawNotice() {
+    ui::MessageBox box;
+    box.is_error = notice_->is_error;
+    box.title = notice_->title;
+    box.text = notice_->text;
+    const bool locate = !notice_->missing_scene_of.empty();
+    if (locate) box.buttons = {"Find the scene…", "Cancel"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const Workspace::Notice read = *std::exchange(notice_, std::nullopt);
+    if (locate && pressed == 0) doors_.find_scene(read.missing_scene_of, read.restores);
+}
+
+void Questions::addTo(nlohmann::json& state) const {
+    state["question"] = after_unsaved_ ? what_next_ : std::string();
+    state["notice"] = notice_ ? notice_->title + ": " + notice_->text : std::string();
+    nlohmann::json& dialogs = state["dialogs"];
+    dialogs["unsaved"] = pending(Kind::Unsaved);
+    dialogs["lost_work"] = pending(Kind::LostWork);
+    dialogs["changed_file"] = pending(Kind::ChangedFile);
+    dialogs["exports"] = pending(Kind::Exports);
+}
+
+}  // namespace dollytrack::editor

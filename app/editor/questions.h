@@ -1,0 +1,72 @@
+#pragma once
+
+#include "app/editor/autosave.h"
+#include "app/editor/workspace.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// Messages over the window that wait for an answer, one at a time, and what the answers lead to.
+class Questions {
+  public:
+    /// Where answers lead that need more of the window than the workspace.
+    struct Doors {
+        std::function<void()> save;     // as the command does
+        std::function<void()> save_as;  // asks for a file
+        std::function<void(const LostWork&)> restore;
+        std::function<void(const std::filesystem::path& project, bool restores)> find_scene;
+        std::function<int()> unfinished_exports;
+    };
+
+    Questions(Workspace& workspace, Doors doors);
+
+    /// A message that is read and put away.
+    void tell(Workspace::Notice notice);
+    /// Asks what shall become of each copy.
+    void offer(std::vector<LostWork> lost);
+    /// Does `then` once there is no unsaved work, or it may be lost. `what_next`: "before you
+    /// leave".
+    void afterUnsaved(std::function<void()> then, const std::string& what_next);
+    /// The same for exports that would be stopped.
+    void afterExports(std::function<void()> then);
+    /// Another project is open: what was asked about the one before no longer matters.
+    void forgetProject() { changed_file_.clear(); }
+
+    /// Whether something waits for an answer: keys belong to the message then.
+    [[nodiscard]] bool waiting() const;
+    /// Once a frame. Messages wait while a file is being chosen.
+    void draw(bool choosing_file);
+    /// What is asked now, for Inspector.
+    void addTo(nlohmann::json& state) const;
+
+  private:
+    enum class Kind { None, LostWork, ChangedFile, Unsaved, Exports, Notice };
+    [[nodiscard]] bool pending(Kind kind) const;
+    void answerUnsaved(bool choosing_file);
+    void drawLostWork();
+    void drawChangedFile();
+    void drawUnsaved();
+    void drawExports();
+    void drawNotice();
+
+    Workspace& workspace_;
+    Doors doors_;
+    Kind shown_ = Kind::None;
+    std::optional<Workspace::Notice> notice_;
+    std::vector<LostWork> lost_;
+    std::filesystem::path changed_file_;  // by another program: overwrite it?
+    std::function<void()> after_unsaved_;
+    std::string what_next_;
+    bool saving_ = false;  // as answer to the question after_unsaved_ waits for
+    std::function<void()> after_exports_;
+    int stopped_exports_ = 0;  // of which after_exports_ is asked
+};
+
+}  // namespace dollytrack::editor
