@@ -1,16 +1,12 @@
 #include "app/editor/autosave.h"
 
+#include "app/editor/process_mark.h"
 #include "app/editor/settings.h"
 #include "engine/core/log.h"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <ctime>
-#include <fstream>
 
 namespace dollytrack::editor {
 namespace {
@@ -19,29 +15,6 @@ constexpr const char* kSection = "autosave";
 
 std::filesystem::path folder() {
     return stateFolder() / "autosave";
-}
-
-/// When the process began, in clock ticks since boot: a number that a later process of the same id
-/// does not share. Empty when there is no such process.
-std::string startOf(pid_t process) {
-    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-    std::string text((std::istreambuf_iterator<char>(file)), {});
-    const std::size_t end_of_name = text.rfind(')');
-    if (end_of_name == std::string::npos) return {};
-    std::size_t at = end_of_name + 2;
-    for (int field = 3; field < 22; ++field) at = text.find(' ', at) + 1;
-    return text.substr(at, text.find(' ', at) - at);
-}
-
-/// "1234-56789.dolly": process and its start.
-bool ownerRuns(const std::filesystem::path& file) {
-    const std::string name = file.stem().string();
-    const std::size_t dash = name.find('-');
-    int process = 0;
-    const auto parsed =
-        std::from_chars(name.data(), name.data() + std::min(dash, name.size()), process);
-    if (dash == std::string::npos || parsed.ec != std::errc() || process <= 0) return false;
-    return startOf(process) == name.substr(dash + 1);
 }
 
 std::string localTime(std::filesystem::file_time_type written) {
@@ -57,8 +30,7 @@ std::string localTime(std::filesystem::file_time_type written) {
 
 }  // namespace
 
-Autosave::Autosave()
-    : file_(folder() / (std::to_string(getpid()) + "-" + startOf(getpid()) + ".dolly")) {}
+Autosave::Autosave() : file_(folder() / (processMark() + ".dolly")) {}
 
 Autosave::~Autosave() {
     writer_.finish();
@@ -98,7 +70,9 @@ std::vector<LostWork> Autosave::findLost() {
     std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder(), error)) {
-        if (entry.path().extension() != ".dolly" || ownerRuns(entry.path())) continue;
+        if (entry.path().extension() != ".dolly" || processRuns(entry.path().stem().string())) {
+            continue;
+        }
         const Result<io::ProjectFile> file = io::loadProject(entry.path());
         if (!file) continue;
         LostWork work;

@@ -3,6 +3,8 @@
 #include "app/editor/child_process.h"
 #include "app/editor/export_places.h"
 #include "app/editor/export_progress.h"
+#include "app/editor/process_mark.h"
+#include "engine/core/log.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -46,6 +49,30 @@ std::vector<std::string> commandFor(const fs::path& program, const fs::path& pro
     if (request.overwrite) command.emplace_back("--overwrite");
     if (job.resumes) command.emplace_back("--resume");
     return command;
+}
+
+/// Two editors share the folder.
+fs::path snapshotFile(const fs::path& folder, int id) {
+    return folder / fmt::format("export-{}-{}.dolly", processMark(), id);
+}
+
+/// Snapshots of editors that were killed.
+void removeLeftOvers(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> left_over;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        // "export-<process>-<its start>-<job>.dolly"; what has another name is not ours.
+        const std::string name = entry.path().filename().string();
+        std::smatch parts;
+        static const std::regex kName("export-([0-9]+-[0-9]+)-[0-9]+\\.dolly(\\.tmp\\.[0-9]+)?");
+        if (!std::regex_match(name, parts, kName)) continue;
+        if (!processRuns(parts[1].str())) left_over.push_back(entry.path());
+    }
+    for (const fs::path& file : left_over) fs::remove(file, error);
+    if (!left_over.empty()) {
+        log::info("export", fmt::format("removed {} snapshots of exports that were cut off",
+                                        left_over.size()));
+    }
 }
 
 bool isProgram(const fs::path& path) {
@@ -108,8 +135,7 @@ int ExportQueue::addEntry(Entry entry) {
         id = ++last_id_;
         entry.job.id = id;
         if (entry.project != nullptr) {
-            // Two editors share the folder.
-            entry.project_file = snapshot_folder_ / fmt::format("export-{}-{}.dolly", getpid(), id);
+            entry.project_file = snapshotFile(snapshot_folder_, id);
         }
         entries_.push_back(std::move(entry));
     }
@@ -231,6 +257,7 @@ void ExportQueue::update(int id, const std::function<void(Entry&)>& change) {
 /// All programs are started from this thread, which lives as long as the queue: the system ends
 /// them when it ends.
 void ExportQueue::loop() {
+    removeLeftOvers(snapshot_folder_);
     while (true) {
         int id = 0;
         {
@@ -255,19 +282,22 @@ void ExportQueue::loop() {
 Status ExportQueue::writeSnapshot(int id) {
     std::shared_ptr<const io::ProjectFile> project;
     fs::path file;
+    // Whether it is written is not asked of the disk: a file of that name could be another's.
     update(id, [&](Entry& entry) {
-        project = entry.project;
+        if (!entry.snapshot_written) project = entry.project;
         file = entry.project_file;
     });
+    if (project == nullptr) return {};
     std::error_code error;
-    if (project == nullptr || fs::exists(file, error)) return {};
     fs::create_directories(file.parent_path(), error);
     if (error) {
         return fail(ErrorCode::CannotWrite,
                     "The folder for snapshots cannot be made: " + error.message() + ".",
                     file.parent_path().string());
     }
-    return io::saveProject(*project, file);
+    if (Status saved = io::saveProject(*project, file); !saved) return saved;
+    update(id, [](Entry& entry) { entry.snapshot_written = true; });
+    return {};
 }
 
 void ExportQueue::runEntry(int id) {

@@ -26,8 +26,9 @@ class ChildProcess;
 /// run. All functions return at once, but the destructor, which stops what runs.
 class ExportQueue {
   public:
-    /// Snapshots are kept in `snapshot_folder` until their job is removed. `on_change` is called
-    /// from a thread of the queue when there is news.
+    /// Snapshots are kept in `snapshot_folder` until their job is removed; those that an editor
+    /// left there which no longer runs are removed now. `on_change` is called from a thread of the
+    /// queue when there is news.
     ExportQueue(std::filesystem::path snapshot_folder, std::filesystem::path program,
                 std::function<void()> on_change = {});
     ~ExportQueue();
@@ -62,6 +63,7 @@ class ExportQueue {
         ui::ExportJob job;
         std::shared_ptr<const io::ProjectFile> project;  // null: it is a file already
         std::filesystem::path project_file;
+        bool snapshot_written = false;
         bool cancel_asked = false;
         bool remove_asked = false;
     };

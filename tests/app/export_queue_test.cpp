@@ -2,6 +2,8 @@
 
 #include "app/editor/export_places.h"
 #include "app/editor/export_progress.h"
+#include "app/editor/process_mark.h"
+#include "engine/io/project_file.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -218,6 +220,48 @@ TEST(ExportQueue, KeepsASnapshotUntilTheJobIsRemoved) {
     EXPECT_EQ(snapshots(), 0);
     EXPECT_TRUE(queue.jobs().empty());
     EXPECT_TRUE(fs::exists(program.file("room") / "dataset.json"));
+}
+
+// Snapshots of an editor that was killed would stay for ever; those of one that runs are in use.
+TEST(ExportQueue, RemovesWhatDeadEditorsLeft) {
+    const FakeProgram program(kFinish);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) _exit(0);
+    waitpid(child, nullptr, 0);
+    const fs::path folder = program.file("snapshots");
+    fs::create_directories(folder);
+    const auto put = [&](const std::string& name) {
+        std::ofstream(folder / name) << "{}";
+        return folder / name;
+    };
+    const std::string dead = std::to_string(child) + "-77";
+    const fs::path of_dead = put("export-" + dead + "-1.dolly");
+    const fs::path half = put("export-" + dead + "-2.dolly.tmp.5");
+    // The same number, but another process: ours began later than that.
+    const fs::path reused = put("export-" + std::to_string(getpid()) + "-1-1.dolly");
+    const fs::path of_living = put("export-" + processMark() + "-99.dolly");
+    const fs::path foreign = put("room.dolly");
+    const ExportQueue queue(folder, program.path());
+    EXPECT_TRUE(eventually(
+        [&] { return !fs::exists(of_dead) && !fs::exists(half) && !fs::exists(reused); }));
+    EXPECT_TRUE(fs::exists(of_living));
+    EXPECT_TRUE(fs::exists(foreign));
+}
+
+// A file that has the name already is not the project that was handed over.
+TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
+    const FakeProgram program("cp \"$2\" \"$out/copy\"\n" + std::string(kFinish));
+    const fs::path folder = program.file("snapshots");
+    fs::create_directories(folder);
+    std::ofstream(folder / ("export-" + processMark() + "-1.dolly")) << "old";
+    ExportQueue queue(folder, program.path());
+    const auto project = std::make_shared<io::ProjectFile>();
+    project->scene = program.file("room.obj");
+    const int id = queue.add(program.request("room"), project);
+    EXPECT_EQ(endOf(queue, id), ExportState::Done);
+    EXPECT_EQ(contentOf(program.file("room") / "copy"),
+              io::projectText(*project, folder / "any.dolly"));
 }
 
 bool isAlive(pid_t process) {
