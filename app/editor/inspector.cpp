@@ -6,15 +6,24 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
 #include <thread>
 
 namespace dollytrack::editor {
+
+namespace {
+
+constexpr timeval kPatience{2, 0};
+
+}  // namespace
 
 struct Inspector::Impl {
     std::filesystem::path path;
@@ -26,6 +35,7 @@ struct Inspector::Impl {
     bool stopping = false;
     std::string answer;
     std::thread thread;
+    bool listens = false;
 
     bool waitReadable(int socket) const;
     void serve(int client);
@@ -75,6 +85,8 @@ void Inspector::Impl::loop() {
     while (waitReadable(listener)) {
         const int client = accept(listener, nullptr, nullptr);
         if (client < 0) continue;
+        // Who asks and then does not listen must not keep the editor from ending.
+        setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof(kPatience));
         serve(client);
         close(client);
     }
@@ -92,7 +104,13 @@ Inspector::Inspector(const std::filesystem::path& socket_path, std::function<voi
         return;
     }
     std::memcpy(address.sun_path, name.c_str(), name.size() + 1);
-    unlink(name.c_str());
+    // One that an editor left behind; never a file that only happens to have this name.
+    struct stat there {};
+    if (lstat(name.c_str(), &there) == 0 &&
+        (!S_ISSOCK(there.st_mode) || unlink(name.c_str()) != 0)) {
+        log::error("editor", "cannot listen on " + name + ": there is a file of that name");
+        return;
+    }
     impl_->listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (impl_->listener < 0 ||
         bind(impl_->listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
@@ -100,6 +118,7 @@ Inspector::Inspector(const std::filesystem::path& socket_path, std::function<voi
         log::error("editor", "cannot listen on " + name + ": " + std::strerror(errno));
         return;
     }
+    impl_->listens = true;
     impl_->thread = std::thread([this] { impl_->loop(); });
 }
 
@@ -111,8 +130,7 @@ Inspector::~Inspector() {
     impl_->answered.notify_all();
     if (impl_->thread.joinable()) impl_->thread.join();
     if (impl_->listener >= 0) close(impl_->listener);
-    std::error_code ignored;
-    std::filesystem::remove(impl_->path, ignored);
+    if (impl_->listens) unlink(impl_->path.c_str());
 }
 
 bool Inspector::asked() const {

@@ -7,17 +7,30 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <optional>
+#include <utility>
 
 namespace {
+
+/// While it lives, the log goes to the window; on every way out it goes to stderr again.
+class LogToWindow {
+  public:
+    explicit LogToWindow(dollytrack::ui::LogBook& book) {
+        dollytrack::log::setSink([&book](const dollytrack::log::Record& record) {
+            book.add(record);
+            dollytrack::editor::Window::wake();
+        });
+    }
+    ~LogToWindow() { dollytrack::log::setSink({}); }
+    LogToWindow(const LogToWindow&) = delete;
+    LogToWindow& operator=(const LogToWindow&) = delete;
+};
 
 int run(const std::string& path, const std::string& socket,
         dollytrack::editor::EditorSettings settings) {
     using namespace dollytrack;
     ui::LogBook log_book;
-    log::setSink([&log_book](const log::Record& record) {
-        log_book.add(record);
-        editor::Window::wake();
-    });
+    std::optional<LogToWindow> log_to_window(std::in_place, log_book);
     auto window = editor::Window::open(settings.window);
     if (!window) {
         std::cerr << "dollytrack-editor: " << describe(window.error()) << "\n";
@@ -49,7 +62,7 @@ int run(const std::string& path, const std::string& socket,
         return shell.frame();
     });
     inspector.reset();
-    log::setSink({});
+    log_to_window.reset();  // what is said from here on nobody sees in the window
     return 0;
 }
 
