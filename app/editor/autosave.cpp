@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <optional>
+#include <utility>
 
 namespace dollytrack::editor {
 namespace {
@@ -28,45 +30,7 @@ std::string localTime(std::filesystem::file_time_type written) {
     return text.data();
 }
 
-}  // namespace
-
-Autosave::Autosave() : file_(folder() / (processMark() + ".dolly")) {}
-
-Autosave::~Autosave() {
-    writer_.finish();
-}
-
-bool Autosave::isDue() const {
-    return std::chrono::steady_clock::now() - last_ >= kInterval && !writer_.state().busy;
-}
-
-void Autosave::store(io::ProjectFile snapshot, const Origin& origin) {
-    last_ = std::chrono::steady_clock::now();
-    ++count_;
-    snapshot.result = nullptr;  // planning makes it again, and the copy stays small
-    snapshot.others[kSection] = {{"project", origin.project.string()},
-                                 {"project_sha256", origin.sha256}};
-    writer_.start([snapshot = std::move(snapshot), file = file_,
-                   old = std::exchange(restored_from_, {})](const JobContext&) {
-        std::error_code ignored;
-        std::filesystem::create_directories(file.parent_path(), ignored);
-        if (const Status status = io::saveProject(snapshot, file); !status) {
-            log::warn("autosave", describe(status.error()));
-        } else if (!old.empty()) {
-            std::filesystem::remove(old, ignored);
-        }
-    });
-}
-
-void Autosave::discard() {
-    // After a copy that is being written, and in its order.
-    writer_.start([file = file_](const JobContext&) {
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
-    });
-}
-
-std::vector<LostWork> Autosave::findLost() {
+std::vector<LostWork> findLost() {
     std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder(), error)) {
@@ -78,7 +42,7 @@ std::vector<LostWork> Autosave::findLost() {
         LostWork work;
         work.file = entry.path();
         nlohmann::json others = file->others;
-        work.project = takeOrigin(others).project;
+        work.project = Autosave::takeOrigin(others).project;
         work.scene = file->scene.filename().string();
         std::error_code ignored;
         const auto written = std::filesystem::last_write_time(entry.path(), ignored);
@@ -89,6 +53,72 @@ std::vector<LostWork> Autosave::findLost() {
     std::vector<LostWork> lost;
     for (auto& [written, work] : found) lost.push_back(std::move(work));
     return lost;
+}
+
+}  // namespace
+
+Autosave::Autosave(std::function<void()> wake)
+    : file_(folder() / (processMark() + ".dolly")), finder_(std::move(wake)) {}
+
+Autosave::~Autosave() {
+    writer_.finish();
+}
+
+void Autosave::hearOfCopies() {
+    const std::optional<Written> news = written_->take();
+    if (!news) return;
+    if (news->status) {
+        if (std::exchange(failing_, false)) log::info("autosave", "copies are written again");
+        if (restored_from_ == news->replaced) restored_from_.clear();
+    } else if (!std::exchange(failing_, true)) {
+        // Said once: the disk stays full for a while.
+        log::warn("autosave", "no copy of the unsaved work: " + describe(news->status.error()) +
+                                  " It is tried again every " + std::to_string(kRetry.count()) +
+                                  " s.");
+    }
+}
+
+bool Autosave::isDue(const CommandStack::State& state) {
+    hearOfCopies();
+    if (writer_.state().busy || (stored_ == state && !failing_)) return false;
+    return std::chrono::steady_clock::now() - last_ >= (failing_ ? kRetry : kInterval);
+}
+
+void Autosave::store(const CommandStack::State& state, io::ProjectFile snapshot,
+                     const Origin& origin) {
+    last_ = std::chrono::steady_clock::now();
+    stored_ = state;
+    ++count_;
+    snapshot.result = nullptr;  // planning makes it again, and the copy stays small
+    snapshot.others[kSection] = {{"project", origin.project.string()},
+                                 {"project_sha256", origin.sha256}};
+    writer_.start([snapshot = std::move(snapshot), file = file_, old = restored_from_,
+                   outbox = written_](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        const Status status = io::saveProject(snapshot, file);
+        if (status && !old.empty()) std::filesystem::remove(old, ignored);
+        outbox->put({old, status});
+    });
+}
+
+void Autosave::discard() {
+    if (!stored_) return;
+    stored_.reset();
+    failing_ = false;
+    // After a copy that is being written, and in its order.
+    writer_.start([file = file_](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+    });
+}
+
+void Autosave::lookForLostWork() {
+    finder_.start([outbox = found_](const JobContext&) { outbox->put(findLost()); });
+}
+
+std::vector<LostWork> Autosave::takeLostWork() {
+    return found_->take().value_or(std::vector<LostWork>());
 }
 
 void Autosave::forget(const LostWork& work) {

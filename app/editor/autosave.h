@@ -1,10 +1,13 @@
 #pragma once
 
+#include "engine/document/command_stack.h"
 #include "engine/io/project_file.h"
 #include "engine/jobs/background_worker.h"
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +22,7 @@ struct LostWork {
 };
 
 /// Keeps a copy of unsaved work in the state folder, written whole in the background, so that a
-/// crash costs at most the interval.
+/// crash costs at most the interval. Main thread only.
 class Autosave {
   public:
     /// The project that a copy's work belongs to.
@@ -28,33 +31,52 @@ class Autosave {
         std::string sha256;             // of that file when the work on it began
     };
 
-    Autosave();
+    /// `wake` is called when lost work was found.
+    explicit Autosave(std::function<void()> wake);
     ~Autosave();
 
-    /// Whether it is time to hand over a new copy.
-    [[nodiscard]] bool isDue() const;
-    void store(io::ProjectFile snapshot, const Origin& origin);
+    /// Once a frame while there is unsaved work: whether it is time to hand over a copy of this
+    /// state, because it is new or the last one could not be written.
+    [[nodiscard]] bool isDue(const CommandStack::State& state);
+    void store(const CommandStack::State& state, io::ProjectFile snapshot, const Origin& origin);
     /// Copies handed over so far.
     [[nodiscard]] int count() const { return count_; }
-    /// Removes the copy that this work was restored from, once the new one is written.
-    void forgetAfterwards(const LostWork& work) { restored_from_ = work.file; }
+    /// Work is open that was restored from this copy (empty: other work): it goes when the first
+    /// new one is written.
+    void replaces(const std::filesystem::path& copy) { restored_from_ = copy; }
     /// The work is saved, or thrown away by its owner: the copy goes.
     void discard();
 
-    /// Copies whose editor no longer runs, newest first.
-    [[nodiscard]] static std::vector<LostWork> findLost();
+    /// Looks in the background for copies whose editor no longer runs.
+    void lookForLostWork();
+    [[nodiscard]] bool looking() const { return finder_.state().busy; }
+    /// What was found, newest first; once.
+    [[nodiscard]] std::vector<LostWork> takeLostWork();
     static void forget(const LostWork& work);
     /// Takes our notes out of a copy's other sections.
     [[nodiscard]] static Origin takeOrigin(nlohmann::json& others);
 
     static constexpr std::chrono::seconds kInterval{5};
+    static constexpr std::chrono::seconds kRetry{10};  // after a copy that could not be written
 
   private:
+    struct Written {
+        std::filesystem::path replaced;
+        Status status;
+    };
+    void hearOfCopies();
+
     std::filesystem::path file_;
     std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;
+    CommandStack::State stored_;  // what the copy holds, or will; null: there is none
+    bool failing_ = false;        // the newest could not be written
     int count_ = 0;
+    std::shared_ptr<Outbox<Written>> written_ = std::make_shared<Outbox<Written>>();
+    std::shared_ptr<Outbox<std::vector<LostWork>>> found_ =
+        std::make_shared<Outbox<std::vector<LostWork>>>();
     BackgroundWorker writer_;
+    BackgroundWorker finder_;
 };
 
 }  // namespace dollytrack::editor

@@ -42,13 +42,15 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       log_(log),
       settings_(std::move(settings)),
       workspace_(&Window::wake),
+      autosave_(&Window::wake),
       drawing_(std::move(drawing), &Window::wake),
       layers_(&Window::wake),
       sheet_(&Window::wake),
       files_(&Window::wake),
       draft_fields_(planning::listFields(draft_)),
       standard_fields_(planning::listFields(standard_)),
-      questions_(workspace_, doors()) {
+      questions_(workspace_, doors()),
+      pictures_(&Window::wake) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
     addCommands();
@@ -82,9 +84,8 @@ void Editor::refreshScene() {
         drawn_geometry_ = 0;
         questions_.forgetProject();
         // The copy was of the project before.
-        if (autosaved_) autosave_.discard();
-        autosaved_.reset();
-        if (!workspace_.wasRestored()) restored_.reset();
+        autosave_.discard();
+        autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
         if (!workspace_.isOpen()) {
             drawing_.setScene(nullptr, nullptr, 0);
@@ -248,12 +249,10 @@ void Editor::autosave() {
     if (!workspace_.isOpen()) return;
     const CommandStack::State& state = workspace_.history().state();
     if (!workspace_.unsaved()) {
-        if (autosaved_) autosave_.discard();
-        autosaved_.reset();
-    } else if (autosaved_ != state && autosave_.isDue()) {
-        autosave_.store(workspace_.snapshot(false), {workspace_.path(), workspace_.fileContent()});
-        autosaved_ = state;
-        if (restored_) autosave_.forgetAfterwards(*std::exchange(restored_, std::nullopt));
+        autosave_.discard();
+    } else if (autosave_.isDue(state)) {
+        autosave_.store(state, workspace_.snapshot(false),
+                        {workspace_.path(), workspace_.fileContent()});
     }
 }
 

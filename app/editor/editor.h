@@ -4,6 +4,7 @@
 #include "app/editor/export_queue.h"
 #include "app/editor/layer_builder.h"
 #include "app/editor/picture_file.h"
+#include "app/editor/picture_saver.h"
 #include "app/editor/questions.h"
 #include "app/editor/settings.h"
 #include "app/editor/window.h"
@@ -48,7 +49,7 @@ class Editor {
 
     void open(const std::filesystem::path& path) { workspace_.open(path); }
     /// Asks what shall become of work that an earlier editor lost.
-    void offerLostWork() { questions_.offer(Autosave::findLost()); }
+    void offerLostWork() { autosave_.lookForLostWork(); }
 
     /// Draws one frame; false ends the program.
     bool frame();
@@ -110,7 +111,6 @@ class Editor {
     void askForFile(const std::string& id);
     void answerFile(const ui::FileAnswer& answer);
     void answerExportFile(const ui::FileAnswer& answer);
-    void savePicture(const std::filesystem::path& path, const ui::PreviewImage& image);
     [[nodiscard]] Questions::Doors doors();
     void openAfterAsking(const std::filesystem::path& path);
     void save();
@@ -209,11 +209,10 @@ class Editor {
 
     // Questions to the user.
     Questions questions_;
-    std::optional<ui::PreviewImage> picture_to_save_;
+    std::optional<ui::PreviewImage> picture_to_save_;  // its file is being chosen
+    PictureSaver pictures_;
     bool scene_wanted_to_restore_ = false;
     std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
-    CommandStack::State autosaved_;
-    std::optional<LostWork> restored_;  // its copy goes when there is a new one
     bool quitting_ = false;
 };
 

@@ -1,9 +1,6 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
-#include "engine/io/durable_file.h"
-#include "engine/io/png_writer.h"
-#include "ui/viewport/false_color.h"
 
 #include <fmt/format.h>
 
@@ -78,56 +75,12 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
-            savePicture(answer.path, *picture_to_save_);
+            pictures_.save(answer.path, std::move(*picture_to_save_),
+                           workspace_.shown().params.camera);
         }
         picture_to_save_.reset();
     } else {
         answerExportFile(answer);
-    }
-}
-
-void Editor::savePicture(const std::filesystem::path& path, const ui::PreviewImage& image) {
-    // Exact values where the format holds them, else the picture one sees.
-    const render::FrameRecord& record = image.record;
-    io::PngFormat format = io::PngFormat::Rgb8;
-    std::vector<std::uint8_t> pixels;
-    const auto asBytes = [&](const std::vector<std::uint16_t>& values) {
-        const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());  // NOLINT
-        pixels.assign(first, first + 2 * values.size());
-        format = io::PngFormat::Gray16;
-    };
-    switch (image.modality) {
-        case ui::Modality::Rgb:
-            pixels = record.rgb;
-            break;
-        case ui::Modality::Depth:
-            asBytes(render::depthInMillimetres(record.depth_m));
-            break;
-        case ui::Modality::Instance:
-            asBytes(record.instance);
-            break;
-        case ui::Modality::Semantic:
-            pixels = record.semantic;
-            format = io::PngFormat::Gray8;
-            break;
-        case ui::Modality::Normal: {
-            render::View view;
-            view.intrinsics = makeIntrinsics(workspace_.shown().params.camera);
-            const std::vector<std::uint8_t> rgba = ui::falseColor(record, view, image.modality);
-            for (std::size_t i = 0; i < rgba.size(); ++i) {
-                if (i % 4 != 3) pixels.push_back(rgba[i]);
-            }
-            break;
-        }
-    }
-    const Status written = io::encodePng(record.width, record.height, format, pixels)
-                               .and_then([&](const std::vector<std::uint8_t>& png) -> Status {
-                                   return io::writeWhole(path, std::span<const std::uint8_t>(png));
-                               });
-    if (!written) {
-        questions_.tell({true, "Cannot save the picture", describe(written.error()), {}});
-    } else {
-        log::info("editor", "saved " + path.string());
     }
 }
 
@@ -147,10 +100,7 @@ Questions::Doors Editor::doors() {
     Questions::Doors doors;
     doors.save = [this] { save(); };
     doors.save_as = [this] { askForFile("save"); };
-    doors.restore = [this](const LostWork& work) {
-        workspace_.restore(work.file);
-        restored_ = work;
-    };
+    doors.restore = [this](const LostWork& work) { workspace_.restore(work.file); };
     doors.find_scene = [this](const std::filesystem::path& project, bool restores) {
         scene_wanted_by_ = project;
         scene_wanted_to_restore_ = restores;
@@ -164,6 +114,12 @@ void Editor::drawDialogs() {
     if (const std::string error = drawing_.takeError(); !error.empty()) {
         log::error("drawing", error);
         questions_.tell({true, "The scene cannot be drawn", error, {}});
+    }
+    if (const std::optional<Error> error = pictures_.takeError()) {
+        questions_.tell({true, "Cannot save the picture", describe(*error), {}});
+    }
+    if (std::vector<LostWork> lost = autosave_.takeLostWork(); !lost.empty()) {
+        questions_.offer(std::move(lost));
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();

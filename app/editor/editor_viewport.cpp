@@ -264,7 +264,9 @@ void Editor::drawCentre() {
     } else if (view.image == nullptr || view.image->serial == 0 ||
                view.image->geometry != workspace_.shown().geometry) {
         view.image = nullptr;
-        view.message = "Preparing the scene …";
+        const bool failed = !workspace_.shown().scene && !workspace_.planError().empty();
+        view.message = failed ? "The scene cannot be shown: " + workspace_.planError()
+                              : "Preparing the scene …";
     }
     view.locked = through_camera_;
     if (through_camera_) {

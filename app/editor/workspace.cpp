@@ -68,7 +68,7 @@ void Workspace::close() {
     lit_rooms_.clear();
     ++serial_;
     ++document_;
-    restored_ = false;
+    restored_from_.clear();
     changed_file_.reset();
     stack_.reset({});
     newly_opened_ = true;
@@ -110,8 +110,9 @@ void Workspace::finishOpening(LoadOutcome outcome) {
             outcome.opened->file_sha256 = std::move(origin.sha256);
         }
         install(std::move(*outcome.opened));
-        restored_ = outcome.restored;
-        if (restored_) stack_.markUnsaved();
+        if (!outcome.restored) return;
+        restored_from_ = outcome.path;
+        stack_.markUnsaved();
         return;
     }
     const Error& error = outcome.opened.error();
@@ -186,7 +187,14 @@ void Workspace::finishSaving(SaveOutcome outcome) {
 }
 
 Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
-    if (!isOpen() || !shown_.scene) {
+    if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
+    if (!shown_.scene && shown_.error) {
+        return fail(shown_.error->code,
+                    "There is no scene to edit, since the last change failed; undo it. " +
+                        shown_.error->message,
+                    shown_.error->where);
+    }
+    if (!shown_.scene) {
         return fail(ErrorCode::Failed, "The scene is still being prepared; try again in a moment.");
     }
     if (!(shown_.state->edits.scene.definitions == state().edits.scene.definitions)) {

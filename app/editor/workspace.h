@@ -96,8 +96,8 @@ class Workspace {
     [[nodiscard]] std::optional<Notice> takeNotice();
     /// Why the newest request gave no plan; empty when it did.
     [[nodiscard]] std::string planError() const;
-    /// Whether the open project is work that a crash had left.
-    [[nodiscard]] bool wasRestored() const { return restored_; }
+    /// The copy from which the open project was restored; empty: it was not.
+    [[nodiscard]] const std::filesystem::path& restoredFrom() const { return restored_from_; }
     /// SHA-256 of the project's file as this editor knows it; empty: not saved yet.
     [[nodiscard]] std::string fileContent() const { return known_files_->contentOf(path()); }
     /// Whether a new project was opened since the last call.
@@ -135,7 +135,7 @@ class Workspace {
     std::uint64_t document_ = 0;  // rises with every project that is opened
     std::uint64_t save_serial_ = 0;
     std::uint64_t saves_answered_ = 0;
-    bool restored_ = false;
+    std::filesystem::path restored_from_;
     bool file_has_plan_ = false;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();

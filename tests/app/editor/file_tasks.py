@@ -216,6 +216,22 @@ class Files(Task):
         self.assertEqual(state["plan"], before["plan"])
         self.assertTrue(state["unsaved"])
 
+    def test_a_copy_that_cannot_be_written_is_tried_again(self):
+        copies = self.folder / "home" / "state" / "dollytrack" / "autosave"
+        copies.parent.mkdir(parents=True)
+        copies.write_text("in the way, as a full disk would be")
+        self.start_project()
+        before = self.editor.state()["log_version"]
+        self.set_parameter("fill", "0.45")
+        self.editor.wait(lambda state: state["autosaves"] > 0, "the first attempt")
+        time.sleep(2)
+        state = self.editor.state()
+        self.assertEqual(state["autosaves"], 1, "not at once again")
+        self.assertLessEqual(state["log_version"] - before, 4)
+        copies.unlink()
+        self.editor.wait(lambda state: state["autosaves"] > 1, "the second attempt", 20)
+        self.wait_copy('"fill": 0.45')
+
     def test_restored_work_does_not_overwrite_what_was_saved_since(self):
         self.start_project()
         self.set_parameter("fill", "0.45")

@@ -1,0 +1,103 @@
+#include "app/editor/picture_saver.h"
+
+#include "engine/core/log.h"
+#include "engine/io/durable_file.h"
+#include "engine/io/png_writer.h"
+#include "ui/viewport/false_color.h"
+
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+/// Rows of pixels as the PNG format wants them.
+struct Pixels {
+    io::PngFormat format = io::PngFormat::Rgb8;
+    std::vector<std::uint8_t> bytes;
+};
+
+Pixels gray16(const std::vector<std::uint16_t>& values) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());  // NOLINT
+    return {io::PngFormat::Gray16, {first, first + 2 * values.size()}};
+}
+
+Pixels pixelsOf(const ui::PreviewImage& image, const CameraParams& camera) {
+    const render::FrameRecord& record = image.record;
+    switch (image.modality) {
+        case ui::Modality::Rgb:
+            return {io::PngFormat::Rgb8, record.rgb};
+        case ui::Modality::Depth:
+            return gray16(render::depthInMillimetres(record.depth_m));
+        case ui::Modality::Instance:
+            return gray16(record.instance);
+        case ui::Modality::Semantic:
+            return {io::PngFormat::Gray8, record.semantic};
+        case ui::Modality::Normal:
+            break;
+    }
+    render::View view;
+    view.intrinsics = makeIntrinsics(camera);
+    const std::vector<std::uint8_t> rgba = ui::falseColor(record, view, image.modality);
+    Pixels pixels;
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+        if (i % 4 != 3) pixels.bytes.push_back(rgba[i]);
+    }
+    return pixels;
+}
+
+Status write(const std::filesystem::path& file, const ui::PreviewImage& image,
+             const CameraParams& camera) {
+    const Pixels pixels = pixelsOf(image, camera);
+    return io::encodePng(image.record.width, image.record.height, pixels.format, pixels.bytes)
+        .and_then([&](const std::vector<std::uint8_t>& png) -> Status {
+            return io::writeWhole(file, std::span<const std::uint8_t>(png));
+        });
+}
+
+}  // namespace
+
+PictureSaver::PictureSaver(std::function<void()> wake) : writer_(std::move(wake)) {}
+
+PictureSaver::~PictureSaver() {
+    writer_.finish();
+}
+
+void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage image,
+                        const CameraParams& camera) {
+    {
+        const std::lock_guard lock(desk_->mutex);
+        desk_->orders.push_back({file, std::move(image), camera});
+    }
+    // The worker drops a piece of work that waits for a newer one: so each takes all orders.
+    writer_.start([desk = desk_](const JobContext&) {
+        while (true) {
+            std::vector<Order> orders;
+            {
+                const std::lock_guard lock(desk->mutex);
+                orders.swap(desk->orders);
+            }
+            if (orders.empty()) return;
+            for (const Order& order : orders) {
+                const Status written = write(order.file, order.image, order.camera);
+                if (written) {
+                    log::info("editor", "saved " + order.file.string());
+                } else {
+                    const std::lock_guard lock(desk->mutex);
+                    desk->errors.push_back(written.error());
+                }
+            }
+        }
+    });
+}
+
+std::optional<Error> PictureSaver::takeError() {
+    const std::lock_guard lock(desk_->mutex);
+    if (desk_->errors.empty()) return std::nullopt;
+    Error first = std::move(desk_->errors.front());
+    desk_->errors.erase(desk_->errors.begin());
+    return first;
+}
+
+}  // namespace dollytrack::editor
