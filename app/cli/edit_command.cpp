@@ -2,6 +2,7 @@
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/scene_arguments.h"
+#include "app/project/read_project.h"
 #include "engine/document/operation.h"
 
 #include <fmt/format.h>
@@ -84,11 +85,11 @@ Status checkArguments(const EditArguments& arguments) {
         return fail(ErrorCode::Usage,
                     "Say what to edit: give --script or --op; --list tells what.");
     }
-    if (arguments.out.empty() && !isProject(arguments.scene.path)) {
+    if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
                     arguments.scene.path);
     }
-    if (!arguments.out.empty() && !isProject(arguments.out)) {
+    if (!arguments.out.empty() && !isProjectFile(arguments.out)) {
         return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
     }
     return {};

@@ -1,9 +1,9 @@
 #include "app/cli/scene_arguments.h"
 
+#include "app/project/read_project.h"
 #include "engine/core/log.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
-#include "engine/io/import_settings.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -43,10 +43,6 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
 }
 
 }  // namespace
-
-bool isProject(const std::filesystem::path& path) {
-    return path.extension() == ".dolly";
-}
 
 Status applyEdits(OpenedScene& opened, Edits edits) {
     opened.edits = std::move(edits);
@@ -112,70 +108,37 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
+    Result<ProjectContent> read = readProject(arguments.path);
+    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    const planning::PlanParams stored = read->params;
+    const nlohmann::json stored_import = read->import;
+    if (Status status = applyArguments(arguments, read->params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    read->import = importSettings(arguments, stored_import);
+    Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
+    if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
+    for (const std::string& warning : (*imported)->report.warnings) log::warn("import", warning);
     OpenedScene opened;
-    std::filesystem::path scene_path = arguments.path;
-    std::string planned_sha256;
-    nlohmann::json stored_import = nlohmann::json::object();
-    planning::PlanParams stored;
-    Edits edits;
-    if (isProject(arguments.path)) {
-        Result<io::ProjectFile> project = io::loadProject(arguments.path);
-        if (!project) return tl::unexpected<Error>(std::move(project.error()));
-        Status status = setFromJson(planning::listFields(stored), project->parameters);
-        if (!status) {
-            status.error().where = arguments.path + ": " + status.error().where;
-            return tl::unexpected<Error>(std::move(status.error()));
-        }
-        scene_path = project->scene;
-        std::error_code error;
-        if (!std::filesystem::exists(scene_path, error)) {
-            return fail(ErrorCode::BadInput,
-                        "The project's scene " + scene_path.string() +
-                            " is gone; put it back, or correct scene.path in the project.",
-                        arguments.path);
-        }
-        planned_sha256 = project->scene_sha256;
-        stored_import = std::move(project->import);
-        Result<Edits> read = editsFromJson(project->edits);
-        if (!read) {
-            read.error().where = arguments.path + ": " + read.error().where;
-            return tl::unexpected<Error>(std::move(read.error()));
-        }
-        edits = std::move(*read);
-        opened.edits_section = std::move(project->edits);
-        opened.stored_result = std::move(project->result);
-        opened.project_others = std::move(project->others);
-    }
-    opened.params = stored;
-    if (Status status = applyArguments(arguments, opened.params); !status) {
+    opened.imported = std::move(*imported);
+    opened.params = read->params;
+    opened.import = read->import;
+    opened.stored_result = std::move(read->result);
+    opened.edits_section = std::move(read->edits_section);
+    opened.project_others = std::move(read->others);
+    if (Status status = applyEdits(opened, std::move(read->edits)); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    opened.import = importSettings(arguments, stored_import);
-    Result<ImportOptions> options = io::importOptionsFromJson(opened.import);
-    if (!options) return tl::unexpected<Error>(std::move(options.error()));
-    options->small_volume_m3 = opened.params.targets.small_volume_m3;
-    options->size_ratio = opened.params.targets.size_ratio;
-    Result<Scene> scene = importScene(scene_path, *options, job);
-    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-    opened.imported = std::make_shared<const Scene>(std::move(*scene));
-    for (const std::string& warning : opened.imported->report.warnings) {
-        log::warn("import", warning);
-    }
-    if (Status status = applyEdits(opened, std::move(edits)); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
-    }
-    if (!opened.stored_result.is_null()) {
-        const bool other_scene = planned_sha256 != opened.scene->source_sha256;
-        const bool other_import = opened.import != stored_import;
-        if (other_scene || other_import || !(stored == opened.params)) {
-            const std::string changed =
-                other_import ? "how to read the scene" : changedNames(stored, opened.params);
-            log::warn("project", other_scene ? "the scene file has changed since it was planned: "
-                                               "planning again"
-                                             : "changed since it was planned: " + changed +
-                                                   "; planning again");
-            opened.stored_result = nullptr;
-        }
+    if (opened.stored_result.is_null()) return opened;
+    const bool other_scene = read->planned_sha256 != opened.imported->source_sha256;
+    const bool other_import = opened.import != stored_import;
+    if (other_scene || other_import || !(stored == opened.params)) {
+        const std::string changed =
+            other_import ? "how to read the scene" : changedNames(stored, opened.params);
+        log::warn("project", other_scene
+                                 ? "the scene file has changed since it was planned: planning again"
+                                 : "changed since it was planned: " + changed + "; planning again");
+        opened.stored_result = nullptr;
     }
     return opened;
 }

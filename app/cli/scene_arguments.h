@@ -49,8 +49,6 @@ struct OpenedScene {
     nlohmann::json project_others = nlohmann::json::object();  // what else the project holds
 };
 
-bool isProject(const std::filesystem::path& path);
-
 /// Applies edits to the imported scene; what they name and is gone is warned of. Error: BadInput.
 Status applyEdits(OpenedScene& opened, Edits edits);
 

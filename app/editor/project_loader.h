@@ -1,14 +1,13 @@
 #pragma once
 
+#include "app/project/read_project.h"
 #include "engine/core/result.h"
 #include "engine/document/project_state.h"
-#include "engine/io/project_file.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,14 +27,7 @@ struct OpenedProject {
     std::vector<std::string> warnings;                       // what the user should know
 };
 
-/// Opens a scene file or a project. `scene_instead` takes the place of a project's own scene file,
-/// when that has moved. Errors as io::loadProject() and importScene(); BadInput for parameters that
-/// do not fit.
-Result<OpenedProject> openProject(const std::filesystem::path& path,
-                                  const std::optional<std::filesystem::path>& scene_instead,
-                                  const JobContext& job);
-
-/// Whether the path names a project rather than a scene.
-[[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
+/// Opens what was read. Errors as importSceneOf().
+Result<OpenedProject> openProject(ProjectContent content, const JobContext& job);
 
 }  // namespace dollytrack::editor

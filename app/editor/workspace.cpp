@@ -44,16 +44,15 @@ void Workspace::load(const std::filesystem::path& path,
     loader_.start([absolute, scene_instead, restored, outbox = loaded_](const JobContext& job) {
         LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
         try {
-            outcome.opened = openProject(absolute, scene_instead, job);
+            Result<ProjectContent> content = readProject(absolute);
+            if (content && scene_instead) content->scene_file = *scene_instead;
+            outcome.scene_is_missing = content && sceneIsGone(*content);
+            outcome.opened = std::move(content).and_then(
+                [&](ProjectContent&& read) { return openProject(std::move(read), job); });
         } catch (const std::exception& error) {
             outcome.opened = fail(ErrorCode::Failed,
                                   std::string("The scene cannot be loaded: ") + error.what() + ".",
                                   absolute.string());
-        }
-        if (!outcome.opened && isProjectFile(absolute)) {
-            const Result<io::ProjectFile> file = io::loadProject(absolute);
-            std::error_code error;
-            outcome.scene_is_missing = file && !std::filesystem::exists(file->scene, error);
         }
         outbox->put(std::move(outcome));
     });

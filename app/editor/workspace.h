@@ -4,6 +4,7 @@
 #include "app/editor/live_planner.h"
 #include "app/editor/project_loader.h"
 #include "engine/document/command_stack.h"
+#include "engine/io/project_file.h"
 #include "engine/jobs/background_worker.h"
 #include "render/light_volume.h"
 

@@ -182,8 +182,11 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     ExportRequest request;
     request.name = view.project;
     request.folder = draft.folder;
-    request.range = fmt::format("{}:{}:{}", frames.begin, frames.end, frames.step);
-    // All is what the program does unasked, also those of a later version.
+    // All is what the program does unasked, also those of a later version; and what is begun here
+    // can be continued there without naming the frames.
+    if (frames.begin != 0 || frames.end != view.frame_count || frames.step != 1) {
+        request.range = fmt::format("{}:{}:{}", frames.begin, frames.end, frames.step);
+    }
     if (!draft.left_out_modalities.empty()) {
         request.modalities = chosen(view.modalities, draft.left_out_modalities);
     }

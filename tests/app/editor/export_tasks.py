@@ -120,6 +120,7 @@ class Exporting(Task):
         self.start_project("--max-frames", "60")
         first = self.queue(self.folder / "first")
         self.press_in_panel("export.hold")
+        self.editor.wheel(self.panel_place(), 30)  # back to the settings
         self.queue(self.folder / "second")
         self.press_job(first, "cancel")
         self.finished(first, CANCELLED)

@@ -1,0 +1,73 @@
+#include "app/project/read_project.h"
+
+#include "engine/document/edits_json.h"
+#include "engine/io/import_settings.h"
+#include "engine/io/project_file.h"
+#include "engine/io/scene_import.h"
+
+#include <utility>
+
+namespace dollytrack {
+namespace {
+
+tl::unexpected<Error> in(const std::filesystem::path& file, Error error) {
+    error.where = file.string() + ": " + error.where;
+    return tl::unexpected<Error>(std::move(error));
+}
+
+}  // namespace
+
+bool isProjectFile(const std::filesystem::path& path) {
+    return path.extension() == ".dolly";
+}
+
+Result<ProjectContent> readProject(const std::filesystem::path& path) {
+    ProjectContent content;
+    content.scene_file = path;
+    if (!isProjectFile(path)) return content;
+    Result<io::ProjectFile> file = io::loadProject(path);
+    if (!file) return tl::unexpected<Error>(std::move(file.error()));
+    Status fits = setFromJson(planning::listFields(content.params), file->parameters);
+    if (!fits) return in(path, std::move(fits.error()));
+    Result<Edits> edits = editsFromJson(file->edits);
+    if (!edits) return in(path, std::move(edits.error()));
+    content.project = path;
+    content.scene_file = std::move(file->scene);
+    content.import = std::move(file->import);
+    content.edits = std::move(*edits);
+    content.result = std::move(file->result);
+    content.planned_sha256 = std::move(file->scene_sha256);
+    content.file_sha256 = std::move(file->file_sha256);
+    content.edits_section = std::move(file->edits);
+    content.others = std::move(file->others);
+    return content;
+}
+
+bool sceneIsGone(const ProjectContent& content) {
+    std::error_code error;
+    return !content.project.empty() && !std::filesystem::exists(content.scene_file, error);
+}
+
+Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
+                                                   const JobContext& job) {
+    if (sceneIsGone(content)) {
+        return fail(ErrorCode::BadInput,
+                    "The project's scene " + content.scene_file.string() +
+                        " is gone; put it back, or say where it is now (scene.path in the "
+                        "project).",
+                    content.project.string());
+    }
+    Result<ImportOptions> options = io::importOptionsFromJson(content.import);
+    if (!options) return tl::unexpected<Error>(std::move(options.error()));
+    options->small_volume_m3 = content.params.targets.small_volume_m3;
+    options->size_ratio = content.params.targets.size_ratio;
+    Result<Scene> scene = importScene(content.scene_file, *options, job);
+    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+bool sceneHasChanged(const ProjectContent& content, const Scene& imported) {
+    return !content.planned_sha256.empty() && content.planned_sha256 != imported.source_sha256;
+}
+
+}  // namespace dollytrack
