@@ -198,8 +198,10 @@ TEST(ExportQueue, WorksInTheOrderShownAndNotWhileHeld) {
     queue.remove(d);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     EXPECT_FALSE(fs::exists(program.file("order")));
+    EXPECT_EQ(queue.unfinished(), 3);  // those that wait count: leaving would lose them
     queue.hold(false);
     for (const int id : {a, b, c}) EXPECT_EQ(endOf(queue, id), ExportState::Done);
+    EXPECT_EQ(queue.unfinished(), 0);
     EXPECT_EQ(contentOf(program.file("order")), program.file("c").string() + "\n" +
                                                     program.file("b").string() + "\n" +
                                                     program.file("a").string() + "\n");

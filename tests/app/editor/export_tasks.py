@@ -116,19 +116,6 @@ class Exporting(Task):
         self.by_command_line(same)
         self.assertEqual(self.hashes(out), self.hashes(same))
 
-    def test_an_export_that_waits_is_not_forgotten_when_one_leaves(self):
-        self.start_project("--max-frames", "60")
-        first = self.queue(self.folder / "first")
-        self.press_in_panel("export.hold")
-        self.editor.wheel(self.panel_place(), 30)  # back to the settings
-        self.queue(self.folder / "second")
-        self.press_job(first, "cancel")
-        self.finished(first, CANCELLED)
-        self.editor.close_window()
-        self.editor.wait(lambda now: now["dialogs"]["exports"], "the question")
-        self.assertFalse(self.editor.key("esc")["dialogs"]["exports"])
-        self.assertTrue(self.editor.alive())
-
     def saved_preview(self, modality, frame):
         self.editor.type_value("timeline.frame", str(frame))
         if modality != "rgb":
