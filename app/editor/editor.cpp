@@ -2,7 +2,6 @@
 
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
-#include "ui/panels/timeline_data.h"
 #include "ui/theme.h"
 #include "ui/widgets/splitter.h"
 
@@ -12,16 +11,6 @@
 
 namespace dollytrack::editor {
 namespace {
-
-/// The position point of an observation point; -1: it has none.
-int positionPointFor(const Plan& plan, int observation_point) {
-    for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
-        if (plan.position_points[i].observation_point == observation_point) {
-            return static_cast<int>(i);
-        }
-    }
-    return -1;
-}
 
 constexpr ImGuiWindowFlags kPart = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -47,15 +36,14 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       layers_(&Window::wake),
       sheet_(&Window::wake),
       files_(&Window::wake),
-      draft_fields_(planning::listFields(draft_)),
-      standard_fields_(planning::listFields(standard_)),
+      sent_scene_(drawing_),
       questions_(workspace_, doors()),
       pictures_(&Window::wake) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
     addCommands();
     makeExportQueue();
-    for (const Field& field : standard_fields_) {
+    for (const Field& field : parameters_.standard()) {
         palette_parameters_.push_back({field.name, std::string(field.text())});
     }
 }
@@ -73,15 +61,11 @@ void Editor::setTheme() {
 
 void Editor::refreshScene() {
     if (workspace_.takeOpened()) {
-        selection_ = {};
-        hidden_.clear();
-        frame_ = 0;
-        step_ = 0;
-        playing_ = false;
+        selected_.clear();
+        playback_.reset();
+        step_playback_.goTo(0);
         through_camera_ = false;
-        scene_sent_ = false;
-        scene_framed_ = false;
-        drawn_geometry_ = 0;
+        sent_scene_.forget();
         questions_.forgetProject();
         // The copy was of the project before.
         autosave_.discard();
@@ -95,61 +79,25 @@ void Editor::refreshScene() {
         }
     }
     const PlanOutcome& shown = workspace_.shown();
-    if (!shown.scene) return;
-    if (shown.plan.get() != plan_seen_) {
-        plan_seen_ = shown.plan.get();
-        ++plan_serial_;
-        timeline_keys_.clear();
-        timeline_bands_.clear();
-        if (shown.plan) {
-            timeline_keys_ = ui::timelineKeys(*shown.scene, *shown.plan);
-            timeline_bands_ = ui::timelineBands(*shown.plan);
-            step_ = std::min(step_, shown.plan->roadmap.steps.steps.size());
+    if (plan_timeline_.follow(shown.scene.get(), shown.plan)) {
+        playback_.setFrameCount(frameCount());
+        if (plan() != nullptr) {
+            step_playback_.goTo(
+                std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
         }
-        frame_ = std::clamp(frame_, 0, std::max(frameCount() - 1, 0));
         // Indices into the plan before mean nothing in this one.
-        if (selection_.objects.empty() && selection_.kind != ui::Selection::Kind::Voxel &&
-            selection_.kind != ui::Selection::Kind::NoGoBox && !gizmo_pose_) {
-            keepSelection();
-        }
+        if (!gizmo_.draggedPose() && !selected_.keepIn(plan())) dropGizmo();
     }
-    const auto light = workspace_.light();
-    if (scene_sent_ && drawn_scene_ == shown.scene.get() && drawn_light_ == light.get()) return;
-    if (drawn_geometry_ != shown.geometry) {
-        hidden_.assign(shown.scene->objects.size() + 1, false);
-        std::erase_if(selection_.objects, [&](int id) {
-            return static_cast<std::size_t>(id) > shown.scene->objects.size();
-        });
-        if (selection_.objects.empty()) selection_ = {};
-    }
-    drawing_.setScene(shown.scene, light, shown.geometry);
-    drawn_geometry_ = shown.geometry;
-    drawn_scene_ = shown.scene.get();
-    drawn_light_ = light.get();
-    scene_sent_ = true;
+    if (!shown.scene) return;
+    if (sent_scene_.send(shown, workspace_.light())) selected_.keepIn(*shown.scene);
 }
 
 void Editor::play() {
-    if (!playing_ || plan() == nullptr || frameCount() < 2) {
-        playing_ = false;
-        return;
-    }
+    if (!playback_.playing()) return;
     window_.animate();
-    played_s_ += ImGui::GetIO().DeltaTime * timeline_.speed;
-    const double interval = plan()->trajectory.frame_interval_s;
-    const int ahead = static_cast<int>(played_s_ / interval);
-    if (ahead == 0) return;
-    played_s_ -= ahead * interval;
-    int next = frame_ + ahead;
-    if (next >= frameCount()) {
-        if (timeline_.loop) {
-            next %= frameCount();
-        } else {
-            next = frameCount() - 1;
-            playing_ = false;
-        }
-    }
-    frame_ = next;
+    const double interval_s = plan() != nullptr ? plan()->trajectory.frame_interval_s : 1.0;
+    playback_.advance(ImGui::GetIO().DeltaTime * panels_.timeline.speed / interval_s,
+                      panels_.timeline.loop);
 }
 
 bool Editor::frame() {
@@ -163,7 +111,7 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     play();
-    if (!files_.isOpen() && !palette_.open && !help_.open && !sheet_.isOpen() &&
+    if (!files_.isOpen() && !panels_.palette.open && !panels_.help.open && !sheet_.isOpen() &&
         !questions_.waiting()) {
         commands_.runShortcuts();
         runKeypad();
@@ -206,7 +154,7 @@ void Editor::arrange() {
         drawRight();
         ImGui::End();
     }
-    if (!layout.show_bottom) stepping_ = false;
+    if (!layout.show_bottom) step_playback_.show(false);
     if (layout.show_bottom) {
         beginPart("bottom", {low.x, low.y + middle}, {size.x, bottom});
         drawBottom();
@@ -268,92 +216,52 @@ void Editor::applyRequest(const ui::EditRequest& request) {
 }
 
 void Editor::dropGizmo() {
-    if (gizmo_.dragged != ui::GizmoPart::None) workspace_.endMerge();
-    gizmo_ = {};
-    gizmo_pose_.reset();
+    if (gizmo_.dragging()) workspace_.endMerge();
+    gizmo_.drop();
 }
 
 void Editor::select(ui::Selection selection) {
-    if (!(selection == selection_)) dropGizmo();
-    selection_ = std::move(selection);
-    selected_point_objects_ = objectsOfSelectedPoint();
+    if (!(selection == selected_.now())) dropGizmo();
+    selected_.set(std::move(selection), plan());
     // One wants to see what a point sees.
-    preview_.shows_selection = selection_.kind == ui::Selection::Kind::PositionPoint;
-    if (selection_.kind == ui::Selection::Kind::Frame) goToFrame(selection_.index);
-    if (!selection_.objects.empty()) objects_.scroll_to = selection_.objects.back();
-    if (selection_.kind != ui::Selection::Kind::None) focus_tab_ = "Selection";
+    panels_.preview.shows_selection = selected_.is(ui::Selection::Kind::PositionPoint);
+    if (selected_.is(ui::Selection::Kind::Frame)) goToFrame(selected_.now().index);
+    if (!selected_.objects().empty()) panels_.objects.scroll_to = selected_.objects().back();
+    if (!selected_.is(ui::Selection::Kind::None)) focus_tab_ = "Selection";
 }
 
 void Editor::selectObject(int object, bool add) {
-    std::vector<int> objects = add ? selection_.objects : std::vector<int>();
-    const auto at = std::ranges::find(objects, object);
-    if (at != objects.end()) {
-        objects.erase(at);
-    } else if (object != 0) {
-        objects.push_back(object);
-    }
-    ui::Selection selection;
-    if (!objects.empty()) {
-        selection.kind =
-            objects.size() == 1 ? ui::Selection::Kind::Object : ui::Selection::Kind::Objects;
-    }
-    selection.objects = std::move(objects);
-    select(std::move(selection));
-}
-
-void Editor::keepSelection() {
-    using Kind = ui::Selection::Kind;
-    if (selection_.kind == Kind::None) return;
-    const Plan* now = plan();
-    const auto fits = [&](std::size_t count) {
-        return selection_.index >= 0 && static_cast<std::size_t>(selection_.index) < count;
-    };
-    // A frame is a moment; a point is what it looks at; other numbers mean something else now.
-    if (now != nullptr && selection_.kind == Kind::Frame && fits(now->trajectory.frames.size())) {
-        return;
-    }
-    if (now != nullptr && !selected_point_objects_.empty()) {
-        for (std::size_t i = 0; i < now->observation_points.size(); ++i) {
-            if (now->observation_points[i].objects != selected_point_objects_) continue;
-            const int found = selection_.kind == Kind::ObservationPoint
-                                  ? static_cast<int>(i)
-                                  : positionPointFor(*now, static_cast<int>(i));
-            if (found < 0) break;
-            selection_.index = found;
-            return;
-        }
-    }
-    selection_ = {};
-    dropGizmo();
+    select(selected_.withObject(object, add));
 }
 
 void Editor::goToFrame(int frame) {
-    frame_ = std::clamp(frame, 0, std::max(frameCount() - 1, 0));
-    preview_.shows_selection = false;
+    playback_.goTo(frame);
+    panels_.preview.shows_selection = false;
 }
 
 void Editor::lookThroughFrame(bool through) {
     if (through == through_camera_) return;
     through_camera_ = through;
-    if (through || plan() == nullptr || frame_ >= frameCount()) return;
+    if (through || plan() == nullptr || playback_.frame() >= frameCount()) return;
     // Leaves the camera where it was, so that one goes on looking from there.
-    viewport_.camera.orthographic = false;
-    viewport_.camera.standAt(plan()->trajectory.frames[static_cast<std::size_t>(frame_)].pose, 1.5);
+    panels_.viewport.camera.orthographic = false;
+    panels_.viewport.camera.standAt(
+        plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose, 1.5);
 }
 
 void Editor::lookAlongPose(const Pose& pose) {
     through_camera_ = false;
-    viewport_.camera.orthographic = false;
-    viewport_.camera.standAt(pose, 1.5);
+    panels_.viewport.camera.orthographic = false;
+    panels_.viewport.camera.standAt(pose, 1.5);
 }
 
 void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
     if (box.isEmpty()) return;
     lookThroughFrame(false);
-    ui::ViewerCamera camera = viewport_.camera;
+    ui::ViewerCamera camera = panels_.viewport.camera;
     camera.frame(box, static_cast<double>(pane_.width) / std::max(pane_.height, 1));
     camera.distance = std::max(camera.distance, 0.8);
-    viewport_.camera = camera;
+    panels_.viewport.camera = camera;
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.rays || camera.orthographic) return;
     // Small things stand in front of walls and inside furniture: of the directions near the present
@@ -372,7 +280,7 @@ void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
             const bool from_above = !building.contains(eye) && tried.elevation > 0.5;
             if (!from_above && tried.distance > radius && !shown.rays->sees(eye, border)) continue;
             if (!from_above && !building.contains(eye)) continue;
-            viewport_.camera = tried;
+            panels_.viewport.camera = tried;
             return;
         }
     }
@@ -386,55 +294,13 @@ void Editor::runKeypad() {
     }
 }
 
-std::vector<int> Editor::objectsOfSelectedPoint() const {
-    using Kind = ui::Selection::Kind;
-    if (plan() == nullptr || selection_.index < 0) return {};
-    auto index = static_cast<std::size_t>(selection_.index);
-    if (selection_.kind == Kind::PositionPoint && index < plan()->position_points.size()) {
-        index = static_cast<std::size_t>(plan()->position_points[index].observation_point);
-    } else if (selection_.kind != Kind::ObservationPoint) {
-        return {};
-    }
-    if (index >= plan()->observation_points.size()) return {};
-    return plan()->observation_points[index].objects;
-}
-
 int Editor::frameCount() const {
     return plan() != nullptr ? static_cast<int>(plan()->trajectory.frames.size()) : 0;
 }
 
 Eigen::AlignedBox3d Editor::selectedBox() const {
-    using Kind = ui::Selection::Kind;
-    Eigen::AlignedBox3d box;
-    const auto& scene = workspace_.shown().scene;
-    if (!scene) return box;
-    for (const int id : selection_.objects) {
-        for (const Eigen::Vector3d& corner : scene->object(id).box.corners()) box.extend(corner);
-    }
-    const auto around = [&](const Eigen::Vector3d& place) {
-        box.extend(place - Eigen::Vector3d::Constant(0.4));
-        box.extend(place + Eigen::Vector3d::Constant(0.4));
-    };
-    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
-    if (selection_.kind == Kind::Voxel) around(selection_.place);
-    if (plan() != nullptr) {
-        if (selection_.kind == Kind::PositionPoint && index < plan()->position_points.size()) {
-            around(plan()->position_points[index].pose.position);
-        }
-        if (selection_.kind == Kind::ObservationPoint &&
-            index < plan()->observation_points.size()) {
-            around(plan()->observation_points[index].position);
-        }
-        if (selection_.kind == Kind::Frame && index < plan()->trajectory.frames.size()) {
-            around(plan()->trajectory.frames[index].pose.position);
-        }
-    }
-    if (selection_.kind == Kind::NoGoBox && index < workspace_.state().edits.plan.no_go.size()) {
-        for (const auto& corner : workspace_.state().edits.plan.no_go[index].box.corners()) {
-            box.extend(corner);
-        }
-    }
-    return box;
+    if (!workspace_.shown().scene) return {};
+    return selected_.box(*workspace_.shown().scene, plan(), workspace_.state().edits.plan.no_go);
 }
 
 std::optional<OrientedBox> Editor::boxAroundSelection() const {

@@ -2,32 +2,30 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/export_queue.h"
+#include "app/editor/gizmo_session.h"
 #include "app/editor/layer_builder.h"
+#include "app/editor/panel_states.h"
+#include "app/editor/parameter_draft.h"
 #include "app/editor/picture_file.h"
 #include "app/editor/picture_saver.h"
+#include "app/editor/plan_timeline.h"
+#include "app/editor/playback.h"
 #include "app/editor/questions.h"
+#include "app/editor/selected.h"
+#include "app/editor/sent_scene.h"
 #include "app/editor/settings.h"
+#include "app/editor/step_playback.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
 #include "ui/edit_request.h"
 #include "ui/layers.h"
 #include "ui/panels/export_panel.h"
-#include "ui/panels/history_panel.h"
-#include "ui/panels/image_viewer.h"
 #include "ui/panels/log_panel.h"
-#include "ui/panels/objects_panel.h"
-#include "ui/panels/preview_panel.h"
-#include "ui/panels/selection_panel.h"
-#include "ui/panels/steps_panel.h"
-#include "ui/panels/timeline_panel.h"
-#include "ui/selection.h"
-#include "ui/viewport/gizmo.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/viewport_pane.h"
 #include "ui/widgets/command_palette.h"
 #include "ui/widgets/command_table.h"
 #include "ui/widgets/file_browser.h"
-#include "ui/widgets/help_overlay.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -120,12 +118,10 @@ class Editor {
     void applyRequest(const ui::EditRequest& request);
     void select(ui::Selection selection);
     void selectObject(int object, bool add);
-    void keepSelection();
     void goToFrame(int frame);
     void lookThroughFrame(bool through);
     void lookAlongPose(const Pose& pose);
     void dropGizmo();
-    [[nodiscard]] std::vector<int> objectsOfSelectedPoint() const;
     void bringIntoView(const Eigen::AlignedBox3d& box);
     void lockSelectedPoint();
     void deleteSelected();
@@ -154,58 +150,25 @@ class Editor {
     std::string why_no_export_;
     std::string why_no_folders_;
     PictureFile sheet_;
-    ui::ImageViewerState sheet_state_;
-    ui::ExportDraft export_draft_;
     ui::FileBrowser files_;
 
     // What is chosen and shown.
-    ui::Selection selection_;
-    std::vector<int> selected_point_objects_;  // ids; finds a point again in the next plan
+    Selected selected_;
     ui::LayerSettings layer_settings_;
-    std::vector<bool> hidden_;  // by object id
-    int frame_ = 0;             // of the trajectory
-    bool playing_ = false;
-    double played_s_ = 0.0;  // since the last whole frame
+    Playback playback_;
+    StepPlayback step_playback_;
     bool through_camera_ = false;
-    std::size_t step_ = 0;   // of the algorithm
-    bool stepping_ = false;  // its picture is shown
-    bool steps_playing_ = false;
-    double steps_played_ = 0.0;
-    std::uint64_t plan_serial_ = 0;
-    const void* plan_seen_ = nullptr;
+    GizmoSession gizmo_;
+    PlanTimeline plan_timeline_;
+    SentScene sent_scene_;
+    ParameterDraft parameters_;
 
-    // What the panels remember.
-    ui::ViewportState viewport_;
+    // The panels.
+    PanelStates panels_;
     ui::ViewportActions pane_;
-    ui::GizmoState gizmo_;
-    bool gizmo_has_mouse_ = false;
-    std::optional<Pose> gizmo_pose_;  // while it is dragged
-    ui::ObjectsPanelState objects_;
-    ui::LogPanelState log_state_;
-    ui::TimelineState timeline_;
-    ui::StepsState steps_;
-    ui::PreviewState preview_;
     bool preview_hovered_ = false;
-    ui::HistoryState history_;
-    ui::SelectionState selection_state_;
-    ui::HelpState help_;
-    ui::CommandPaletteState palette_;
     std::vector<ui::PaletteItem> palette_parameters_;
-    std::string parameter_filter_;
     std::string focus_tab_;  // to be brought to the front
-    planning::PlanParams draft_;
-    planning::PlanParams standard_;
-    FieldList draft_fields_;
-    FieldList standard_fields_;
-    std::vector<ui::TimelineKey> timeline_keys_;
-    std::vector<ui::TimelineBand> timeline_bands_;
-
-    // What the drawing thread has.
-    std::uint64_t drawn_geometry_ = 0;
-    const void* drawn_light_ = nullptr;
-    const void* drawn_scene_ = nullptr;
-    bool scene_sent_ = false;
-    bool scene_framed_ = false;
 
     // Questions to the user.
     Questions questions_;

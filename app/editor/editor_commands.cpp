@@ -86,11 +86,11 @@ void Editor::addEditCommands() {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
                    }});
     const auto needs_object = [this]() -> std::string {
-        return selection_.objects.empty() ? "Select an object first." : "";
+        return selected_.objects().empty() ? "Select an object first." : "";
     };
     commands_.add({"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
                    [this] {
-                       const std::vector<int> objects = selection_.objects;
+                       const std::vector<int> objects = selected_.objects();
                        workspace_.endMerge();
                        for (const int id : objects) {
                            apply({{"op", "exclude"}, {"object", id}}, "exclude selected");
@@ -103,7 +103,7 @@ void Editor::addEditCommands() {
                    "Make what is selected a target",
                    {GLFW_KEY_X, false, true},
                    [this] {
-                       const std::vector<int> objects = selection_.objects;
+                       const std::vector<int> objects = selected_.objects();
                        workspace_.endMerge();
                        for (const int id : objects) {
                            apply({{"op", "include"}, {"object", id}}, "include selected");
@@ -116,12 +116,12 @@ void Editor::addEditCommands() {
                    "Split into connected pieces",
                    {},
                    [this] {
-                       const int id = selection_.objects.front();
-                       selection_ = {};
+                       const int id = selected_.objects().front();
+                       selected_.clear();
                        apply({{"op", "split"}, {"object", id}});
                    },
                    [this]() -> std::string {
-                       return selection_.objects.size() == 1 ? "" : "Select one object first.";
+                       return selected_.objects().size() == 1 ? "" : "Select one object first.";
                    }});
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {
@@ -132,28 +132,30 @@ void Editor::addEditCommands() {
                    },
                    [this]() -> std::string {
                        if (workspace_.shown().scene == nullptr) return "No scene is open.";
-                       return viewport_.camera.orthographic ? "Switch to perspective (5) first."
-                                                            : "";
+                       return panels_.viewport.camera.orthographic
+                                  ? "Switch to perspective (5) first."
+                                  : "";
                    }});
     commands_.add({"edit.lock_point", "Edit", "Lock the position point", key(GLFW_KEY_L),
                    [this] { lockSelectedPoint(); },
                    [this]() -> std::string {
-                       return selection_.kind == Selection::Kind::PositionPoint
+                       return selected_.is(Selection::Kind::PositionPoint)
                                   ? ""
                                   : "Select a position point first.";
                    }});
     commands_.add({"edit.delete", "Edit", "Delete what is selected", key(GLFW_KEY_DELETE),
                    [this] { deleteSelected(); },
                    [this]() -> std::string {
-                       const bool can = selection_.kind == Selection::Kind::PositionPoint ||
-                                        selection_.kind == Selection::Kind::ObservationPoint ||
-                                        selection_.kind == Selection::Kind::NoGoBox;
+                       const bool can = selected_.is(Selection::Kind::PositionPoint) ||
+                                        selected_.is(Selection::Kind::ObservationPoint) ||
+                                        selected_.is(Selection::Kind::NoGoBox);
                        return can ? "" : "Select a position point or a no-go box first.";
                    }});
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
          [this] {
-             const OrientedBox box{viewport_.camera.pivot, Eigen::Vector3d::Constant(0.5), 0.0};
+             const OrientedBox box{panels_.viewport.camera.pivot, Eigen::Vector3d::Constant(0.5),
+                                   0.0};
              apply(ui::addNoGoOperation(boxAroundSelection().value_or(box)));
              const auto& boxes = workspace_.state().edits.plan.no_go;
              if (!boxes.empty()) {
@@ -165,12 +167,12 @@ void Editor::addEditCommands() {
     commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
                        if (workspace_.loading().busy) {
                            workspace_.cancelOpening();
-                       } else if (preview_.full) {
-                           preview_.full = false;
+                       } else if (panels_.preview.full) {
+                           panels_.preview.full = false;
                        } else if (through_camera_) {
                            lookThroughFrame(false);
                        } else {
-                           selection_ = {};
+                           selected_.clear();
                        }
                    }});
 }
@@ -190,8 +192,9 @@ void Editor::addViewCommands() {
     commands_.add({"view.frame_all", "View", "Show everything", key(GLFW_KEY_HOME),
                    [this, aspect] {
                        lookThroughFrame(false);
-                       viewport_.camera.frame(workspace_.shown().scene->room_bounds, aspect());
-                       viewport_.camera.distance *= 0.78;
+                       panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
+                                                     aspect());
+                       panels_.viewport.camera.distance *= 0.78;
                    },
                    needs_scene});
     using Axis = ui::ViewerCamera::Axis;
@@ -211,7 +214,7 @@ void Editor::addViewCommands() {
     for (const AxisKey& view : kAxes) {
         const auto look = [this, axis = view.axis] {
             lookThroughFrame(false);
-            viewport_.camera.lookFrom(axis);
+            panels_.viewport.camera.lookFrom(axis);
         };
         commands_.add({"view." + std::string(view.id),
                        "View",
@@ -223,10 +226,11 @@ void Editor::addViewCommands() {
     }
     const auto orthographic = [this] {
         lookThroughFrame(false);
-        viewport_.camera.orthographic = !viewport_.camera.orthographic;
+        panels_.viewport.camera.orthographic = !panels_.viewport.camera.orthographic;
     };
     commands_.add({"view.orthographic", "View", "Parallel projection", key(GLFW_KEY_5),
-                   orthographic, needs_scene, [this] { return viewport_.camera.orthographic; }});
+                   orthographic, needs_scene,
+                   [this] { return panels_.viewport.camera.orthographic; }});
     keypad_.push_back({GLFW_KEY_KP_5, false, orthographic});
     const auto through = [this] { lookThroughFrame(!through_camera_); };
     commands_.add(
@@ -235,19 +239,15 @@ void Editor::addViewCommands() {
          [this] { return through_camera_; }});
     keypad_.push_back({GLFW_KEY_KP_0, false, through});
     commands_.add({"view.hide", "View", "Hide what is selected", key(GLFW_KEY_H),
-                   [this] {
-                       for (const int id : selection_.objects) {
-                           hidden_[static_cast<std::size_t>(id)] = true;
-                       }
-                   },
+                   [this] { selected_.hideObjects(); },
                    [this]() -> std::string {
-                       return selection_.objects.empty() ? "Select an object first." : "";
+                       return selected_.objects().empty() ? "Select an object first." : "";
                    }});
     commands_.add({"view.show_all",
                    "View",
                    "Show all that is hidden",
                    {GLFW_KEY_H, false, false, true},
-                   [this] { std::fill(hidden_.begin(), hidden_.end(), false); },
+                   [this] { selected_.showAll(); },
                    needs_scene});
     const auto layer = [this](const char* id, const char* title, ui::Shortcut keys, bool& on) {
         commands_.add({"layer." + std::string(id),
@@ -270,9 +270,9 @@ void Editor::addViewCommands() {
                    "View",
                    "Preview of the camera",
                    key(GLFW_KEY_C),
-                   [this] { preview_.open = !preview_.open; },
+                   [this] { panels_.preview.open = !panels_.preview.open; },
                    {},
-                   [this] { return preview_.open; }});
+                   [this] { return panels_.preview.open; }});
     commands_.add({"window.left",
                    "Window",
                    "Left panels",
@@ -316,10 +316,10 @@ void Editor::addViewCommands() {
                    [zoom] { zoom(1.0 / 1.1); }});
     commands_.add({"window.fullscreen", "Window", "Full screen", key(GLFW_KEY_F11),
                    [this] { window_.toggleFullscreen(); }});
-    commands_.add(
-        {"help.keys", "Help", "Keys and mouse", key(GLFW_KEY_F1), [this] { help_.open = true; }});
+    commands_.add({"help.keys", "Help", "Keys and mouse", key(GLFW_KEY_F1),
+                   [this] { panels_.help.open = true; }});
     commands_.add({"help.palette", "Help", "Find a command, parameter or object", ctrl(GLFW_KEY_P),
-                   [this] { palette_.open = true; }});
+                   [this] { panels_.palette.open = true; }});
 }
 
 void Editor::addTimelineCommands() {
@@ -331,27 +331,25 @@ void Editor::addTimelineCommands() {
         commands_.add(
             {"timeline." + std::string(id), "Timeline", title, keys, std::move(run), needs_frames});
     };
-    add("play", "Play or pause", key(GLFW_KEY_SPACE), [this] {
-        playing_ = !playing_;
-        played_s_ = 0.0;
-        if (playing_ && frame_ + 1 >= frameCount()) frame_ = 0;
-    });
-    add("next", "Next frame", key(GLFW_KEY_RIGHT), [this] { goToFrame(frame_ + 1); });
-    add("previous", "Previous frame", key(GLFW_KEY_LEFT), [this] { goToFrame(frame_ - 1); });
+    add("play", "Play or pause", key(GLFW_KEY_SPACE), [this] { playback_.toggle(); });
+    add("next", "Next frame", key(GLFW_KEY_RIGHT), [this] { goToFrame(playback_.frame() + 1); });
+    add("previous", "Previous frame", key(GLFW_KEY_LEFT),
+        [this] { goToFrame(playback_.frame() - 1); });
     add("next_key", "Next key frame", {GLFW_KEY_RIGHT, false, true}, [this] {
-        if (const auto key = ui::neighbourKey(timeline_keys_, frame_, 1)) goToFrame(*key);
+        if (const auto key = ui::neighbourKey(plan_timeline_.keys(), playback_.frame(), 1))
+            goToFrame(*key);
     });
     add("previous_key", "Previous key frame", {GLFW_KEY_LEFT, false, true}, [this] {
-        if (const auto key = ui::neighbourKey(timeline_keys_, frame_, -1)) goToFrame(*key);
+        if (const auto key = ui::neighbourKey(plan_timeline_.keys(), playback_.frame(), -1))
+            goToFrame(*key);
     });
     add("first", "First frame", {GLFW_KEY_HOME, true}, [this] { goToFrame(0); });
     add("last", "Last frame", {GLFW_KEY_END, true}, [this] { goToFrame(frameCount() - 1); });
 }
 
 void Editor::lockSelectedPoint() {
-    const auto index = static_cast<std::size_t>(selection_.index);
-    if (plan() == nullptr || index >= plan()->position_points.size()) return;
-    const PositionPoint& point = plan()->position_points[index];
+    if (selected_.positionPoint(plan()) == nullptr) return;
+    const PositionPoint& point = *selected_.positionPoint(plan());
     const auto& pinned = workspace_.shown().state->edits.plan.pinned;
     if (point.pin >= 0 && static_cast<std::size_t>(point.pin) < pinned.size()) {
         apply({{"op", "unpin"}, {"point", pinned[static_cast<std::size_t>(point.pin)].name}});
@@ -366,13 +364,13 @@ void Editor::lockSelectedPoint() {
 }
 
 void Editor::deleteSelected() {
-    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
-    if (selection_.kind == Selection::Kind::NoGoBox) {
+    const auto index = selected_.index();
+    if (selected_.is(Selection::Kind::NoGoBox)) {
         const auto& boxes = workspace_.state().edits.plan.no_go;
         if (index < boxes.size()) apply({{"op", "remove_no_go"}, {"name", boxes[index].name}});
     } else if (plan() != nullptr) {
         std::size_t target = index;
-        if (selection_.kind == Selection::Kind::PositionPoint) {
+        if (selected_.is(Selection::Kind::PositionPoint)) {
             if (index >= plan()->position_points.size()) return;
             const PositionPoint& point = plan()->position_points[index];
             const auto& pinned = workspace_.shown().state->edits.plan.pinned;
@@ -380,7 +378,7 @@ void Editor::deleteSelected() {
             // A point placed from a view stands for nothing else: without its pin it is gone.
             if (point.pin >= 0 && pin < pinned.size() && pinned[pin].objects.empty()) {
                 apply({{"op", "unpin"}, {"point", pinned[pin].name}});
-                selection_ = {};
+                selected_.clear();
                 return;
             }
             target = static_cast<std::size_t>(std::max(point.observation_point, 0));
@@ -390,7 +388,7 @@ void Editor::deleteSelected() {
                {"objects", ui::objectKeys(*workspace_.shown().scene,
                                           plan()->observation_points[target].objects)}});
     }
-    selection_ = {};
+    selected_.clear();
 }
 
 void Editor::drawMenus() {

@@ -46,8 +46,8 @@ void Editor::askForFile(const std::string& id) {
         request.accept = "Save";
         request.extension = ".png";
         request.filters = {{"PNG pictures", {".png"}}};
-        request.name =
-            fmt::format("frame_{:06}.png", picture_to_save_ ? picture_to_save_->frame : frame_);
+        request.name = fmt::format("playback_.frame(){:06}.png",
+                                   picture_to_save_ ? picture_to_save_->frame : playback_.frame());
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
@@ -128,14 +128,14 @@ void Editor::drawDialogs() {
     palette.commands = &commands_;
     palette.parameters = &palette_parameters_;
     palette.scene = workspace_.shown().scene.get();
-    const ui::CommandPaletteActions chosen = ui::drawCommandPalette(palette, palette_);
+    const ui::CommandPaletteActions chosen = ui::drawCommandPalette(palette, panels_.palette);
     if (!chosen.run.empty()) commands_.find(chosen.run)->run();
     if (chosen.select_object != 0) selectObject(chosen.select_object, false);
     if (!chosen.focus_parameter.empty()) {
-        parameter_filter_ = chosen.focus_parameter;
+        parameters_.filter = chosen.focus_parameter;
         focus_tab_ = "Parameters";
     }
-    ui::drawHelpOverlay(commands_, help_);
+    ui::drawHelpOverlay(commands_, panels_.help);
 }
 
 }  // namespace dollytrack::editor

@@ -52,11 +52,12 @@ ui::ExportView Editor::exportView() const {
         view.why_not = "There is no trajectory: nothing can be captured.";
     }
     view.frame_count = frameCount();
-    view.current_frame = frame_;
+    view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
     for (const render::Modality& one : render::modalities()) {
-        const bool left_out = std::ranges::find(export_draft_.left_out_modalities, one.name) !=
-                              export_draft_.left_out_modalities.end();
+        const bool left_out =
+            std::ranges::find(panels_.export_draft.left_out_modalities, one.name) !=
+            panels_.export_draft.left_out_modalities.end();
         if (!left_out) {
             view.bytes_per_frame +=
                 one.bytes_per_pixel * view.camera.width_px * view.camera.height_px;
@@ -74,12 +75,12 @@ ui::ExportView Editor::exportView() const {
 
 void Editor::drawExport() {
     const ui::ExportView view = exportView();
-    const ui::ExportActions actions = ui::drawExportPanel(view, export_draft_);
+    const ui::ExportActions actions = ui::drawExportPanel(view, panels_.export_draft);
     if (actions.choose_folder) askForFile("export folder");
     if (actions.add_files) askForFile("export projects");
     if (!exports_) return;
     if (actions.add_current && view.why_not.empty()) {
-        exports_->add(ui::requestOf(view, export_draft_),
+        exports_->add(ui::requestOf(view, panels_.export_draft),
                       std::make_shared<const io::ProjectFile>(workspace_.snapshot()));
     }
     if (actions.toggle_hold) exports_->hold(!exports_->held());
@@ -100,9 +101,9 @@ void Editor::drawExport() {
 }
 
 void Editor::answerExportFile(const ui::FileAnswer& answer) {
-    if (answer.id == "export folder") export_draft_.folder = answer.path.string();
+    if (answer.id == "export folder") panels_.export_draft.folder = answer.path.string();
     if (answer.id == "export projects" && exports_) {
-        ui::ExportRequest request = ui::requestOf(exportView(), export_draft_);
+        ui::ExportRequest request = ui::requestOf(exportView(), panels_.export_draft);
         request.name = answer.path.stem().string();
         request.range = "::";  // the other project has frames of its own
         request.folder = folderBeside(request.folder, answer.path, exports_->jobs());
@@ -120,7 +121,7 @@ void Editor::drawSheet() {
     ImGui::Begin(
         "contact sheet", nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    const bool closed = ui::drawImageViewer(view, sheet_state_).close;
+    const bool closed = ui::drawImageViewer(view, panels_.sheet).close;
     ImGui::End();
     if (closed || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) sheet_.close();
 }

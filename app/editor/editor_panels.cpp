@@ -50,7 +50,7 @@ void Editor::drawLeft() {
         const std::vector<std::string> names = workspace_.history().names();
         if (workspace_.isOpen()) view.names = &names;
         view.position = workspace_.history().position();
-        const ui::HistoryActions actions = ui::drawHistoryPanel(view, history_);
+        const ui::HistoryActions actions = ui::drawHistoryPanel(view, panels_.history);
         if (actions.go_to) workspace_.goTo(*actions.go_to);
         ImGui::EndTabItem();
     }
@@ -62,15 +62,12 @@ void Editor::drawObjects() {
     ui::ObjectsView view;
     view.scene = shown.scene.get();
     if (shown.plan && shown.measured) view.captures = &shown.plan->captures;
-    view.selected = &selection_.objects;
-    view.hidden = &hidden_;
-    const ui::ObjectsActions actions = ui::drawObjectsPanel(view, objects_);
+    view.selected = &selected_.objects();
+    view.hidden = &selected_.hidden();
+    const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
     if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
     if (actions.frame != 0) commands_.find("view.frame_selected")->run();
-    if (actions.toggle_hidden != 0) {
-        const auto at = static_cast<std::size_t>(actions.toggle_hidden);
-        if (at < hidden_.size()) hidden_[at] = !hidden_[at];
-    }
+    if (actions.toggle_hidden != 0) selected_.toggleHidden(actions.toggle_hidden);
     if (actions.toggle_target != 0) {
         const bool target = shown.scene->object(actions.toggle_target).role == Role::Target;
         apply({{"op", target ? "exclude" : "include"}, {"object", actions.toggle_target}});
@@ -84,7 +81,7 @@ void Editor::drawLayers() {
     view.has_map = shown.free_space != nullptr;
     if (shown.free_space) view.cell_m = shown.free_space->resolution_m();
     view.has_plan = shown.plan != nullptr;
-    view.stepping = stepping_;
+    view.stepping = step_playback_.shown();
     for (const auto& layer : layers_.layers().layers) view.legends.push_back(layer->legend);
     ui::drawLayersPanel(view, layer_settings_);
 }
@@ -96,11 +93,11 @@ void Editor::drawEdits() {
     view.scene = shown.scene.get();
     view.plan = shown.plan.get();
     view.plan_is_current = workspace_.isOpen() && workspace_.planIsCurrent();
-    if (workspace_.isOpen() && setFromJson(draft_fields_, workspace_.state().parameters)) {
-        view.min_height_m = draft_.free_space.min_height_m;
-        view.max_height_m = draft_.free_space.max_height_m;
+    if (workspace_.isOpen() && parameters_.read(workspace_.state().parameters)) {
+        view.min_height_m = parameters_.params().free_space.min_height_m;
+        view.max_height_m = parameters_.params().free_space.max_height_m;
     }
-    view.pivot = viewport_.camera.pivot;
+    view.pivot = panels_.viewport.camera.pivot;
     view.around_selection = boxAroundSelection();
     const ui::EditsActions actions = ui::drawEditsPanel(view);
     applyRequest(actions.edit);
@@ -118,18 +115,19 @@ void Editor::drawParameters() {
         ImGui::TextDisabled("No scene is open.");
         return;
     }
-    if (!setFromJson(draft_fields_, workspace_.state().parameters)) return;
+    if (!parameters_.read(workspace_.state().parameters)) return;
+    FieldList& fields = parameters_.fields();
     ui::ParametersView view;
-    view.standard = &standard_fields_;
+    view.standard = &parameters_.standard();
     view.has_scene = true;
-    view.filter = &parameter_filter_;
-    const ui::ParametersActions actions = ui::drawParametersPanel(view, draft_fields_);
+    view.filter = &parameters_.filter;
+    const ui::ParametersActions actions = ui::drawParametersPanel(view, fields);
     if (actions.reset_all) {
-        draft_ = standard_;
-        workspace_.setParameters(toJson(draft_fields_), "Reset all parameters", "");
+        parameters_.reset();
+        workspace_.setParameters(toJson(fields), "Reset all parameters", "");
     } else if (!actions.edited.empty()) {
-        const auto field = std::ranges::find(draft_fields_, actions.edited, &Field::name);
-        workspace_.setParameters(toJson(draft_fields_),
+        const auto field = std::ranges::find(fields, actions.edited, &Field::name);
+        workspace_.setParameters(toJson(fields),
                                  fmt::format("Set {} to {}", actions.edited, field->valueText()),
                                  "set " + actions.edited);
     }
@@ -154,15 +152,15 @@ void Editor::drawMetrics() {
 void Editor::drawSelection() {
     ui::SelectionView view;
     const PlanOutcome& shown = workspace_.shown();
-    view.selection = &selection_;
+    view.selection = &selected_.now();
     view.scene = shown.scene.get();
     view.plan = shown.plan.get();
     view.measured = shown.measured;
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     view.free_space = shown.free_space.get();
-    selection_state_.show_candidates = layer_settings_.candidates;
-    const ui::SelectionActions actions = ui::drawSelectionPanel(view, selection_state_);
-    layer_settings_.candidates = selection_state_.show_candidates;
+    panels_.selection.show_candidates = layer_settings_.candidates;
+    const ui::SelectionActions actions = ui::drawSelectionPanel(view, panels_.selection);
+    layer_settings_.candidates = panels_.selection.show_candidates;
     applyRequest(actions.edit);
     if (actions.frame) commands_.find("view.frame_selected")->run();
     if (actions.go_to_frame >= 0) goToFrame(actions.go_to_frame);
@@ -189,13 +187,13 @@ void Editor::drawRight() {
 
 void Editor::drawTimeline() {
     ui::TimelineView view;
-    view.frame = frame_;
-    view.playing = playing_;
+    view.frame = playback_.frame();
+    view.playing = playback_.playing();
     if (const Plan* now = plan()) {
         view.frame_count = frameCount();
         view.frame_interval_s = now->trajectory.frame_interval_s;
-        view.keys = &timeline_keys_;
-        view.bands = &timeline_bands_;
+        view.keys = &plan_timeline_.keys();
+        view.bands = &plan_timeline_.bands();
         view.series = &now->series;
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
@@ -204,47 +202,38 @@ void Editor::drawTimeline() {
         view.max_turn_dps = params.timing.max_turn_dps;
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
     }
-    const ui::TimelineActions actions = ui::drawTimelinePanel(view, timeline_);
+    const ui::TimelineActions actions = ui::drawTimelinePanel(view, panels_.timeline);
     if (actions.go_to) goToFrame(*actions.go_to);
     if (actions.toggle_play) commands_.find("timeline.play")->run();
 }
 
 void Editor::drawSteps() {
     ui::StepsView view;
-    view.serial = plan_serial_;
-    view.taken = step_;
-    view.playing = steps_playing_;
+    view.serial = plan_timeline_.serial();
+    view.taken = step_playback_.taken();
+    view.playing = step_playback_.playing();
     if (plan() != nullptr) {
         view.steps = &plan()->roadmap.steps;
         view.describe = [this](std::size_t i) {
             return ui::describe(*workspace_.shown().scene, *plan(), plan()->roadmap.steps.steps[i]);
         };
     }
-    stepping_ = true;
-    const ui::StepsActions actions = ui::drawStepsPanel(view, steps_);
-    if (actions.go_to) step_ = *actions.go_to;
-    if (actions.toggle_play) {
-        steps_playing_ = !steps_playing_;
-        steps_played_ = 0.0;
-        if (steps_playing_ && !ui::nextStop(steps_.rows, step_, 1)) step_ = 0;
-    }
-    if (!steps_playing_) return;
+    step_playback_.show(true);
+    const ui::StepsActions actions = ui::drawStepsPanel(view, panels_.steps);
+    const StepPlayback::Next next = [this](std::size_t taken) {
+        return ui::nextStop(panels_.steps.rows, taken, 1);
+    };
+    if (actions.go_to) step_playback_.goTo(*actions.go_to);
+    if (actions.toggle_play) step_playback_.toggle(next);
+    if (!step_playback_.playing()) return;
     window_.animate();
-    steps_played_ += ImGui::GetIO().DeltaTime * steps_.per_second;
-    for (; steps_played_ >= 1.0; steps_played_ -= 1.0) {
-        const auto next = ui::nextStop(steps_.rows, step_, 1);
-        if (!next) {
-            steps_playing_ = false;
-            break;
-        }
-        step_ = *next;
-    }
+    step_playback_.advance(ImGui::GetIO().DeltaTime * panels_.steps.per_second, next);
 }
 
 void Editor::drawBottom() {
     if (!ImGui::BeginTabBar("bottom tabs")) return;
     // The algorithm's picture is shown as long as one looks at its steps.
-    stepping_ = false;
+    step_playback_.show(false);
     if (beginTab("Timeline", focus_tab_)) {
         drawTimeline();
         ImGui::EndTabItem();
@@ -258,7 +247,7 @@ void Editor::drawBottom() {
         ImGui::EndTabItem();
     }
     if (beginTab("Log", focus_tab_)) {
-        ui::drawLogPanel(log_, log_state_);
+        ui::drawLogPanel(log_, panels_.log);
         ImGui::EndTabItem();
     }
     ImGui::EndTabBar();

@@ -19,17 +19,17 @@ using ui::Selection;
 render::View Editor::viewportView() const {
     const PlanOutcome& shown = workspace_.shown();
     render::View view;
-    if (through_camera_ && frame_ < frameCount()) {
+    if (through_camera_ && playback_.frame() < frameCount()) {
         CameraParams camera = shown.params.camera;
         camera.width_px = pane_.width;
         camera.height_px = pane_.height;
         view.intrinsics = makeIntrinsics(camera);
-        view.pose = plan()->trajectory.frames[static_cast<std::size_t>(frame_)].pose;
+        view.pose = plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose;
         view.near_m = camera.near_m;
     } else {
-        view = viewport_.camera.view(pane_.width, pane_.height);
+        view = panels_.viewport.camera.view(pane_.width, pane_.height);
     }
-    view.hidden = hidden_;
+    view.hidden = selected_.hidden();
     const bool dark = settings_.theme == ui::ThemeKind::Dark;
     view.backdrop =
         dark ? Eigen::Vector3f(0.125F, 0.137F, 0.153F) : Eigen::Vector3f(0.90F, 0.905F, 0.91F);
@@ -38,12 +38,13 @@ render::View Editor::viewportView() const {
     const Eigen::AlignedBox3d building =
         render::buildingOf(*shown.scene, shown.plan ? std::span(shown.plan->rooms)
                                                     : std::span<const Eigen::AlignedBox3d>());
-    if (building.isEmpty() || building.contains(viewport_.camera.pose().position)) return view;
+    if (building.isEmpty() || building.contains(panels_.viewport.camera.pose().position))
+        return view;
     const std::vector<bool> covers = render::hidesRooms(*shown.scene);
     for (std::size_t i = 0; i < std::min(covers.size(), view.hidden.size()); ++i) {
         if (covers[i]) view.hidden[i] = true;
     }
-    const Eigen::Vector3d way = viewport_.camera.towardsViewer();
+    const Eigen::Vector3d way = panels_.viewport.camera.towardsViewer();
     if (way.z() < -0.1) return view;
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
@@ -62,20 +63,20 @@ void Editor::requestLayers() {
     request.camera = shown.params.camera;
     request.settings = layer_settings_;
     request.cone_half_angle_deg = shown.params.viewpoints.cone_half_angle_deg;
-    request.stepping = stepping_;
-    request.selection = selection_;
+    request.stepping = step_playback_.shown();
+    request.selection = selected_.now();
     request.no_go = workspace_.state().edits.plan.no_go;
-    request.step = step_;
-    request.frame = through_camera_ ? -1 : frame_;
+    request.step = step_playback_.taken();
+    request.frame = through_camera_ ? -1 : playback_.frame();
     layers_.request(request);
 }
 
 void Editor::requestPicture() {
-    if (!workspace_.shown().scene || !scene_sent_ || pane_.width < 16) return;
-    if (!std::exchange(scene_framed_, true)) {
-        viewport_.camera.frame(workspace_.shown().scene->room_bounds,
-                               static_cast<double>(pane_.width) / pane_.height);
-        viewport_.camera.distance *= 0.78;
+    if (!workspace_.shown().scene || !sent_scene_.isSent() || pane_.width < 16) return;
+    if (sent_scene_.takeFirstLook()) {
+        panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
+                                      static_cast<double>(pane_.width) / pane_.height);
+        panels_.viewport.camera.distance *= 0.78;
     }
     ui::ViewRequest request;
     request.view = viewportView();
@@ -88,28 +89,26 @@ void Editor::requestPicture() {
 
 std::optional<Pose> Editor::previewPose() const {
     if (plan() == nullptr) return std::nullopt;
-    if (gizmo_pose_) return gizmo_pose_;
-    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
-    if (preview_.shows_selection && selection_.kind == Selection::Kind::PositionPoint &&
-        index < plan()->position_points.size()) {
-        return plan()->position_points[index].pose;
-    }
-    if (frame_ >= frameCount()) return std::nullopt;
-    return plan()->trajectory.frames[static_cast<std::size_t>(frame_)].pose;
+    if (gizmo_.draggedPose()) return gizmo_.draggedPose();
+    const PositionPoint* point = selected_.positionPoint(plan());
+    if (panels_.preview.shows_selection && point != nullptr) return point->pose;
+    if (playback_.frame() >= frameCount()) return std::nullopt;
+    return plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose;
 }
 
 void Editor::requestPreview() {
     const std::optional<Pose> pose = previewPose();
-    if (!pose || !scene_sent_ || !preview_.open) return;
+    if (!pose || !sent_scene_.isSent() || !panels_.preview.open) return;
     const CameraParams& camera = workspace_.shown().params.camera;
     render::View view;
     view.intrinsics = makeIntrinsics(camera);
     view.pose = *pose;
     view.near_m = camera.near_m;
-    const double time_s = frame_ < frameCount()
-                              ? plan()->trajectory.frames[static_cast<std::size_t>(frame_)].time_s
-                              : 0.0;
-    drawing_.requestPreview(view, frame_, time_s, preview_.modality);
+    const double time_s =
+        playback_.frame() < frameCount()
+            ? plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].time_s
+            : 0.0;
+    drawing_.requestPreview(view, playback_.frame(), time_s, panels_.preview.modality);
 }
 
 void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
@@ -155,44 +154,37 @@ void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
 }
 
 void Editor::editWithGizmo() {
-    const auto index = static_cast<std::size_t>(std::max(selection_.index, 0));
-    const bool point = selection_.kind == Selection::Kind::PositionPoint && plan() != nullptr &&
-                       index < plan()->position_points.size();
-    const std::vector<NoGoBox>& boxes = workspace_.state().edits.plan.no_go;
-    const bool box = selection_.kind == Selection::Kind::NoGoBox && index < boxes.size();
-    gizmo_has_mouse_ = false;
-    if ((!point && !box) || through_camera_) {
-        if (gizmo_.dragged != ui::GizmoPart::None) dropGizmo();
+    const PositionPoint* point = selected_.positionPoint(plan());
+    const NoGoBox* box = selected_.noGoBox(workspace_.state().edits.plan.no_go);
+    gizmo_.begin();
+    if ((point == nullptr && box == nullptr) || through_camera_) {
+        if (gizmo_.dragging()) dropGizmo();
         return;
     }
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;
     view.hovered = pane_.hovered && !preview_hovered_;
-    view.turns = point;
-    if (point) view.pose = gizmo_pose_.value_or(plan()->position_points[index].pose);
-    if (box) view.pose.position = boxes[index].box.center;
-    const ui::GizmoActions actions = ui::drawGizmo(view, gizmo_);
-    gizmo_has_mouse_ = actions.has_mouse;
-    if (box) {
+    view.turns = point != nullptr;
+    if (box != nullptr) {
+        view.pose.position = box->box.center;
+        const std::string name = box->name;
+        const ui::GizmoActions actions = gizmo_.draw(view);
         if (actions.changed) {
             apply({{"op", "move_no_go"},
-                   {"name", boxes[index].name},
+                   {"name", name},
                    {"center", ui::pointJson(actions.pose.position)}},
-                  "gizmo " + boxes[index].name);
+                  "gizmo " + name);
         }
         if (actions.finished) workspace_.endMerge();
         return;
     }
-    if (actions.changed) {
-        gizmo_pose_ = actions.pose;
-        window_.animate();
-    }
-    if (!actions.finished) return;
-    const std::optional<Pose> moved = std::exchange(gizmo_pose_, std::nullopt);
+    view.pose = point->pose;
+    const std::optional<Pose> moved = gizmo_.drawPoint(view);
+    if (gizmo_.draggedPose()) window_.animate();
     if (!moved) return;
     // The drag is one step: planning follows when it ends, the preview while it lasts.
-    const PositionPoint& here = plan()->position_points[index];
+    const PositionPoint& here = *point;
     const nlohmann::json position = ui::pointJson(moved->position);
     const nlohmann::json turn = ui::turnJson(moved->rotation);
     const auto& pinned = workspace_.shown().state->edits.plan.pinned;
@@ -221,12 +213,12 @@ void Editor::drawPreview() {
     view.low = {low.x + ui::scaled(8), low.y + ui::scaled(8)};
     view.high = {low.x + size.x - ui::scaled(8), low.y + size.y - ui::scaled(8)};
     view.busy = drawing_.busy();
-    view.point_selected = selection_.kind == Selection::Kind::PositionPoint;
-    view.what = preview_.shows_selection && view.point_selected
-                    ? fmt::format("position point {}", selection_.index)
-                    : fmt::format("frame {}", frame_);
+    view.point_selected = selected_.is(Selection::Kind::PositionPoint);
+    view.what = panels_.preview.shows_selection && view.point_selected
+                    ? fmt::format("position point {}", selected_.now().index)
+                    : fmt::format("frame {}", playback_.frame());
     if (!has) view.why_not = "There is no trajectory.";
-    const ui::PreviewActions actions = ui::drawPreviewPanel(view, preview_);
+    const ui::PreviewActions actions = ui::drawPreviewPanel(view, panels_.preview);
     preview_hovered_ = actions.hovered;
     if (actions.save_png) {
         picture_to_save_ = drawing_.preview();
@@ -254,7 +246,7 @@ void Editor::drawLegend() {
 
 void Editor::drawCentre() {
     ui::ViewportView view;
-    view.image = scene_sent_ && drawing_.ready() ? &drawing_.view() : nullptr;
+    view.image = sent_scene_.isSent() && drawing_.ready() ? &drawing_.view() : nullptr;
     const BackgroundWorker::State loading = workspace_.loading();
     if (loading.busy) {
         view.message = fmt::format("Opening … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,
@@ -273,8 +265,8 @@ void Editor::drawCentre() {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;
     }
-    view.blocked = gizmo_has_mouse_ || preview_hovered_ || preview_.full;
-    pane_ = ui::drawViewport(view, viewport_);
+    view.blocked = gizmo_.hasMouse() || preview_hovered_ || panels_.preview.full;
+    pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);
     if (!workspace_.isOpen()) return;
@@ -283,7 +275,7 @@ void Editor::drawCentre() {
         bringIntoView(selectedBox());
     }
     editWithGizmo();
-    if (!preview_.full) drawLegend();
+    if (!panels_.preview.full) drawLegend();
     drawPreview();
 }
 

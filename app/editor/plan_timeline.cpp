@@ -1,0 +1,22 @@
+#include "app/editor/plan_timeline.h"
+
+#include "ui/panels/timeline_data.h"
+
+#include <utility>
+
+namespace dollytrack::editor {
+
+bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) {
+    if (plan == seen_) return false;
+    seen_ = std::move(plan);
+    ++serial_;
+    keys_.clear();
+    bands_.clear();
+    if (seen_ != nullptr && scene != nullptr) {
+        keys_ = ui::timelineKeys(*scene, *seen_);
+        bands_ = ui::timelineBands(*seen_);
+    }
+    return true;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,137 @@
+#include "app/editor/selected.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dollytrack::editor {
+
+using Kind = ui::Selection::Kind;
+
+namespace {
+
+/// The position point of an observation point; -1: it has none.
+int positionPointFor(const Plan& plan, int observation_point) {
+    for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
+        if (plan.position_points[i].observation_point == observation_point) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+const PositionPoint* Selected::positionPoint(const Plan* plan) const {
+    if (!is(Kind::PositionPoint) || plan == nullptr) return nullptr;
+    return index() < plan->position_points.size() ? &plan->position_points[index()] : nullptr;
+}
+
+const NoGoBox* Selected::noGoBox(const std::vector<NoGoBox>& boxes) const {
+    return is(Kind::NoGoBox) && index() < boxes.size() ? &boxes[index()] : nullptr;
+}
+
+void Selected::set(ui::Selection selection, const Plan* plan) {
+    now_ = std::move(selection);
+    objects_of_point_ = objectsOfPoint(plan);
+}
+
+ui::Selection Selected::withObject(int object, bool add) const {
+    ui::Selection selection;
+    if (add) selection.objects = now_.objects;
+    const auto at = std::ranges::find(selection.objects, object);
+    if (at != selection.objects.end()) {
+        selection.objects.erase(at);
+    } else if (object != 0) {
+        selection.objects.push_back(object);
+    }
+    if (selection.objects.empty()) return selection;
+    selection.kind = selection.objects.size() == 1 ? Kind::Object : Kind::Objects;
+    return selection;
+}
+
+bool Selected::keepIn(const Plan* plan) {
+    // Objects, cells of space and boxes are not the plan's.
+    if (is(Kind::None) || is(Kind::Voxel) || is(Kind::NoGoBox) || !now_.objects.empty()) {
+        return true;
+    }
+    const auto fits = [&](std::size_t count) {
+        return now_.index >= 0 && static_cast<std::size_t>(now_.index) < count;
+    };
+    // A frame is a moment; a point is what it looks at; other numbers mean something else now.
+    if (plan != nullptr && is(Kind::Frame) && fits(plan->trajectory.frames.size())) return true;
+    if (plan != nullptr && !objects_of_point_.empty()) {
+        for (std::size_t i = 0; i < plan->observation_points.size(); ++i) {
+            if (plan->observation_points[i].objects != objects_of_point_) continue;
+            const int found = is(Kind::ObservationPoint)
+                                  ? static_cast<int>(i)
+                                  : positionPointFor(*plan, static_cast<int>(i));
+            if (found < 0) break;
+            now_.index = found;
+            return true;
+        }
+    }
+    clear();
+    return false;
+}
+
+void Selected::keepIn(const Scene& scene) {
+    hidden_.assign(scene.objects.size() + 1, false);
+    std::erase_if(now_.objects,
+                  [&](int id) { return static_cast<std::size_t>(id) > scene.objects.size(); });
+    if (now_.objects.empty()) clear();
+}
+
+void Selected::toggleHidden(int object) {
+    const auto at = static_cast<std::size_t>(object);
+    if (at < hidden_.size()) hidden_[at] = !hidden_[at];
+}
+
+void Selected::hideObjects() {
+    for (const int id : now_.objects) {
+        if (static_cast<std::size_t>(id) < hidden_.size()) {
+            hidden_[static_cast<std::size_t>(id)] = true;
+        }
+    }
+}
+
+void Selected::showAll() {
+    std::fill(hidden_.begin(), hidden_.end(), false);
+}
+
+Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
+                                  const std::vector<NoGoBox>& no_go) const {
+    Eigen::AlignedBox3d box;
+    const auto include = [&](const OrientedBox& one) {
+        for (const Eigen::Vector3d& corner : one.corners()) box.extend(corner);
+    };
+    const auto around = [&](const Eigen::Vector3d& place) {
+        box.extend(place - Eigen::Vector3d::Constant(0.4));
+        box.extend(place + Eigen::Vector3d::Constant(0.4));
+    };
+    for (const int id : now_.objects) include(scene.object(id).box);
+    if (is(Kind::Voxel)) around(now_.place);
+    if (const PositionPoint* point = positionPoint(plan)) around(point->pose.position);
+    if (const NoGoBox* one = noGoBox(no_go)) include(one->box);
+    if (plan == nullptr) return box;
+    if (is(Kind::ObservationPoint) && index() < plan->observation_points.size()) {
+        around(plan->observation_points[index()].position);
+    }
+    if (is(Kind::Frame) && index() < plan->trajectory.frames.size()) {
+        around(plan->trajectory.frames[index()].pose.position);
+    }
+    return box;
+}
+
+std::vector<int> Selected::objectsOfPoint(const Plan* plan) const {
+    if (plan == nullptr || now_.index < 0) return {};
+    std::size_t at = index();
+    if (const PositionPoint* point = positionPoint(plan)) {
+        at = static_cast<std::size_t>(point->observation_point);
+    } else if (!is(Kind::ObservationPoint)) {
+        return {};
+    }
+    return at < plan->observation_points.size() ? plan->observation_points[at].objects
+                                                : std::vector<int>();
+}
+
+}  // namespace dollytrack::editor
