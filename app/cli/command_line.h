@@ -41,6 +41,8 @@ struct Session {
 
 void addInfoCommand(CLI::App& app, Session& session);
 void addPlanCommand(CLI::App& app, Session& session);
+void addCompareCommand(CLI::App& app, Session& session);
+void addSweepCommand(CLI::App& app, Session& session);
 void addEditCommand(CLI::App& app, Session& session);
 void addExportCommand(CLI::App& app, Session& session);
 void addParamsCommand(CLI::App& app, Session& session);

@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
     cli::addPlanCommand(app, session);
     cli::addEditCommand(app, session);
     cli::addExportCommand(app, session);
+    cli::addCompareCommand(app, session);
     cli::addParamsCommand(app, session);
 
     try {

@@ -84,6 +84,10 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
                     "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
         ->required()
         ->type_name("SCENE");
+    addImportArguments(command, arguments);
+}
+
+void addImportArguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--unit", arguments.unit_m, "Metres per unit of the scene; else found out")
         ->check(CLI::Range(1e-6, 1e6).description("1e-6 .. 1e6"))
         ->type_name("METRES");

@@ -33,6 +33,8 @@ struct SceneArguments {
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
+/// --unit, --up, --labels: part of the above, for commands that take several scenes.
+void addImportArguments(CLI::App& command, SceneArguments& arguments);
 /// --set, --seed, --max-frames
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 

@@ -1,55 +1,13 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/metrics/estimate_captures.h"
-#include "planning/visibility/view_estimator.h"
+#include "planning/metrics/shown_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_set>
 
 namespace dollytrack::planning {
-namespace {
-
-constexpr int kColumns = 32;
-constexpr int kRows = 24;
-constexpr double kPatch = 0.1;        // m, edge of a patch of surface
-constexpr double kNothingNew = 0.01;  // share of the rays
-
-struct Seen {
-    std::vector<std::uint64_t> patches;  // one a ray that hit something
-    int on_targets = 0;
-};
-
-/// The patch of surface under a point: its cell of a 0.1 m grid, and the object.
-std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id) {
-    std::uint64_t key = static_cast<std::uint64_t>(object_id);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto cell = static_cast<std::int64_t>(std::floor(point[axis] / kPatch));
-        key = key << 16U | static_cast<std::uint64_t>(cell & 0xffff);
-    }
-    return key;
-}
-
-Seen look(const ViewEstimator& views, const Pose& pose) {
-    const Intrinsics& k = views.intrinsics();
-    Seen seen;
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            const Eigen::Vector3d ray =
-                pose.rotation *
-                k.unproject((column + 0.5) * k.width / kColumns, (row + 0.5) * k.height / kRows);
-            const RayHit hit = views.rays().cast(
-                pose.position, ray, std::numeric_limits<double>::infinity(), views.nearDistance());
-            if (hit.object_id == 0) continue;
-            seen.patches.push_back(patchAt(pose.position + hit.distance * ray, hit.object_id));
-            seen.on_targets += views.scene().object(hit.object_id).role == Role::Target;
-        }
-    }
-    return seen;
-}
-
-}  // namespace
 
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const std::vector<SmoothPath>& paths,
@@ -72,31 +30,19 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
 
     const std::size_t count = trajectory.frames.size();
     if (count == 0) return metrics;
-    std::vector<Seen> seen(count);
     std::vector<char> collides(count, 0);
     parallelFor(count, [&](std::size_t i) {
-        if (job.cancelled()) return;
-        const Pose& pose = trajectory.frames[i].pose;
-        seen[i] = look(views, pose);
-        collides[i] = sphere.clearance(pose.position, sphere.radius()) < sphere.radius();
+        const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
+        collides[i] = sphere.clearance(position, sphere.radius()) < sphere.radius();
     });
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-
-    std::unordered_set<std::uint64_t> known;
-    int repeats = 0;
-    double on_targets = 0.0;
-    for (const Seen& frame : seen) {
-        int fresh = 0;
-        for (const std::uint64_t patch : frame.patches) fresh += known.insert(patch).second;
-        repeats += fresh < kNothingNew * kColumns * kRows;
-        on_targets += frame.on_targets;
-    }
-    const auto frames = static_cast<double>(count);
-    metrics.repeat_rate = repeats / frames;
-    metrics.object_pixels = on_targets / (frames * kColumns * kRows);
     metrics.frame_collision_rate =
-        static_cast<double>(std::count(collides.begin(), collides.end(), 1)) / frames;
-    return metrics;
+        static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /
+        static_cast<double>(count);
+    return measureShownSurface(views, trajectory, job).map([&](const ShownSurface& shown) {
+        metrics.repeat_rate = shown.repeat_rate;
+        metrics.object_pixels = shown.object_pixels;
+        return metrics;
+    });
 }
 
 }  // namespace dollytrack::planning

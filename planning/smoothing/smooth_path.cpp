@@ -17,6 +17,7 @@ constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother tha
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
 constexpr int kGrid = 16;
+constexpr double kFarEnough = 1.0;  // m; a larger clearance is not told apart
 
 struct Curve {
     Eigen::Vector3d start, corner, end;
@@ -73,6 +74,20 @@ class Smoother {
             }
             corner.shortened = true;
         }
+        return corner;
+    }
+
+    /// The paper's: nothing is looked at, neither obstacles nor captures.
+    [[nodiscard]] Corner roundBlindly(std::size_t i) const {
+        const Eigen::Vector3d in = at(i) - at(i - 1);
+        const Eigen::Vector3d out = at(i + 1) - at(i);
+        Corner corner;
+        corner.vertex = static_cast<int>(i);
+        if (in.norm() < 1e-6 || out.norm() < 1e-6 || angleBetween(in, out) < kStraight) {
+            return corner;
+        }
+        corner.set_back_m = std::min({set_back_, 0.5 * in.norm(), 0.5 * out.norm()});
+        corner.shortened = corner.set_back_m < set_back_;
         return corner;
     }
 
@@ -150,6 +165,21 @@ class Smoother {
     double set_back_;
 };
 
+/// Sweeps the pieces as they will be flown, not what they were made from.
+void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
+    std::vector<Sweep> sweeps(smooth.pieces.size());
+    parallelFor(sweeps.size(), [&](std::size_t i) {
+        const SmoothPath::Piece& piece = smooth.pieces[i];
+        sweeps[i] = sphere.bezier(piece.start, piece.control, piece.end);
+    });
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+        const Sweep& sweep = sweeps[i];
+        smooth.collisions += sweep.free ? 0 : 1;
+        smooth.corner_collisions += !sweep.free && smooth.pieces[i].curved ? 1 : 0;
+        smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);
+    }
+}
+
 }  // namespace
 
 Result<SmoothPath> smoothPath(const CameraPath& path,
@@ -166,21 +196,23 @@ Result<SmoothPath> smoothPath(const CameraPath& path,
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     SmoothPath smooth = smoother.assemble(std::move(corners));
+    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, around.sphere);
+    return smooth;
+}
 
-    // The proof is made on the pieces as they will be flown, not on what they were made from.
-    std::vector<Sweep> sweeps(smooth.pieces.size());
-    parallelFor(sweeps.size(), [&](std::size_t i) {
-        const SmoothPath::Piece& piece = smooth.pieces[i];
-        sweeps[i] = around.sphere.bezier(piece.start, piece.control, piece.end);
-    });
-    const double limit = 1.0;
-    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, limit);
-    for (std::size_t i = 0; i < sweeps.size(); ++i) {
-        const Sweep& sweep = sweeps[i];
-        smooth.collisions += sweep.free ? 0 : 1;
-        smooth.corner_collisions += !sweep.free && smooth.pieces[i].curved ? 1 : 0;
-        smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);
+SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
+                         const Surroundings& around) {
+    const std::vector<PositionPoint> no_points;
+    const std::vector<ObservationPoint> no_targets;
+    const Smoother smoother(path, no_points, no_targets, around, corner_distance_m);
+    std::vector<Corner> corners;
+    for (std::size_t i = 1; i + 1 < path.vertices.size(); ++i) {
+        corners.push_back(smoother.roundBlindly(i));
     }
+    SmoothPath smooth = smoother.assemble(std::move(corners));
+    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, around.sphere);
     return smooth;
 }
 

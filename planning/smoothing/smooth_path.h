@@ -19,4 +19,9 @@ Result<SmoothPath> smoothPath(const CameraPath& path,
                               const Surroundings& around, const SmoothingParams& params,
                               const JobContext& job);
 
+/// The paper's own smoothing, for comparison: every corner rounded at the same set-back, at most
+/// half a leg, whatever is in the way; what it hits is counted in the result.
+SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
+                         const Surroundings& around);
+
 }  // namespace dollytrack::planning

@@ -1,0 +1,60 @@
+#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/trajectories/pose_list.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace dollytrack::io {
+namespace {
+
+Eigen::Vector3d vectorFrom(const nlohmann::json& value) {
+    return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
+}
+
+}  // namespace
+
+// 3D-FRONT's camera list and ours (camera.json): y up, metres. Without times it is a list of views
+// that no motion joins; with them, motion ends where the room changes.
+Result<PoseList> readFront3d(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    PoseList list;
+    std::size_t view = 0;
+    const auto where = [&] { return fmt::format("{}: [{}]", path.string(), view); };
+    try {
+        nlohmann::json room;
+        for (const nlohmann::json& one : nlohmann::json::parse(*text)) {
+            const Eigen::Vector3d position = vectorFrom(one.at("pos"));
+            const Eigen::Vector3d forward = vectorFrom(one.at("target")) - position;
+            const Eigen::Vector3d up =
+                one.contains("up") ? vectorFrom(one["up"]) : Eigen::Vector3d(0, 1, 0);
+            const Eigen::Vector3d right = forward.cross(up);
+            if (!position.allFinite() || !(right.norm() > 1e-9)) {
+                return fail(ErrorCode::BadInput, "pos, target and up give no direction of view.",
+                            where());
+            }
+            ReadPose pose{position, Eigen::Matrix3d::Identity(), std::nullopt};
+            pose.rotation.col(0) = right.normalized();
+            pose.rotation.col(2) = forward.normalized();
+            pose.rotation.col(1) = pose.rotation.col(2).cross(pose.rotation.col(0));
+            if (one.contains("time")) pose.time_s = one["time"].get<double>();
+            const nlohmann::json in_room = one.value("room", nlohmann::json());
+            const bool carried = !pose.time_s || (view > 0 && in_room != room);
+            if (view > 0) pose.motion = list.poses.back().motion + (carried ? 1 : 0);
+            room = in_room;
+            if (view == 0 && one.contains("fov")) list.hfov_deg = one["fov"].get<double>();
+            list.poses.push_back(pose);
+            ++view;
+        }
+    } catch (const nlohmann::json::exception& error) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("It is not a list of {{pos, target, fov}} ({}).", error.what()),
+                    where());
+    }
+    if (list.poses.empty()) {
+        return fail(ErrorCode::BadInput, "There is no view in it.", path.string());
+    }
+    return list;
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,43 @@
+#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/trajectories/pose_list.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::io {
+
+// KITTI odometry: rows of a 3x4 matrix from camera i to the first camera; times in times.txt
+// beside it, where there is one.
+Result<PoseList> readKitti(const std::filesystem::path& path) {
+    const auto lines = readNumberLines(path, 12, "the 3x4 matrix row by row");
+    if (!lines) return tl::unexpected<Error>(lines.error());
+    PoseList list;
+    for (const NumberLine& line : *lines) {
+        const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> matrix =
+            Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(line.values.data());
+        auto rotation =
+            rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), placeOf(path, line.line));
+        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
+    }
+    const std::filesystem::path times_path = path.parent_path() / "times.txt";
+    std::error_code error;
+    if (!std::filesystem::exists(times_path, error)) return list;
+    const auto times = readNumberLines(times_path, 1, "seconds");
+    if (!times) return tl::unexpected<Error>(times.error());
+    if (times->size() != list.poses.size()) {
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("There are {} times for {} poses.", times->size(), list.poses.size()),
+            times_path.string());
+    }
+    for (std::size_t i = 0; i < times->size(); ++i) {
+        list.poses[i].time_s = (*times)[i].values[0];
+        if (i > 0 && *list.poses[i].time_s <= *list.poses[i - 1].time_s) {
+            return fail(ErrorCode::BadInput, "The time is not after the one before it.",
+                        placeOf(times_path, (*times)[i].line));
+        }
+    }
+    return list;
+}
+
+}  // namespace dollytrack::io

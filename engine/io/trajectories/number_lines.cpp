@@ -1,0 +1,121 @@
+#include "engine/io/trajectories/number_lines.h"
+
+#include <fmt/format.h>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace dollytrack::io {
+namespace {
+constexpr double kUnitTolerance = 1e-2;  // files have as few as three decimals
+}
+
+Result<std::string> readText(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (std::filesystem::is_directory(path) || !file || !(text << file.rdbuf())) {
+        return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
+    }
+    return text.str();
+}
+
+std::vector<std::string_view> splitWords(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t,\r";
+    std::vector<std::string_view> words;
+    std::size_t at = line.find_first_not_of(kBlanks);
+    while (at != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+        words.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(kBlanks, end);
+    }
+    return words;
+}
+
+std::vector<std::string_view> splitLines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        lines.push_back(line);
+        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+    }
+    return lines;
+}
+
+std::string placeOf(const std::filesystem::path& path, int line) {
+    return fmt::format("{}:{}", path.string(), line);
+}
+
+Result<double> parseNumber(std::string_view word, const std::filesystem::path& path, int line) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
+        return fail(ErrorCode::BadInput, fmt::format("\"{}\" is not a finite number.", word),
+                    placeOf(path, line));
+    }
+    return value;
+}
+
+Result<std::vector<NumberLine>> readNumberLines(const std::filesystem::path& path,
+                                                std::size_t count, std::string_view meaning,
+                                                int first_line) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    std::vector<NumberLine> result;
+    int number = 0;
+    for (const std::string_view line : splitLines(*text)) {
+        if (++number < first_line) continue;
+        const auto words = splitWords(line);
+        if (words.empty() || words.front().front() == '#') continue;
+        if (words.size() != count) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("There are {} values where {} are needed ({}).", words.size(),
+                                    count, meaning),
+                        placeOf(path, number));
+        }
+        NumberLine read{number, {}};
+        for (const std::string_view word : words) {
+            Result<double> value = parseNumber(word, path, number);
+            if (!value) return tl::unexpected<Error>(std::move(value.error()));
+            read.values.push_back(*value);
+        }
+        result.push_back(std::move(read));
+    }
+    if (result.empty()) {
+        return fail(ErrorCode::BadInput, fmt::format("There is no pose in it ({}).", meaning),
+                    path.string());
+    }
+    return result;
+}
+
+Result<Eigen::Matrix3d> rotationFrom(double w, double x, double y, double z,
+                                     const std::string& where) {
+    const Eigen::Quaterniond q(w, x, y, z);
+    if (std::abs(q.norm() - 1.0) > kUnitTolerance) {
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("The quaternion has the length {:.4g} instead of 1; is this another "
+                        "format?",
+                        q.norm()),
+            where);
+    }
+    return q.normalized().toRotationMatrix();
+}
+
+Result<Eigen::Matrix3d> rotationFrom(const Eigen::Matrix3d& matrix, const std::string& where) {
+    const bool rotates =
+        matrix.allFinite() && matrix.determinant() > 0.0 &&
+        (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).norm() < kUnitTolerance * 4.0;
+    if (!rotates) {
+        return fail(ErrorCode::BadInput, "The matrix is not a rotation.", where);
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
+}
+
+}  // namespace dollytrack::io

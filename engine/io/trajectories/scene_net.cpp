@@ -1,0 +1,64 @@
+#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/trajectories/pose_list.h"
+
+#include <algorithm>
+
+namespace dollytrack::io {
+namespace {
+
+/// After the objects of a scene description, where there are some.
+int firstLine(std::string_view text) {
+    int number = 0;
+    for (const std::string_view line : splitLines(text)) {
+        ++number;
+        if (line.starts_with("#first three elements")) return number;
+    }
+    return 1;
+}
+
+}  // namespace
+
+// SceneNet RGB-D: two lines a frame, where the shutter opens and where it closes. The ground truth
+// is the middle of the two. World y up.
+Result<PoseList> readSceneNet(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    const auto lines = readNumberLines(path, 7, "time eye xyz look-at xyz", firstLine(*text));
+    if (!lines) return tl::unexpected<Error>(lines.error());
+    if (lines->size() % 2 != 0) {
+        return fail(ErrorCode::BadInput,
+                    "The last frame lacks its second line, where the shutter closes.",
+                    placeOf(path, lines->back().line));
+    }
+    PoseList list;
+    for (std::size_t i = 0; i < lines->size(); i += 2) {
+        Eigen::Matrix<double, 7, 1> open =
+            Eigen::Map<const Eigen::Matrix<double, 7, 1>>((*lines)[i].values.data());
+        open += Eigen::Map<const Eigen::Matrix<double, 7, 1>>((*lines)[i + 1].values.data());
+        const Eigen::Matrix<double, 7, 1> middle = 0.5 * open;
+        const Eigen::Vector3d eye = middle.segment<3>(1);
+        const Eigen::Vector3d forward = middle.segment<3>(4) - eye;
+        const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitY());
+        if (right.norm() < 1e-9) {
+            return fail(ErrorCode::BadInput,
+                        "The camera looks at its own place or straight up or down, which leaves "
+                        "its roll open.",
+                        placeOf(path, (*lines)[i].line));
+        }
+        ReadPose pose{eye, Eigen::Matrix3d::Identity(), middle[0]};
+        pose.rotation.col(0) = right.normalized();
+        pose.rotation.col(2) = forward.normalized();
+        pose.rotation.col(1) = pose.rotation.col(2).cross(pose.rotation.col(0));
+        list.poses.push_back(pose);
+    }
+    // Some writers give every line the same time: that is none.
+    const bool rising =
+        std::is_sorted(list.poses.begin(), list.poses.end(),
+                       [](const ReadPose& a, const ReadPose& b) { return *a.time_s <= *b.time_s; });
+    if (!rising) {
+        for (ReadPose& pose : list.poses) pose.time_s.reset();
+    }
+    return list;
+}
+
+}  // namespace dollytrack::io

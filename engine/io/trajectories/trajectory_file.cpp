@@ -1,0 +1,194 @@
+#include "engine/io/trajectories/trajectory_file.h"
+
+#include "engine/io/trajectories/number_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr std::array kFormats = {
+    TrajectoryFormat{"tum", "TUM RGB-D: timestamp tx ty tz qx qy qz qw", FileWorld::ZUp, readTum},
+    TrajectoryFormat{"kitti", "KITTI odometry: 3x4 matrices, times.txt beside", FileWorld::Camera,
+                     readKitti},
+    TrajectoryFormat{"colmap", "COLMAP: images.txt, cameras.txt beside", FileWorld::ZUp,
+                     readColmap},
+    TrajectoryFormat{"transforms", "transforms.json of nerfstudio and instant-ngp", FileWorld::ZUp,
+                     readTransforms},
+    TrajectoryFormat{"3d-front", "camera lists of 3D-FRONT, and our camera.json", FileWorld::YUp,
+                     readFront3d},
+    TrajectoryFormat{"hypersim", "Hypersim: camera_keyframe_positions.hdf5 and _orientations.hdf5",
+                     FileWorld::Scene, readHypersim},
+    TrajectoryFormat{"scenenet", "SceneNet RGB-D: eye and look-at, shutter open and closed",
+                     FileWorld::YUp, readSceneNet},
+    TrajectoryFormat{"tartanair", "TartanAir: tx ty tz qx qy qz qw in NED", FileWorld::Ned,
+                     readTartanAir},
+};
+
+constexpr std::array<std::pair<const char*, FileWorld>, 5> kWorlds = {{
+    {"scene", FileWorld::Scene},
+    {"y-up", FileWorld::YUp},
+    {"z-up", FileWorld::ZUp},
+    {"ned", FileWorld::Ned},
+    {"camera", FileWorld::Camera},
+}};
+
+const TrajectoryFormat* formatNamed(std::string_view name) {
+    const auto* at = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const auto& format) { return name == format.name; });
+    return at == kFormats.end() ? nullptr : at;
+}
+
+template <class Table, class NameOf>
+std::string listOf(const Table& table, NameOf&& name_of) {
+    std::string list;
+    for (const auto& row : table) list += (list.empty() ? "" : ", ") + std::string(name_of(row));
+    return list;
+}
+
+/// Lines of seven numbers are TartanAir's when the last four are a rotation, else SceneNet's.
+std::string_view byNumbers(const std::vector<std::string_view>& words,
+                           const std::filesystem::path& path) {
+    if (words.size() == 8) return "tum";
+    if (words.size() == 12) return "kitti";
+    if (words.size() != 7) return "";
+    double square = 0.0;
+    for (std::size_t i = 3; i < 7; ++i) {
+        const double value = parseNumber(words[i], path, 0).value_or(0.0);
+        square += value * value;
+    }
+    return std::abs(std::sqrt(square) - 1.0) < 1e-2 ? "tartanair" : "scenenet";
+}
+
+Result<const TrajectoryFormat*> findFormat(const std::filesystem::path& path) {
+    const auto unknown = [&] {
+        return fail(ErrorCode::BadInput,
+                    "It is no trajectory of a known format; name it with --trajectory-format (" +
+                        listOf(kFormats, [](const auto& f) { return f.name; }) + ").",
+                    path.string());
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        if (std::filesystem::exists(path / "images.txt", error)) return formatNamed("colmap");
+        if (std::filesystem::exists(path / "camera_keyframe_positions.hdf5", error)) {
+            return formatNamed("hypersim");
+        }
+        return unknown();
+    }
+    const std::string extension = path.extension().string();
+    if (extension == ".hdf5" || extension == ".h5") return formatNamed("hypersim");
+    if (path.filename() == "images.txt") return formatNamed("colmap");
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    const std::size_t first = text->find_first_not_of(" \t\r\n");
+    if (first == std::string::npos) return unknown();
+    if ((*text)[first] == '[') return formatNamed("3d-front");
+    if ((*text)[first] == '{') return formatNamed("transforms");
+    if (text->find("#first three elements") != std::string::npos) return formatNamed("scenenet");
+    for (const std::string_view line : splitLines(*text)) {
+        const auto words = splitWords(line);
+        if (words.empty() || words.front().front() == '#') continue;
+        const TrajectoryFormat* format = formatNamed(byNumbers(words, path));
+        if (format) return format;
+        break;
+    }
+    return unknown();
+}
+
+Eigen::Affine3d worldFromFile(FileWorld world, const TrajectoryReading& reading) {
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    switch (world) {
+        case FileWorld::Scene:
+            return reading.source_from_world.inverse();
+        case FileWorld::YUp:
+            return Eigen::Affine3d(reading.camera_json_from_world.inverse());
+        case FileWorld::ZUp:
+            break;
+        case FileWorld::Ned:
+            result.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+            break;
+        case FileWorld::Camera:
+            result.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+            break;
+    }
+    return result;
+}
+
+/// By where it looks and where its down is: so a mirrored or scaled file still gives a rotation.
+Pose placed(const ReadPose& read, const Eigen::Affine3d& world_from_file) {
+    const Eigen::Vector3d forward = (world_from_file.linear() * read.rotation.col(2)).normalized();
+    const Eigen::Vector3d down = world_from_file.linear() * read.rotation.col(1);
+    Eigen::Matrix3d rotation;
+    rotation.col(0) = down.cross(forward).normalized();
+    rotation.col(1) = forward.cross(rotation.col(0));
+    rotation.col(2) = forward;
+    return {world_from_file * read.position, Eigen::Quaterniond(rotation).normalized()};
+}
+
+double medianInterval(const std::vector<TrajectoryFrame>& frames, double otherwise) {
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        intervals.push_back(frames[i].time_s - frames[i - 1].time_s);
+    }
+    if (intervals.empty()) return otherwise;
+    std::sort(intervals.begin(), intervals.end());
+    return intervals[intervals.size() / 2];
+}
+
+}  // namespace
+
+std::span<const TrajectoryFormat> trajectoryFormats() {
+    return kFormats;
+}
+
+Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
+                                        const TrajectoryReading& reading) {
+    const TrajectoryFormat* format = formatNamed(reading.format);
+    if (!reading.format.empty() && !format) {
+        return fail(ErrorCode::Usage,
+                    "There is no such format; there are " +
+                        listOf(kFormats, [](const auto& f) { return f.name; }) + ".",
+                    reading.format);
+    }
+    if (!format) {
+        const auto found = findFormat(path);
+        if (!found) return tl::unexpected<Error>(found.error());
+        format = *found;
+    }
+    FileWorld world = format->world;
+    if (!reading.world.empty()) {
+        const auto* at = std::find_if(kWorlds.begin(), kWorlds.end(),
+                                      [&](const auto& row) { return reading.world == row.first; });
+        if (at == kWorlds.end()) {
+            return fail(ErrorCode::Usage,
+                        "There is no such world; there are " +
+                            listOf(kWorlds, [](const auto& row) { return row.first; }) + ".",
+                        reading.world);
+        }
+        world = at->second;
+    }
+    const Result<PoseList> read = format->read(path);
+    if (!read) return tl::unexpected<Error>(read.error());
+    LoadedTrajectory loaded;
+    loaded.format = format->name;
+    loaded.hfov_deg = read->hfov_deg;
+    loaded.timed = std::all_of(read->poses.begin(), read->poses.end(),
+                               [](const ReadPose& pose) { return pose.time_s.has_value(); });
+    const Eigen::Affine3d world_from_file = worldFromFile(world, reading);
+    for (const ReadPose& pose : read->poses) {
+        TrajectoryFrame frame;
+        const auto count = static_cast<double>(loaded.trajectory.frames.size());
+        frame.time_s = loaded.timed ? *pose.time_s : count * reading.interval_s;
+        frame.pose = placed(pose, world_from_file);
+        frame.target_in_world = frame.pose.position + frame.pose.forward();
+        frame.path = pose.motion;
+        loaded.trajectory.frames.push_back(frame);
+    }
+    loaded.trajectory.frame_interval_s =
+        medianInterval(loaded.trajectory.frames, reading.interval_s);
+    return loaded;
+}
+
+}  // namespace dollytrack::io

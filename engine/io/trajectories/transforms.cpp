@@ -1,0 +1,65 @@
+#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/trajectories/pose_list.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::io {
+namespace {
+
+std::optional<double> hfovOf(const nlohmann::json& root) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    if (root.contains("fl_x") && root.contains("w")) {
+        return 2.0 * std::atan(0.5 * root["w"].get<double>() / root["fl_x"].get<double>()) *
+               kDegrees;
+    }
+    if (root.contains("camera_angle_x")) return root["camera_angle_x"].get<double>() * kDegrees;
+    return std::nullopt;
+}
+
+}  // namespace
+
+// transforms.json of nerfstudio and instant-ngp: world from camera, x right, y up, z back; z up.
+Result<PoseList> readTransforms(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    PoseList list;
+    std::size_t frame = 0;
+    const auto where = [&] { return fmt::format("{}: frames[{}]", path.string(), frame); };
+    try {
+        const nlohmann::json root = nlohmann::json::parse(*text);
+        for (const nlohmann::json& one : root.at("frames")) {
+            const nlohmann::json& rows = one.at("transform_matrix");
+            Eigen::Matrix<double, 3, 4> matrix;
+            for (int row = 0; row < 3; ++row) {
+                for (int column = 0; column < 4; ++column) {
+                    matrix(row, column) = rows.at(static_cast<std::size_t>(row))
+                                              .at(static_cast<std::size_t>(column))
+                                              .get<double>();
+                }
+            }
+            auto rotation = rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), where());
+            if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+            rotation->rightCols<2>() *= -1.0;
+            ReadPose pose{matrix.col(3), *rotation, std::nullopt};
+            if (!pose.position.allFinite()) {
+                return fail(ErrorCode::BadInput, "The position is not finite.", where());
+            }
+            list.poses.push_back(pose);
+            ++frame;
+        }
+        list.hfov_deg = hfovOf(root);
+    } catch (const nlohmann::json::exception& error) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("It is not a transforms.json ({}).", error.what()), where());
+    }
+    if (list.poses.empty()) {
+        return fail(ErrorCode::BadInput, "There is no frame in it.", path.string());
+    }
+    return list;
+}
+
+}  // namespace dollytrack::io
