@@ -4,9 +4,14 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/core/log.h"
 #include "engine/io/durable_file.h"
+#include "engine/io/trajectories/trajectory_file.h"
+#include "render/formats/camera_json.h"
+#include "render/plots/figure.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
+#include <cmath>
 
 namespace dollytrack::cli {
 namespace {
@@ -15,7 +20,11 @@ struct CompareArguments {
     SceneArguments each;  // how to read and plan every scene; its path is set in turn
     std::vector<std::string> scenes;
     std::vector<std::string> planners = {"all"};
+    std::vector<std::string> trajectories;
+    std::string trajectory_format;
+    std::string trajectory_world;
     std::string csv;
+    std::string picture;
     int seeds = 1;
     bool as_json = false;
     bool bound = false;
@@ -63,10 +72,88 @@ ExitCode listPlanners() {
     return kDone;
 }
 
+/// The trajectories that come with the scene, in its world.
+Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
+                                           const OpenedScene& opened) {
+    std::vector<GivenFlight> given;
+    for (const std::string& path : arguments.trajectories) {
+        io::TrajectoryReading reading;
+        reading.format = arguments.trajectory_format;
+        reading.world = arguments.trajectory_world;
+        reading.source_from_world = opened.scene->source_from_world;
+        reading.camera_json_from_world = render::cameraJsonFromWorld(*opened.scene);
+        reading.interval_s = 1.0 / opened.params.timing.frame_rate;
+        Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
+        if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
+        log::info("compare",
+                  fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
+                              loaded->format,
+                              loaded->timed ? "" : ", without times: as if at frame_rate"));
+        constexpr double kNoticeable = 0.5;  // degrees
+        const double hfov = opened.params.camera.hfov_deg;
+        if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
+            log::warn("compare", fmt::format("{}: its images show {:.1f} degrees, but are judged "
+                                             "as if {:.1f}; give --set hfov_deg={:.1f}",
+                                             path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
+        }
+        given.push_back({std::filesystem::path(path).filename().string(),
+                         {std::move(loaded->trajectory), {}, {}, {}}});
+    }
+    return given;
+}
+
+/// Bars for the figures that tell planners apart.
+render::Figure comparisonFigure(const ComparedScene& scene) {
+    render::Figure figure;
+    figure.title = scene.scene;
+    const auto& metrics = planning::judgedMetrics();
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        const planning::MetricInfo& metric = metrics[m];
+        if (metric.better == planning::Better::Neither) continue;
+        const bool rate = metric.unit == "%";
+        render::BarChart chart;
+        chart.title = fmt::format("{} ({})", metric.name, metric.unit);
+        bool any = false;
+        for (const ComparedRow& row : scene.rows) {
+            chart.names.push_back(row.planner);
+            std::optional<double> value = row.values[m];
+            if (value && rate) *value *= 100.0;
+            any |= value.has_value();
+            chart.values.push_back(value);
+        }
+        if (any) figure.bars.push_back(std::move(chart));
+    }
+    return figure;
+}
+
+Status checkUsage(const CompareArguments& arguments) {
+    if (arguments.scenes.empty()) {
+        return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
+    }
+    if (!arguments.trajectories.empty() && arguments.scenes.size() > 1) {
+        return fail(ErrorCode::Usage, "A trajectory belongs to one scene; name only that one.",
+                    "--trajectory");
+    }
+    return arguments.picture.empty() ? Status{} : render::checkFigureName(arguments.picture);
+}
+
+Status writeFiles(const CompareArguments& arguments, const std::vector<ComparedScene>& compared) {
+    if (!arguments.csv.empty()) {
+        if (Status status = io::writeWhole(arguments.csv, comparisonCsv(compared)); !status) {
+            return status;
+        }
+    }
+    if (arguments.picture.empty()) return {};
+    return render::writeFigure(
+        comparisonFigure(compared.size() == 1 ? compared.front() : meanOver(compared)),
+        arguments.picture);
+}
+
 Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
     if (arguments.list) return listPlanners();
-    if (arguments.scenes.empty())
-        return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
+    if (Status status = checkUsage(arguments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     auto planners = planning::choosePlanners(arguments.planners);
     if (!planners) return tl::unexpected<Error>(std::move(planners.error()));
     const ComparisonOrder order{std::move(*planners), arguments.seeds, arguments.bound};
@@ -83,8 +170,10 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
         one.path = path;
         Result<ComparedScene> scene =
             openScene(one, part.stage(0.0, 0.1, "loading")).and_then([&](const auto& opened) {
-                return compareIn(opened.scene, opened.plan_edits, opened.params, order, {},
-                                 part.stage(0.1, 1.0, "comparing"));
+                return loadGiven(arguments, opened).and_then([&](const auto& given) {
+                    return compareIn(opened.scene, opened.plan_edits, opened.params, order, given,
+                                     part.stage(0.1, 1.0, "comparing"));
+                });
             });
         if (!scene) {
             // What is wrong with the command, or stops it, concerns all scenes alike.
@@ -101,10 +190,8 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
         compared.push_back(std::move(*scene));
     }
     if (compared.empty()) return tl::unexpected<Error>(std::move(last));
-    if (!arguments.csv.empty()) {
-        if (Status status = io::writeWhole(arguments.csv, comparisonCsv(compared)); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
-        }
+    if (Status status = writeFiles(arguments, compared); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     if (arguments.as_json) {
         fmt::print("{}\n", comparisonJson(compared, order));
@@ -139,6 +226,28 @@ void addCompareCommand(CLI::App& app, Session& session) {
                       "Also search densely for what could be captured at all (takes a while)");
     command->add_flag("--json", arguments->as_json, "Print everything as JSON");
     command->add_option("--csv", arguments->csv, "Write everything as a table")->type_name("FILE");
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Draw it as bars; the mean when there are several scenes")
+        ->type_name("FILE.svg|png");
+    std::string formats;
+    for (const io::TrajectoryFormat& format : io::trajectoryFormats()) {
+        formats += (formats.empty() ? "" : ", ") + std::string(format.name);
+    }
+    command
+        ->add_option("--trajectory", arguments->trajectories,
+                     "Also judge a trajectory from elsewhere; again for more")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--trajectory-format", arguments->trajectory_format,
+                     "Its format, else found out: " + formats)
+        ->type_name("NAME");
+    command
+        ->add_option("--trajectory-world", arguments->trajectory_world,
+                     "What its positions are measured in, else the format's habit: scene (the "
+                     "scene file's axes and unit), y-up, z-up, ned, camera")
+        ->type_name("NAME");
     command->footer(
         "Rates are in %. 'hit frames' have a surface inside the camera's sphere, 'hit moves' meet\n"
         "one on the way to the next frame. Where no motion joins the frames there is no path.\n"

@@ -115,6 +115,7 @@ int main(int argc, char** argv) {
     cli::addEditCommand(app, session);
     cli::addExportCommand(app, session);
     cli::addCompareCommand(app, session);
+    cli::addSweepCommand(app, session);
     cli::addParamsCommand(app, session);
 
     try {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/cli/sweep.h"
+#include "render/plots/figure.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack::cli {
+
+/// A line for each point: the values, the planner, all metrics, the times of the pipeline's stages.
+std::string sweepCsv(const std::vector<SweptParameter>& parameters,
+                     const std::vector<SweepPoint>& points);
+
+/// The same for people, with some metrics.
+std::string sweepTable(const std::vector<SweptParameter>& parameters,
+                       const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
+
+/// A chart for each metric over the first parameter, a curve for each planner and combination of
+/// the others. Error: Usage when the first parameter's values are no numbers.
+Result<render::Figure> sweepFigure(const std::string& title,
+                                   const std::vector<SweptParameter>& parameters,
+                                   const std::vector<SweepPoint>& points,
+                                   const std::vector<int>& metrics);
+
+}  // namespace dollytrack::cli
