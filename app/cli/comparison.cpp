@@ -64,6 +64,13 @@ class SceneComparison {
     Status add(const GivenFlight& given, const JobContext& job) {
         Result<JudgedRow> row = judgeOne(given.flight, job);
         if (!row) return tl::unexpected<Error>(std::move(row.error()));
+        const auto& metrics = planning::judgedMetrics();
+        for (std::size_t i = 0; i < metrics.size(); ++i) {
+            if (metrics[i].name != "outside_rate" || !(*row)[i] || *(*row)[i] < 0.9) continue;
+            log::warn("compare", given.name +
+                                     ": nearly all of its poses are outside the rooms; is it of "
+                                     "this scene, and is --trajectory-world right?");
+        }
         result_.rows.push_back({given.name, std::move(*row)});
         return {};
     }

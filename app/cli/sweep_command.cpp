@@ -96,8 +96,9 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
         if (Status status = render::checkFigureName(arguments.plot); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
-        const auto drawable = sweepFigure("", *parameters, {}, *metrics);
-        if (!drawable) return tl::unexpected<Error>(drawable.error());
+        if (Status status = checkAxis(parameters->front()); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
     }
     const JobContext job = session.job();
     Sweeper sweeper(arguments.scene);
@@ -137,9 +138,8 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
     }
     if (!arguments.plot.empty()) {
         const std::string title = std::filesystem::path(arguments.scene.path).filename().string();
-        const auto figure = sweepFigure(title, *parameters, points, *metrics);
-        if (!figure) return tl::unexpected<Error>(figure.error());
-        if (Status status = render::writeFigure(*figure, arguments.plot); !status) {
+        const render::Figure figure = sweepFigure(title, *parameters, points, *metrics);
+        if (Status status = render::writeFigure(figure, arguments.plot); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }

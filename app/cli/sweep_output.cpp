@@ -18,6 +18,13 @@ std::optional<double> shown(int metric, const SweepPoint& point) {
     return metricAt(metric).unit == "%" ? 100.0 * *value : *value;
 }
 
+std::optional<double> numberIn(const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
 std::string withUnit(std::string_view name, std::string_view unit) {
     return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
@@ -101,10 +108,18 @@ std::string sweepTable(const std::vector<SweptParameter>& parameters,
     return text;
 }
 
-Result<render::Figure> sweepFigure(const std::string& title,
-                                   const std::vector<SweptParameter>& parameters,
-                                   const std::vector<SweepPoint>& points,
-                                   const std::vector<int>& metrics) {
+Status checkAxis(const SweptParameter& parameter) {
+    const bool numbers =
+        std::all_of(parameter.values.begin(), parameter.values.end(),
+                    [](const std::string& value) { return numberIn(value).has_value(); });
+    if (numbers) return {};
+    return fail(ErrorCode::Usage,
+                "Only a number can be drawn along an axis; make this parameter the second --param.",
+                parameter.name);
+}
+
+render::Figure sweepFigure(const std::string& title, const std::vector<SweptParameter>& parameters,
+                           const std::vector<SweepPoint>& points, const std::vector<int>& metrics) {
     render::Figure figure;
     figure.title = title;
     for (const int metric : metrics) {
@@ -113,15 +128,7 @@ Result<render::Figure> sweepFigure(const std::string& title,
         chart.y_label = withUnit(metricAt(metric).title, metricAt(metric).unit);
         chart.x_label = withUnit(parameters.front().name, parameters.front().unit);
         for (const SweepPoint& point : points) {
-            const std::string& text = point.values.front();
-            double x = 0.0;
-            const auto read = std::from_chars(text.data(), text.data() + text.size(), x);
-            if (read.ec != std::errc() || read.ptr != text.data() + text.size()) {
-                return fail(ErrorCode::Usage,
-                            "Only numbers can be drawn along an axis; make this parameter the "
-                            "second --param.",
-                            parameters.front().name);
-            }
+            const double x = numberIn(point.values.front()).value_or(0.0);
             const std::string name = curveName(parameters, point);
             auto at = std::find_if(chart.curves.begin(), chart.curves.end(),
                                    [&](const render::Curve& curve) { return curve.name == name; });

@@ -16,11 +16,12 @@ std::string sweepCsv(const std::vector<SweptParameter>& parameters,
 std::string sweepTable(const std::vector<SweptParameter>& parameters,
                        const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
 
-/// A chart for each metric over the first parameter, a curve for each planner and combination of
-/// the others. Error: Usage when the first parameter's values are no numbers.
-Result<render::Figure> sweepFigure(const std::string& title,
-                                   const std::vector<SweptParameter>& parameters,
-                                   const std::vector<SweepPoint>& points,
-                                   const std::vector<int>& metrics);
+/// Whether a parameter can be the x axis. Error: Usage when its values are no numbers.
+Status checkAxis(const SweptParameter& parameter);
+
+/// A chart for each metric over the first parameter, which must pass checkAxis(); a curve for each
+/// planner and combination of the others.
+render::Figure sweepFigure(const std::string& title, const std::vector<SweptParameter>& parameters,
+                           const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
 
 }  // namespace dollytrack::cli

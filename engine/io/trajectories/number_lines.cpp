@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace dollytrack::io {
 namespace {
@@ -16,11 +16,10 @@ constexpr double kUnitTolerance = 1e-2;  // files have as few as three decimals
 
 Result<std::string> readText(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (std::filesystem::is_directory(path) || !file || !(text << file.rdbuf())) {
+    if (std::filesystem::is_directory(path) || !file) {
         return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
     }
-    return text.str();
+    return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 std::vector<std::string_view> splitWords(std::string_view line) {

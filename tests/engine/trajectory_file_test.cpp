@@ -1,0 +1,226 @@
+#include "engine/io/trajectories/trajectory_file.h"
+
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::io {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What a file's first pose must be in our world.
+struct Expected {
+    const char* format;
+    const char* name;
+    const char* text;
+    Vector3d position, forward, down;
+};
+
+TrajectoryReading yUpScene() {
+    TrajectoryReading reading;
+    reading.camera_json_from_world.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    return reading;
+}
+
+class ByHand : public testing::TestWithParam<Expected> {};
+
+}  // namespace
+
+TEST_P(ByHand, IsReadAsItsFormatSays) {
+    const Expected& expected = GetParam();
+    const test::TempFolder folder;
+    const auto path = folder.write(expected.name, expected.text);
+    const auto loaded = loadTrajectory(path, yUpScene());
+    ASSERT_TRUE(loaded) << describe(loaded.error());
+    EXPECT_EQ(loaded->format, expected.format);
+    const Pose& pose = loaded->trajectory.frames.front().pose;
+    EXPECT_NEAR((pose.position - expected.position).norm(), 0.0, 1e-9) << pose.position;
+    EXPECT_NEAR((pose.forward() - expected.forward).norm(), 0.0, 1e-9) << pose.forward();
+    const Vector3d down = pose.rotation * Vector3d::UnitY();
+    EXPECT_NEAR((down - expected.down).norm(), 0.0, 1e-9) << down;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    TrajectoryFile, ByHand,
+    testing::Values(
+        // The camera's axes are the world's: it looks up along z.
+        Expected{"tum",
+                 "groundtruth.txt",
+                 "# timestamp tx ty tz qx qy qz qw\n10.5 1 2 3 0 0 0 1\n",
+                 {1, 2, 3},
+                 {0, 0, 1},
+                 {0, 1, 0}},
+        // A quarter turn about z takes the camera's y axis onto -x.
+        Expected{"tum",
+                 "a.tum",
+                 "0,1,2,3,0,0,0.70710678,0.70710678\r\n",
+                 {1, 2, 3},
+                 {0, 0, 1},
+                 {-1, 0, 0}},
+        // North is our x, east our -y, down our -z; unturned, it looks north.
+        Expected{
+            "tartanair", "pose_left.txt", "1 2 3 0 0 0 1\n", {1, -2, -3}, {1, 0, 0}, {0, 0, -1}},
+        // The first camera of KITTI: forward is our y.
+        Expected{"kitti", "00.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n", {1, 3, -2}, {0, 1, 0}, {0, 0, -1}},
+        // Camera from world: the centre is minus the translation, and names give the order.
+        Expected{"colmap",
+                 "images.txt",
+                 "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME\n"
+                 "1 1 0 0 0 9 9 9 1 b.png\n\n2 1 0 0 0 1 2 3 1 a.png\n0.5 0.5 -1\n",
+                 {-1, -2, -3},
+                 {0, 0, 1},
+                 {0, 1, 0}},
+        // World from camera with y up and z back: unturned, it looks down.
+        Expected{"transforms",
+                 "transforms.json",
+                 R"({"camera_angle_x": 1.0, "frames": [{"file_path": "a", "transform_matrix":
+                     [[1,0,0,1],[0,1,0,2],[0,0,1,3],[0,0,0,1]]}]})",
+                 {1, 2, 3},
+                 {0, 0, -1},
+                 {0, -1, 0}},
+        // y up: (x, y, z) is our (x, -z, y).
+        Expected{"3d-front",
+                 "camera.json",
+                 R"([{"pos":[1,2,3],"target":[1,2,1],"fov":60}])",
+                 {1, -3, 2},
+                 {0, 1, 0},
+                 {0, 0, -1}},
+        // The middle between open and closed shutter.
+        Expected{"scenenet",
+                 "description.txt",
+                 "layout_file: ./x.obj\nobject\na/b\n#first three elements, eye and last three, "
+                 "lookAt\n#frame rate per second: 25\n\n0.0 0 2 3  1 2 1\n0.02 2 2 3  1 2 1\n",
+                 {1, -3, 2},
+                 {0, 1, 0},
+                 {0, 0, -1}}),
+    [](const auto& test) {
+        std::string name = std::string(test.param.format) + "_" + std::to_string(test.index);
+        name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+        return name;
+    });
+
+TEST(TrajectoryFile, TimesAreTheFilesOrEven) {
+    const test::TempFolder folder;
+    const auto timed = loadTrajectory(
+        folder.write("a.txt", "2 0 0 0 0 0 0 1\n2.25 0 0 1 0 0 0 1\n2.5 0 0 2 0 0 0 1\n"), {});
+    ASSERT_TRUE(timed);
+    EXPECT_TRUE(timed->timed);
+    EXPECT_EQ(timed->trajectory.frames[2].time_s, 2.5);
+    EXPECT_EQ(timed->trajectory.frame_interval_s, 0.25);
+    TrajectoryReading reading;
+    reading.interval_s = 0.2;
+    const auto even =
+        loadTrajectory(folder.write("b.txt", "0 0 0 0 0 0 1\n0 0 1 0 0 0 1\n"), reading);
+    ASSERT_TRUE(even);
+    EXPECT_FALSE(even->timed);
+    EXPECT_NEAR(even->trajectory.frames[1].time_s, 0.2, 1e-12);
+    const std::string row = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+    const auto kitti_path = folder.write("poses.txt", row + row);
+    (void)folder.write("times.txt", "0.0\n0.5\n");
+    const auto kitti = loadTrajectory(kitti_path, {});
+    ASSERT_TRUE(kitti);
+    EXPECT_TRUE(kitti->timed);
+    EXPECT_EQ(kitti->trajectory.frames[1].time_s, 0.5);
+}
+
+// A scene in centimetres, y up, and mirrored: the camera lands in the right place, not mirrored.
+TEST(TrajectoryFile, TheScenesOwnWorldMayBeScaledAndMirrored) {
+    const test::TempFolder folder;
+    TrajectoryReading reading;
+    reading.world = "scene";
+    reading.source_from_world.linear() << -100, 0, 0, 0, 0, 100, 0, -100, 0;
+    const auto path = folder.write("a.txt", "0 100 200 300 0 0 0 1\n");
+    const auto loaded = loadTrajectory(path, reading);
+    ASSERT_TRUE(loaded);
+    const Pose& pose = loaded->trajectory.frames.front().pose;
+    EXPECT_NEAR((pose.position - Vector3d(-1, -3, 2)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((pose.forward() - Vector3d(0, -1, 0)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((pose.rotation * Vector3d::UnitY() - Vector3d(0, 0, 1)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(pose.rotation.norm(), 1.0, 1e-12);
+}
+
+TEST(TrajectoryFile, TheLensIsReadWhereTheFileTellsIt) {
+    const test::TempFolder folder;
+    const auto images = folder.write("images.txt", "1 1 0 0 0 0 0 0 1 a.png\n\n");
+    (void)folder.write("cameras.txt", "# cameras\n1 PINHOLE 640 480 320 320 320 240\n");
+    const auto colmap = loadTrajectory(images, {});
+    ASSERT_TRUE(colmap && colmap->hfov_deg);
+    EXPECT_NEAR(*colmap->hfov_deg, 90.0, 1e-9);
+}
+
+TEST(TrajectoryFile, RoomsAndViewsWithoutTimesAreNoMotion) {
+    const test::TempFolder folder;
+    const auto views =
+        loadTrajectory(folder.write("views.json", R"([{"pos":[0,0,0],"target":[1,0,0],"fov":60},
+                                       {"pos":[0,0,1],"target":[1,0,0],"fov":60}])"),
+                       {});
+    ASSERT_TRUE(views);
+    EXPECT_NE(views->trajectory.frames[0].path, views->trajectory.frames[1].path);
+    const auto rooms =
+        loadTrajectory(folder.write("rooms.json",
+                                    R"([{"pos":[0,0,0],"target":[1,0,0],"fov":60,"time":0,"room":0},
+                         {"pos":[0,0,1],"target":[1,0,0],"fov":60,"time":1,"room":0},
+                         {"pos":[9,0,1],"target":[1,0,0],"fov":60,"time":2,"room":1}])"),
+                       {});
+    ASSERT_TRUE(rooms);
+    EXPECT_EQ(rooms->trajectory.frames[0].path, rooms->trajectory.frames[1].path);
+    EXPECT_NE(rooms->trajectory.frames[1].path, rooms->trajectory.frames[2].path);
+}
+
+// Every bad file is one sentence with the place.
+TEST(TrajectoryFile, BadFilesSayWhere) {
+    struct Case {
+        const char* name;
+        const char* text;
+        const char* format;
+        const char* where;
+        const char* word;
+    };
+    for (const Case& bad : {
+             Case{"a.txt", "0 0 0 0 0 0 0 1\n1 0 0 zero 0 0 0 1\n", "tum", "a.txt:2", "zero"},
+             Case{"b.txt", "# x\n0 0 0 0 0 0 1\n", "tum", "b.txt:2", "8 are needed"},
+             Case{"c.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", "", "c.txt:2", "after"},
+             Case{"d.txt", "0 0 0 0 0 0 0 2\n", "tum", "d.txt:1", "length 2"},
+             Case{"e.txt", "0 0 0 nan 0 0 0 1\n", "tum", "e.txt:1", "finite"},
+             Case{"f.txt", "2 0 0 1 0 1 0 2 0 0 1 3\n", "", "f.txt:1", "rotation"},
+             Case{"images.txt", "1 1 0 0 0 9 9 9 1 b.png\n2 1 0 0 0 1 2 3 1 a.png\n3 1 0\n", "",
+                  "images.txt:3", "second line"},
+             Case{"g.json", "{\"frames\": [{\"transform_matrix\": [[1, 0]]}]}", "", "frames[0]",
+                  "transforms.json"},
+             Case{"h.json", "[{\"pos\": [0, 0, 0]}]", "", "[0]", "target"},
+             Case{"i.json", "[{\"pos\":", "", "i.json", "list"},
+             Case{"j.txt", "0 0 0 0 1 1 1\n", "scenenet", "j.txt:1", "shutter"},
+             Case{"k.txt", "0 0 0 0 0 1 0\n0 0 0 0 0 1 0\n", "scenenet", "k.txt:1", "up or down"},
+             Case{"l.hdf5", "not HDF5", "", "camera_keyframe_positions.hdf5", "HDF5"},
+             Case{"m.txt", "", "", "m.txt", "known format"},
+             Case{"n.txt", "# only remarks\n", "tum", "n.txt", "no pose"},
+         }) {
+        const test::TempFolder folder;
+        TrajectoryReading reading;
+        reading.format = bad.format;
+        const auto loaded = loadTrajectory(folder.write(bad.name, bad.text), reading);
+        ASSERT_FALSE(loaded) << bad.name;
+        EXPECT_EQ(loaded.error().code, ErrorCode::BadInput) << bad.name;
+        EXPECT_NE(loaded.error().where.find(bad.where), std::string::npos)
+            << bad.name << " " << loaded.error().where;
+        EXPECT_NE(loaded.error().message.find(bad.word), std::string::npos)
+            << bad.name << " " << loaded.error().message;
+    }
+}
+
+TEST(TrajectoryFile, UnknownNamesAreUsageErrors) {
+    const test::TempFolder folder;
+    const auto path = folder.write("a.txt", "0 0 0 0 0 0 0 1\n");
+    TrajectoryReading format;
+    format.format = "tumm";
+    EXPECT_EQ(loadTrajectory(path, format).error().code, ErrorCode::Usage);
+    TrajectoryReading world;
+    world.world = "upwards";
+    EXPECT_EQ(loadTrajectory(path, world).error().code, ErrorCode::Usage);
+}
+
+}  // namespace dollytrack::io

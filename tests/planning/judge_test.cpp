@@ -1,0 +1,202 @@
+#include "planning/rivals/judge.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/pipeline.h"
+#include "planning/rivals/ours.h"
+#include "planning/smoothing/smooth_path.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+using Eigen::Vector3d;
+
+RivalScene mapped(Scene scene) {
+    auto made = mapRivalScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+    EXPECT_TRUE(made.has_value());
+    return std::move(*made);
+}
+
+test::SceneBuilder roomWithCord() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    builder.object("cord").box({2.013, 1.5, 2.0}, {0.002, 0.002, 1.2});
+    return builder;
+}
+
+/// A flight through places, a second apart, looking along x.
+Flight through(const std::vector<Vector3d>& places) {
+    Flight flight;
+    flight.trajectory.frame_interval_s = 1.0;
+    for (const Vector3d& place : places) {
+        TrajectoryFrame frame;
+        frame.time_s = static_cast<double>(flight.trajectory.frames.size());
+        frame.pose = lookAt(place, place + Vector3d::UnitX());
+        flight.trajectory.frames.push_back(frame);
+    }
+    return flight;
+}
+
+Judgement judged(const RivalScene& scene, const Flight& flight) {
+    const auto result = judge(scene, flight, {});
+    EXPECT_TRUE(result.has_value());
+    return result.value_or(Judgement{});
+}
+
+}  // namespace
+
+// A cord 2 mm thick is on the way between two frames; neither frame touches it.
+TEST(Judge, MeetsAThinCordBetweenFrames) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    const Judgement result = judged(
+        scene, through({{0.5, 1.5, 2.0}, {1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}, {3.4, 1.5, 2.0}}));
+    EXPECT_EQ(result.frame_collision_rate, 0.0);
+    ASSERT_TRUE(result.move_collision_rate);
+    EXPECT_NEAR(*result.move_collision_rate, 1.0 / 3.0, 1e-12);
+    EXPECT_LT(result.min_clearance_m, 0.02);
+}
+
+// The way that a planner tells counts, not the straight line.
+TEST(Judge, FollowsTheWayBetweenFrames) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    Flight flight = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
+    flight.between = {{{1.5, 0.5, 2.0}, {2.5, 0.5, 2.0}}};
+    const Judgement result = judged(scene, flight);
+    EXPECT_EQ(*result.move_collision_rate, 0.0);
+    EXPECT_NEAR(*result.path_length_m, 3.0, 1e-12);
+    EXPECT_NEAR(*result.speed_max_mps, 3.0, 1e-12);
+    // The cord ends at x = 2.014, nearer than the wall y = 0.
+    EXPECT_NEAR(result.min_clearance_m, 0.486, 1e-6);
+}
+
+TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    const Judgement result = judged(
+        scene, through({{0.5, 1.5, 1.3}, {0.05, 1.5, 1.3}, {-1.0, 1.5, 1.3}, {0.5, 1.0, 1.3}}));
+    EXPECT_EQ(result.frame_collision_rate, 0.25);  // 5 cm from the wall
+    EXPECT_GE(result.outside_rate, 0.25);          // a metre behind it
+    EXPECT_EQ(*result.move_collision_rate, 1.0);
+}
+
+// x = t^3 / 10: the third derivative is 0.6 everywhere, and finite differences of it are exact.
+TEST(Judge, JerkIsTheThirdDerivative) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    std::vector<Vector3d> places;
+    for (int t = 0; t < 4; ++t) places.emplace_back(0.3 + 0.1 * t * t * t, 0.5, 1.0);
+    const Judgement result = judged(scene, through(places));
+    EXPECT_NEAR(*result.jerk_median_mps3, 0.6, 1e-9);
+    EXPECT_NEAR(*result.jerk_max_mps3, 0.6, 1e-9);
+    EXPECT_NEAR(*result.speed_median_mps, 0.7, 1e-9);
+    EXPECT_NEAR(*result.speed_max_mps, 1.9, 1e-9);
+    EXPECT_NEAR(*result.turn_max_dps, 0.0, 1e-9);
+}
+
+TEST(Judge, TurnsAreInDegreesASecond) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    Flight flight = through({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+    auto& frames = flight.trajectory.frames;
+    frames[1].pose = lookAt({1, 1, 1}, {2, 2, 1});
+    frames[1].time_s = 0.5;
+    frames[2].pose = lookAt({1, 1, 1}, {1, 2, 1});
+    frames[2].time_s = 1.5;
+    const Judgement result = judged(scene, flight);
+    EXPECT_NEAR(*result.turn_max_dps, 90.0, 1e-9);
+    EXPECT_NEAR(*result.turn_median_dps, 67.5, 1e-9);
+}
+
+// Pictures that no motion joins have no speed, no length and no collisions on the way.
+TEST(Judge, ViewsWithoutMotionHaveNoMotionMetrics) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    Flight flight = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
+    flight.trajectory.frames[1].path = 1;
+    const Judgement result = judged(scene, flight);
+    EXPECT_FALSE(result.path_length_m || result.speed_max_mps || result.move_collision_rate ||
+                 result.turn_max_dps || result.jerk_max_mps3);
+}
+
+TEST(Judge, AnEmptyFlightCapturesNothing) {
+    const RivalScene scene = mapped(test::furnishedRoom());
+    const Judgement result = judged(scene, {});
+    EXPECT_EQ(result.frames, 0);
+    EXPECT_EQ(result.captures.capture_rate, 0.0);
+    EXPECT_GT(result.captures.objects, 0);
+}
+
+// The same numbers as `plan` gives for its own trajectory, from the poses alone.
+TEST(Judge, AgreesWithThePipeline) {
+    PlanParams params;
+    params.timing.max_frames = 120;
+    const auto scene = std::make_shared<const Scene>(test::furnishedRoom());
+    Pipeline pipeline(scene);
+    const auto plan = pipeline.run(params, JobContext{});
+    ASSERT_TRUE(plan);
+    const RivalScene map = mapped(*scene);
+    const Judgement result = judged(map, flightOf(**plan));
+    const CaptureMetrics& captures = (*plan)->capture_metrics;
+    const TrajectoryMetrics& motion = (*plan)->trajectory_metrics;
+    EXPECT_EQ(result.captures.captured, captures.captured);
+    EXPECT_EQ(result.captures.well_captured, captures.well_captured);
+    EXPECT_EQ(result.captures.area_share_box, captures.area_share_box);
+    EXPECT_EQ(result.repeat_rate, motion.repeat_rate);
+    EXPECT_EQ(result.object_pixels, motion.object_pixels);
+    EXPECT_EQ(*result.corner_collision_rate, motion.corner_collision_rate);
+    EXPECT_EQ(*result.move_collision_rate, 0.0);
+    EXPECT_EQ(result.outside_rate, 0.0);
+    // Chords of at most a centimetre instead of the curves, and only from first to last key.
+    EXPECT_NEAR(*result.path_length_m, motion.path_length_m, 1e-3 * motion.path_length_m);
+    EXPECT_LE(*result.speed_max_mps, params.timing.max_speed_mps + 1e-6);
+    EXPECT_LE(*result.turn_max_dps, params.timing.max_turn_dps + 0.5);
+}
+
+// A pillar in the inner corner of a right-angled turn: the curve of the whole set-back cuts it, and
+// the blind smoothing takes that curve.
+TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 4, 2.6});
+    builder.object("pillar").box({2.2, 1.8, 1.3}, {0.1, 0.1, 2.6});
+    const RivalScene scene = mapped(builder.build());
+    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere};
+    CameraPath path;
+    for (const Vector3d& place :
+         {Vector3d(2.5, 3.5, 1.2), Vector3d(2.5, 1.5, 1.2), Vector3d(0.5, 1.5, 1.2)}) {
+        path.vertices.push_back({place, -1});
+    }
+    const SmoothPath wide = smoothBlindly(path, 1.0, around);
+    ASSERT_EQ(wide.pieces.size(), 3U);
+    EXPECT_NEAR((wide.pieces[1].start - Vector3d(2.5, 2.5, 1.2)).norm(), 0.0, 1e-12);
+    EXPECT_EQ(wide.corner_collisions, 1);
+    EXPECT_EQ(smoothBlindly(path, 0.1, around).corner_collisions, 0);
+    // Longer than half a leg, it is clipped to that.
+    EXPECT_NEAR(smoothBlindly(path, 5.0, around).corners.front().set_back_m, 1.0, 1e-12);
+    const auto ours =
+        smoothPath(path, {}, {}, around, SmoothingParams{.corner_distance_m = 1.0}, JobContext{});
+    ASSERT_TRUE(ours);
+    EXPECT_EQ(ours->corner_collisions, 0);
+    EXPECT_GT(ours->corners.front().set_back_m, 0.0);
+}
+
+TEST(JudgedRow, MediansAndMeansSkipWhatDoesNotApply) {
+    const std::size_t columns = judgedMetrics().size();
+    std::vector<JudgedRow> rows(3, JudgedRow(columns));
+    rows[0][0] = 1.0;
+    rows[1][0] = 5.0;
+    rows[2][0] = 3.0;
+    rows[1][1] = 4.0;
+    rows[2][1] = 8.0;
+    EXPECT_EQ(*medianOf(rows)[0], 3.0);
+    EXPECT_EQ(*medianOf(rows)[1], 6.0);
+    EXPECT_EQ(*meanOf(rows)[0], 3.0);
+    EXPECT_EQ(*meanOf(rows)[1], 6.0);
+    EXPECT_FALSE(meanOf(rows)[2]);
+}
+
+}  // namespace dollytrack::planning
