@@ -63,8 +63,8 @@ LivePlanner::LivePlanner(std::function<void()> wake)
 LivePlanner::~LivePlanner() = default;
 
 void LivePlanner::start(PlanRequest request) {
-    worker_.start([request = std::move(request), desk = desk_,
-                   outbox = outcomes_, wake = wake_](const JobContext& job) {
+    worker_.start([request = std::move(request), desk = desk_, outbox = outcomes_,
+                   wake = wake_](const JobContext& job) {
         const auto begin = std::chrono::steady_clock::now();
         PlanOutcome outcome;
         outcome.serial = request.serial;

@@ -63,7 +63,7 @@ class LivePlanner {
     std::shared_ptr<Outbox<PlanOutcome>> outcomes_;
     std::shared_ptr<Desk> desk_;  // what the worker keeps between runs
     std::function<void()> wake_;
-    BackgroundWorker worker_;     // last: it stops before what it uses goes
+    BackgroundWorker worker_;  // last: it stops before what it uses goes
 };
 
 }  // namespace dollytrack::editor

@@ -89,12 +89,12 @@ class Walk {
     [[nodiscard]] double score(const View& view) const {
         const Pose pose = lookAt(view.from, view.at);
         const Intrinsics& k = scene_.views->intrinsics();
-        std::vector<Eigen::Vector3d> rays;
+        std::vector<RayCaster::BundleRay> rays;
         rays.reserve(kColumns * kRows);
         for (int row = 0; row < kRows; ++row) {
             for (int column = 0; column < kColumns; ++column) {
-                rays.push_back(pose.rotation * k.unproject((column + 0.5) * k.width / kColumns,
-                                                           (row + 0.5) * k.height / kRows));
+                rays.push_back({pose.rotation * k.unproject((column + 0.5) * k.width / kColumns,
+                                                            (row + 0.5) * k.height / kRows)});
             }
         }
         std::vector<RayHit> hits(rays.size());
