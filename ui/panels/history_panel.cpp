@@ -1,6 +1,7 @@
 #include "ui/panels/history_panel.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
@@ -34,13 +35,18 @@ HistoryActions drawHistoryPanel(const HistoryView& view, HistoryState& state) {
                                i == view.position ? "\u25b8" : " ");
             ImGui::SameLine(scaled(16));
             if (undone) ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
-            if (ImGui::Selectable((*view.names)[i].c_str(), i == view.position) &&
+            const std::string& name = (*view.names)[i];
+            const float room = ImGui::GetContentRegionAvail().x;
+            if (ImGui::Selectable(cutToWidth(name, room).c_str(), i == view.position) &&
                 i != view.position) {
                 actions.go_to = i;
             }
             if (undone) ImGui::PopStyleColor();
             nameItem("history.step." + std::to_string(row));
-            if (i != view.position) tooltip(undone ? "Redo up to here" : "Undo back to here");
+            wholeText(name, room,
+                      i == view.position ? ""
+                      : undone           ? "Redo up to here"
+                                         : "Undo back to here");
             if (moved && i == view.position) ImGui::SetScrollHereY(0.7F);
             ImGui::PopID();
         }

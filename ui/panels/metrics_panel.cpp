@@ -1,6 +1,7 @@
 #include "ui/panels/metrics_panel.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
@@ -15,8 +16,7 @@ void row(const char* name, const std::string& value, const char* why = nullptr) 
     ImGui::TextUnformatted(name);
     if (why != nullptr && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", why);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(value.c_str());
-    if (why != nullptr && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", why);
+    cutText(value, ImGui::GetStyleColorVec4(ImGuiCol_Text), why != nullptr ? why : "");
 }
 
 void rateRow(const char* name, double rate, int count, int of, const char* why) {
@@ -108,7 +108,11 @@ int drawUncaptured(const MetricsView& view) {
     for (const UncapturedObject& missing : view.plan->uncaptured) {
         ImGui::PushID(missing.object_id);
         const std::string name = view.scene->object(missing.object_id).name;
-        if (ImGui::Selectable(name.c_str())) clicked = missing.object_id;
+        const float room = ImGui::GetContentRegionAvail().x;
+        if (ImGui::Selectable(cutToWidth(name, room, Cut::Middle).c_str())) {
+            clicked = missing.object_id;
+        }
+        wholeText(name, room);
         nameItem("metrics.uncaptured." + std::to_string(missing.object_id));
         ImGui::Indent();
         ImGui::PushTextWrapPos(0.0F);

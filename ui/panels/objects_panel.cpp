@@ -3,6 +3,8 @@
 #include "engine/scene/labels.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_combo.h"
+#include "ui/widgets/cut_text.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/text_match.h"
 
@@ -91,7 +93,10 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
                           std::ranges::find(*view.selected, object.id) != view.selected->end();
     const std::string name =
         object.name.empty() ? "object " + std::to_string(object.id) : object.name;
-    if (ImGui::Selectable(name.c_str(), selected,
+    const float name_room = ImGui::GetContentRegionAvail().x;
+    const std::string shown_name = cutToWidth(name, name_room, Cut::Middle);
+    // Two names may be cut to the same text; the number pushed above tells them apart.
+    if (ImGui::Selectable(shown_name.c_str(), selected,
                           ImGuiSelectableFlags_SpanAllColumns |
                               ImGuiSelectableFlags_AllowItemOverlap |
                               ImGuiSelectableFlags_AllowDoubleClick)) {
@@ -100,12 +105,14 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
     }
     nameItem("objects.row." + std::to_string(object.id));
+    const std::string class_name(nyu40Name(object.nyu40));
+    if (shown_name != name) tooltip(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
         ImGui::SetScrollHereY(0.5F);
         state.scroll_to = 0;
     }
     ImGui::TableNextColumn();
-    ImGui::TextColored(palette().text_dim, "%s", std::string(nyu40Name(object.nyu40)).c_str());
+    cutText(class_name, palette().text_dim);
     ImGui::TableNextColumn();
     ImGui::TextColored(palette().text_dim, "%s", object.large ? "L" : "s");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip(object.large ? "large" : "small");

@@ -1,6 +1,7 @@
 #include "ui/widgets/file_list.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/text_match.h"
@@ -92,7 +93,9 @@ void drawRow(const FolderEntry& entry, int row, FileListState& state, FileListAc
     }
     ImGui::SameLine(0, 0);
     if (entry.is_folder) ImGui::PushFont(fonts().bold);
-    ImGui::TextUnformatted(label.c_str());
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(cutToWidth(label, room, Cut::Middle).c_str());
+    wholeText(label, room);
     if (entry.is_folder) ImGui::PopFont();
     ImGui::TableNextColumn();
     if (!entry.is_folder) {

@@ -1,7 +1,10 @@
 #include "ui/widgets/form.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/item_map.h"
+
+#include <algorithm>
 
 namespace dollytrack::ui {
 
@@ -70,14 +73,25 @@ void tooltip(const std::string& text) {
 
 bool button(const char* label, std::string_view name, const ButtonOptions& options) {
     const bool enabled = options.why_not.empty();
-    ImVec4 fill = palette().accent;
-    fill.w = 0.45F;
-    if (options.primary && enabled) ImGui::PushStyleColor(ImGuiCol_Button, fill);
+    // The window's own colour reads well on the accent in both themes.
+    const bool stands_out = options.primary && enabled;
+    if (stands_out) {
+        ImVec4 hovered = palette().accent;
+        hovered.w = 0.85F;
+        ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, hovered);
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, hovered);
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+        ImGui::PushFont(fonts().bold);
+    }
     ImGui::BeginDisabled(!enabled);
     const bool pressed =
         options.small ? ImGui::SmallButton(label) : ImGui::Button(label, {options.width, 0});
     ImGui::EndDisabled();
-    if (options.primary && enabled) ImGui::PopStyleColor();
+    if (stands_out) {
+        ImGui::PopFont();
+        ImGui::PopStyleColor(4);
+    }
     nameItem(name, enabled);
     tooltip(enabled ? options.tip : options.why_not);
     return pressed;
@@ -86,15 +100,16 @@ bool button(const char* label, std::string_view name, const ButtonOptions& optio
 bool link(const std::string& text, std::string_view name, const std::string& tip) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
     ImGui::PushID(name.data(), name.data() + name.size());
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const bool pressed = ImGui::Selectable(text.c_str(), false, 0, size);
+    // In a line of others there may be little room left, but never that little.
+    const float room = std::max(ImGui::GetContentRegionAvail().x, scaled(60));
+    const std::string shown = cutToWidth(text, room, Cut::Middle);
+    const bool pressed =
+        ImGui::Selectable(shown.c_str(), false, 0, ImGui::CalcTextSize(shown.c_str()));
     ImGui::PopID();
     ImGui::PopStyleColor();
     nameItem(name);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    // What is too long for its line can be read in the tooltip.
-    const bool cut_off = size.x > ImGui::GetContentRegionMax().x;
-    tooltip(cut_off ? text + (tip.empty() ? "" : "\n" + tip) : tip);
+    wholeText(text, room, tip);
     return pressed;
 }
 

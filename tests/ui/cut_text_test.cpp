@@ -1,0 +1,80 @@
+#include "ui/widgets/cut_text.h"
+
+#include "tests/ui/screen.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace dollytrack::ui {
+namespace {
+
+float widthOf(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// Calls `check` where text can be measured.
+void onScreen(const std::function<void()>& check) {
+    bool done = false;
+    const test::Screen screen([&] {
+        if (!std::exchange(done, true)) check();
+    });
+}
+
+TEST(CutText, LeavesAloneWhatFits) {
+    onScreen([] {
+        EXPECT_EQ(cutToWidth("sofa", widthOf("sofa")), "sofa");
+        EXPECT_EQ(cutToWidth("", 10.0F), "");
+    });
+}
+
+// Against trying every length.
+TEST(CutText, KeepsAsMuchAsFits) {
+    onScreen([] {
+        const std::string text = "curtain_living_room_left_2";
+        for (float width = 20.0F; width < widthOf(text); width += 7.0F) {
+            std::string longest = "\u2026";
+            for (std::size_t i = 0; i <= text.size(); ++i) {
+                const std::string tried = text.substr(0, i) + "\u2026";
+                if (widthOf(tried) <= width) longest = tried;
+            }
+            EXPECT_EQ(cutToWidth(text, width), longest) << width;
+        }
+    });
+}
+
+TEST(CutText, KeepsTheNumberAtANamesEnd) {
+    onScreen([] {
+        const float width = widthOf("curtain_liv");
+        const std::string one = cutToWidth("curtain_living_1", width, Cut::Middle);
+        const std::string two = cutToWidth("curtain_living_2", width, Cut::Middle);
+        EXPECT_NE(one, two);
+        EXPECT_TRUE(one.ends_with("_1")) << one;
+        EXPECT_TRUE(one.starts_with("cur")) << one;
+        EXPECT_LE(widthOf(one), width);
+    });
+}
+
+TEST(CutText, NeverCutsALetterApart) {
+    onScreen([] {
+        const std::string text = "\u00dcberhangm\u00f6belst\u00fcck";
+        for (float width = 5.0F; width < 150.0F; width += 3.0F) {
+            for (const Cut cut : {Cut::End, Cut::Middle}) {
+                const std::string shown = cutToWidth(text, width, cut);
+                for (std::size_t i = 0; i < shown.size(); ++i) {
+                    const auto byte = static_cast<unsigned char>(shown[i]);
+                    const std::size_t length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : 3;
+                    ASSERT_NE(byte & 0xC0U, 0x80U) << shown;
+                    i += length - 1;
+                    ASSERT_LT(i, shown.size());
+                }
+            }
+        }
+    });
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
