@@ -138,6 +138,43 @@ TEST(ExportPanel, OffersWhatAJobsStateAllows) {
     EXPECT_TRUE(panel.actions.toggle_hold);
 }
 
+// 1280 x 720 leaves the panel this much.
+TEST(ExportPanel, ShowsItsButtonAndTheProgressWhereItIsShort) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 1280, 165);
+    const auto whole = [&](const char* name) {
+        const auto item = screen.find(name);
+        return item && item->bottom - item->top > 20 && item->right - item->left > 60;
+    };
+    EXPECT_TRUE(whole("export.add")) << screen.names();
+    EXPECT_FALSE(screen.shows("export.progress"));
+    panel.addJob(ExportState::Running);
+    screen.frame(2);
+    EXPECT_TRUE(whole("export.add"));
+    EXPECT_TRUE(whole("export.progress")) << screen.names();
+    ASSERT_TRUE(screen.click("export.add"));
+    EXPECT_TRUE(panel.actions.add_current);
+}
+
+// What is under the mouse after Cancel must not be Continue.
+TEST(ExportPanel, ASecondClickOnCancelDoesNotContinue) {
+    Export panel;
+    panel.addJob(ExportState::Running);
+    test::Screen screen([&] { panel.draw(); }, 1280, 300);
+    const auto before = screen.find("export.job.1.cancel");
+    ASSERT_TRUE(before);
+    panel.view.jobs[0].state = ExportState::Cancelled;
+    screen.frame(2);
+    const auto now = screen.find("export.job.1.cancel");
+    ASSERT_TRUE(now);
+    EXPECT_EQ(now->left, before->left);
+    EXPECT_FALSE(screen.enabled("export.job.1.cancel"));
+    screen.click("export.job.1.cancel");
+    EXPECT_EQ(panel.actions.resume, 0);
+    EXPECT_TRUE(screen.click("export.job.1.resume"));
+    EXPECT_EQ(panel.actions.resume, 1);
+}
+
 TEST(ExportPanel, SaysTimesAsPeopleDo) {
     EXPECT_EQ(durationText(9.4), "9 s");
     EXPECT_EQ(durationText(250), "4 min 10 s");

@@ -1,6 +1,7 @@
 #include "ui/panels/export_jobs.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
@@ -42,7 +43,9 @@ void drawState(const ExportJob& job, bool held) {
     }
 }
 
-std::string rateText(const ExportJob& job) {
+}  // namespace
+
+std::string progressText(const ExportJob& job) {
     std::string text;
     if (job.frames > 0) text = fmt::format("{} of {} frames", job.frames_done, job.frames);
     if (job.state != ExportState::Running) return text;
@@ -52,6 +55,8 @@ std::string rateText(const ExportJob& job) {
     }
     return text;
 }
+
+namespace {
 
 void drawQueueButtons(const ExportView& view, const ExportJob& job, std::size_t index,
                       ExportActions& actions) {
@@ -84,9 +89,13 @@ void drawOutcomeButtons(const ExportView& view, const ExportJob& job, ExportActi
         first = false;
         if (button(label, nameFor(job, widget), options)) asked = job.id;
     };
-    if (job.active() || job.state == ExportState::Waiting) {
+    // Cancel keeps its place when it has worked: a second click must not press Continue.
+    if (job.state != ExportState::Done) {
+        const bool can = job.active() || job.state == ExportState::Waiting;
         offer("Cancel", "cancel",
-              {job.state == ExportState::Stopping ? "It stops after the frame at hand." : "",
+              {job.state == ExportState::Stopping ? "It stops after the frame at hand."
+               : can                              ? ""
+                                                  : "It does not run.",
                "Stop after the frame at hand; Continue goes on from there"},
               actions.cancel);
     }
@@ -110,17 +119,25 @@ void drawJob(const ExportView& view, std::size_t index, ExportActions& actions) 
     const ExportJob& job = view.jobs[index];
     ImGui::PushID(job.id);
     ImGui::Separator();
-    ImGui::TextUnformatted(job.request.name.c_str());
+    const float buttons = 3 * (ImGui::GetTextLineHeight() + scaled(8));
+    const float state = ImGui::CalcTextSize("cancelled  ").x;
+    const float least = scaled(40);
+    cutText(job.request.name, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::Middle,
+            std::max(ImGui::GetContentRegionAvail().x - buttons - state, least));
     ImGui::SameLine();
     drawState(job, view.held);
     drawQueueButtons(view, job, index, actions);
-    paragraph(job.request.folder.string(), palette().text_dim);
+    cutText(job.request.folder.string(), palette().text_dim, {}, Cut::Middle);
     if (job.active()) {
+        const float width = ImGui::GetContentRegionAvail().x;
+        const std::string progress = progressText(job);
         ImGui::ProgressBar(static_cast<float>(job.fraction),
-                           {-1, ImGui::GetTextLineHeight() + scaled(4)});
+                           {-1, ImGui::GetTextLineHeight() + scaled(4)},
+                           cutToWidth(progress, width - scaled(12)).c_str());
+        wholeText(progress, width - scaled(12));
+    } else if (job.frames > 0) {
+        paragraph(progressText(job));
     }
-    const std::string rate = rateText(job);
-    if (!rate.empty()) paragraph(rate);
     if (job.state == ExportState::Failed) {
         paragraph(describe(job.error), palette().bad);
         if (!job.last_words.empty()) {
@@ -149,12 +166,14 @@ void drawExportJobs(const ExportView& view, ExportActions& actions) {
         ImGui::TextDisabled("Nothing is queued.");
         return;
     }
+    flowTo("Hold on");
     const auto waiting = std::ranges::count(view.jobs, ExportState::Waiting, &ExportJob::state);
     const char* label = view.held ? "Go on" : "Hold";
     const std::string none = "Nothing is waiting.";
     if (button(label, "export.hold",
                {!view.held && waiting == 0 ? none : "",
-                view.held ? "Start what waits" : "Finish what runs and start nothing new"})) {
+                view.held ? "Start what waits" : "Finish what runs and start nothing new", 0.0F,
+                true})) {
         actions.toggle_hold = true;
     }
     for (std::size_t i = 0; i < view.jobs.size(); ++i) drawJob(view, i, actions);

@@ -2,6 +2,7 @@
 
 #include "ui/panels/export_jobs.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
@@ -10,6 +11,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dollytrack::ui {
 namespace {
@@ -112,14 +114,17 @@ std::string bytesText(double bytes) {
     return fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0));
 }
 
-void drawSummary(const ExportView& view, const ExportDraft& draft) {
+/// "apartment: 120 frames of 640 × 480 px, at most about 350 MB"
+std::string summaryOf(const ExportView& view, const ExportDraft& draft) {
     const int count = frameCountOf(view, draft);
-    if (count == 0) return;
-    std::string text = fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+    if (count == 0) return view.project.empty() ? "No project is open." : view.project;
+    std::string text =
+        fmt::format("{}: {} frame{} of {} \u00d7 {} px", view.project, count, count == 1 ? "" : "s",
+                    view.camera.width_px, view.camera.height_px);
     if (view.bytes_per_frame > 0.0) {
         text += ", at most about " + bytesText(count * view.bytes_per_frame);
     }
-    formText("Makes", text);
+    return text;
 }
 
 /// Why the settings cannot be exported; empty when they can.
@@ -137,27 +142,33 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     return {};
 }
 
-void drawSettings(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
-    heading("New dataset");
-    if (!beginForm("settings")) return;
-    formText("Project", view.project.empty() ? "none is open" : view.project);
+void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
+    if (!beginForm("place")) return;
     drawFolder(draft, actions);
-    formText("Image",
-             fmt::format("{} × {} px, {:g}°", view.camera.width_px, view.camera.height_px,
-                         view.camera.hfov_deg),
-             "Set with the camera's parameters, which the plan depends on");
     drawFrames(view, draft);
+    endForm();
+}
+
+void drawContents(const ExportView& view, ExportDraft& draft) {
+    if (!beginForm("contents")) return;
     drawChoices("Modalities", "modality", view.modalities, draft.left_out_modalities);
     drawChoices("Formats", "format", view.formats, draft.left_out_formats);
     formLabel("Other files");
     ImGui::Checkbox("may be in the folder", &draft.overwrite);
     nameItem("export.overwrite");
     tooltip("They stay. Without this, only an empty folder or an earlier dataset is written into.");
-    drawSummary(view, draft);
     endForm();
-    const std::string why_not = whyNot(view, draft);
+}
+
+/// What begins the export, and how the one at work is coming on: always in sight, however short
+/// the panel is.
+void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions& actions) {
+    ImGui::Separator();
     if (button("Export", "export.add",
-               {why_not, "Put it in the queue; it starts when its turn comes", 0.0F, true})) {
+               {.why_not = whyNot(view, draft),
+                .tip = "Put it in the queue; it starts when its turn comes",
+                .width = scaled(110),
+                .primary = true})) {
         actions.add_current = true;
     }
     flowTo("Add projects…");
@@ -167,6 +178,21 @@ void drawSettings(const ExportView& view, ExportDraft& draft, ExportActions& act
                 "one"})) {
         actions.add_files = true;
     }
+    const auto running = std::ranges::find_if(view.jobs, &ExportJob::active);
+    if (running == view.jobs.end()) {
+        const std::string summary = summaryOf(view, draft);
+        flowTo(summary.c_str());
+        ImGui::AlignTextToFramePadding();
+        cutText(summary, palette().text_dim,
+                "The size of the image is a parameter of the camera; the plan depends on it.");
+        return;
+    }
+    const std::string progress = running->request.name + ": " + progressText(*running);
+    flowTo((progress + "  " + progress).c_str());
+    ImGui::ProgressBar(static_cast<float>(running->fraction), {-1, ImGui::GetFrameHeight()},
+                       progress.c_str());
+    nameItem("export.progress");
+    tooltip(progress);
 }
 
 }  // namespace
@@ -199,10 +225,33 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
 
 ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
     ExportActions actions;
-    ImGui::BeginChild("export");
-    drawSettings(view, draft, actions);
-    drawExportJobs(view, actions);
-    ImGui::EndChild();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    // Below the viewport there is width but no height, at a side the reverse.
+    const bool wide = room.x >= scaled(900);
+    const float footer =
+        (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
+    const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
+    if (wide) {
+        const float third = std::floor((room.x - 2 * style.ItemSpacing.x) / 3);
+        const auto column = [&](const char* id, const auto& draw) {
+            ImGui::BeginChild(id, {third, height});
+            draw();
+            ImGui::EndChild();
+        };
+        column("place", [&] { drawPlace(view, draft, actions); });
+        ImGui::SameLine();
+        column("contents", [&] { drawContents(view, draft); });
+        ImGui::SameLine();
+        column("queue", [&] { drawExportJobs(view, actions); });
+    } else {
+        ImGui::BeginChild("export", {0, height});
+        drawPlace(view, draft, actions);
+        drawContents(view, draft);
+        drawExportJobs(view, actions);
+        ImGui::EndChild();
+    }
+    drawFooter(view, draft, actions);
     return actions;
 }
 

@@ -64,6 +64,9 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& state);
 [[nodiscard]] ExportRequest requestOf(const ExportView& view, const ExportDraft& state);
 [[nodiscard]] int frameCountOf(const ExportView& view, const ExportDraft& state);
 
+/// "12 of 120 frames, 8.1 a second, 13 s left", as far as it is known.
+[[nodiscard]] std::string progressText(const ExportJob& job);
+
 /// "4 min 10 s"
 [[nodiscard]] std::string durationText(double seconds);
 
