@@ -1,6 +1,7 @@
 #include "ui/panels/steps_panel.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
@@ -9,6 +10,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dollytrack::ui {
 namespace {
@@ -156,14 +158,13 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
             if (!taken) color.w = 0.5F;
             ImGui::PushStyleColor(ImGuiCol_Text, color);
             const std::string line = fmt::format("{}   {}", index + 1, text);
-            if (ImGui::Selectable(line.c_str(), index + 1 == view.taken)) {
+            const float room = ImGui::GetContentRegionAvail().x;
+            if (ImGui::Selectable(cutToWidth(line, room).c_str(), index + 1 == view.taken)) {
                 actions.go_to = index + 1;
             }
             ImGui::PopStyleColor();
             nameItem(fmt::format("steps.row.{}", index));
-            if (ImGui::CalcTextSize(line.c_str()).x > ImGui::GetContentRegionAvail().x) {
-                tooltip(text);
-            }
+            wholeText(line, room);
             ImGui::PopID();
         }
     }
@@ -216,6 +217,10 @@ StepsActions drawStepsPanel(const StepsView& view, StepsState& state) {
         return actions;
     }
     updateRows(view, state);
+    // Below the viewport there is width but no height: the list goes beside the controls.
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool wide = room.x >= scaled(900);
+    if (wide) ImGui::BeginChild("controls", {std::floor(0.44F * room.x), 0.0F});
     drawTransport(view, state, actions);
     drawSpeedAndRefusal(view, state, actions);
     const auto all = static_cast<int>(view.steps->steps.size());
@@ -232,7 +237,12 @@ StepsActions drawStepsPanel(const StepsView& view, StepsState& state) {
         paragraph(fmt::format("{} later steps were not recorded.", view.steps->left_out),
                   palette().warning);
     }
-    ImGui::Separator();
+    if (wide) {
+        ImGui::EndChild();
+        ImGui::SameLine();
+    } else {
+        ImGui::Separator();
+    }
     drawList(view, state, actions);
     return actions;
 }
