@@ -4,6 +4,7 @@
 #include "engine/scene/labels.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/drag_fields.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
@@ -121,10 +122,10 @@ void drawPins(const EditsView& view, EditsActions& actions) {
         const PinnedPoint& point = pinned[i];
         const std::string name = "edits.pin." + std::to_string(i);
         ImGui::PushID(name.c_str());
-        ImGui::TextUnformatted(point.name.c_str());
         const std::string for_what =
             point.objects.empty() ? "Placed from a view" : "For " + namesOf(point.objects);
-        tooltip(for_what + ", at " + placeText(point.pose.position));
+        cutText(point.name, ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                for_what + ", at " + placeText(point.pose.position), Cut::Middle);
         drawPinState(view, point);
         if (button("Look through", name + ".look")) actions.look_through = point.pose;
         ImGui::SameLine();
@@ -195,15 +196,15 @@ void drawHeights(const EditsView& view, EditsActions& actions) {
     constexpr double kNarrowest_m = 0.05;
     formLabel("At least", "Above the floor below the camera");
     const FieldEdit lower =
-        dragNumber(low, {0.0, high - kNarrowest_m, 0.01F, low > 0.0 ? "%.2f m" : "no limit"},
+        dragNumber(low, {0.0, high - kNarrowest_m, 0.01F, low > 0.0 ? "%.2f" : "no limit", " m"},
                    "edits.height.min");
     formLabel("At most", "Above the floor below the camera");
     const bool limited = high < kNoLimit_m;
     // From "no limit" a drag would take minutes to arrive at a room's height.
-    const FieldEdit upper = dragNumber(
-        high,
-        {low + kNarrowest_m, kNoLimit_m, limited ? 0.01F : 1.0F, limited ? "%.2f m" : "no limit"},
-        "edits.height.max", "Ctrl+click to type");
+    const FieldEdit upper = dragNumber(high,
+                                       {low + kNarrowest_m, kNoLimit_m, limited ? 0.01F : 1.0F,
+                                        limited ? "%.2f" : "no limit", " m"},
+                                       "edits.height.max", "Double-click to type");
     endForm();
     if (limited || low > 0.0) {
         if (button("No limits", "edits.height.reset")) {

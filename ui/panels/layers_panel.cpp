@@ -4,6 +4,7 @@
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/legend_view.h"
+#include "ui/widgets/number_input.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -54,17 +55,15 @@ class Switches {
     }
 
     void slide(const char* label, const char* name, double& value, double low, double high,
-               const char* format) {
+               const char* unit = "") {
         formLabel(label);
-        auto shown = static_cast<float>(value);
-        const std::string id = std::string("layers.") + name;
-        if (ImGui::SliderFloat(("##" + id).c_str(), &shown, static_cast<float>(low),
-                               static_cast<float>(high), format, ImGuiSliderFlags_AlwaysClamp)) {
-            value = shown;
-            note(false);
-        }
-        actions_.finished = actions_.finished || ImGui::IsItemDeactivatedAfterEdit();
-        nameItem(id);
+        NumberLimits limits;
+        limits.min = low;
+        limits.max = high;
+        limits.format = "%.2f";
+        limits.unit = unit;
+        const FieldEdit edit = numberInput(value, limits, std::string("layers.") + name);
+        if (edit.changed || edit.finished) note(edit.finished);
     }
 
     void note(bool finished) {
@@ -99,9 +98,9 @@ void drawSlice(const LayersView& view, LayerSettings& settings, Switches& switch
     const double low = view.room.isEmpty() ? 0.0 : view.room.min()[axis];
     const double high = view.room.isEmpty() ? 3.0 : view.room.max()[axis];
     settings.slice.position_m = std::clamp(settings.slice.position_m, low, high);
-    switches.slide("Position", "slice.position", settings.slice.position_m, low, high, "%.2f m");
+    switches.slide("Position", "slice.position", settings.slice.position_m, low, high, " m");
     switches.slide("Thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
-                   std::max(high - low, view.cell_m), "%.2f m");
+                   std::max(high - low, view.cell_m), " m");
 }
 
 void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switches) {
@@ -144,7 +143,7 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
         switches.choose("Colour", "cells.color", settings.cells.color, kColors);
         drawLevels(view, settings, switches);
         double opacity = settings.cells.opacity;
-        switches.slide("Opacity", "cells.opacity", opacity, 0.05, 1.0, "%.2f");
+        switches.slide("Opacity", "cells.opacity", opacity, 0.05, 1.0);
         settings.cells.opacity = static_cast<float>(opacity);
         if (settings.sliced) drawSlice(view, settings, switches);
     });

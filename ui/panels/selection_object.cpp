@@ -93,7 +93,7 @@ void drawSize(const Object& object, const Said& said, const json& key, EditReque
 void drawFront(const Said& said, const json& key, EditRequest& edit) {
     formLabel("Front", "The side it is seen from best. 0\u00b0: along x, 90\u00b0: along y");
     double angle = std::atan2(said.front.y(), said.front.x()) * 180.0 / std::numbers::pi;
-    const FieldEdit field = dragNumber(angle, {-360.0, 360.0, 1.0F, "%.0f\u00b0"},
+    const FieldEdit field = dragNumber(angle, {-360.0, 360.0, 1.0F, "%.0f", "\u00b0"},
                                        "selection.front", said.front_source);
     if (field.changed) {
         edit.operation = {{"op", "set_front"}, {"object", key}, {"front", wrapDegrees(angle)}};

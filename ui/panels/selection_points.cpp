@@ -73,12 +73,12 @@ void drawPose(const SelectionView& view, const Handle& handle, EditRequest& edit
     double pitch = std::asin(std::clamp(forward.z(), -1.0, 1.0)) * kDegrees;
     formLabel("Place", "x, y, z in m; moving it pins it");
     const FieldEdit moved =
-        dragPoint(position, kPlaceRange, "selection.position", "m; drag, or Ctrl+click");
+        dragPoint(position, kPlaceRange, "selection.position", "m; drag, or double-click to type");
     formLabel("Heading", "0\u00b0: along x, 90\u00b0: along y; turning it pins it");
     const FieldEdit turned = dragNumber(yaw, kAngleRange, "selection.yaw");
     formLabel("Pitch", "Above the horizon");
     const FieldEdit tilted =
-        dragNumber(pitch, {-89.0, 89.0, 0.5F, "%.1f\u00b0"}, "selection.pitch");
+        dragNumber(pitch, {-89.0, 89.0, 0.5F, "%.1f", "\u00b0"}, "selection.pitch");
     json operation = placing(view, handle);
     if (moved.changed) {
         operation["position"] = pointJson(position);

@@ -22,15 +22,15 @@ void merge(FieldEdit& all, const FieldEdit& one) {
 
 FieldEdit dragNumber(double& value, const DragRange& range, const std::string& name,
                      const std::string& tip) {
-    FieldEdit edit;
-    ImGui::PushID(name.c_str());
-    edit.changed =
-        ImGui::DragScalar("##value", ImGuiDataType_Double, &value, range.speed, &range.min,
-                          &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
-    ImGui::PopID();
-    edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-    nameItem(name);
-    if (!ImGui::IsItemActive()) tooltip(tip);
+    NumberLimits limits;
+    limits.min = range.min;
+    limits.max = range.max;
+    limits.format = range.format;
+    limits.unit = range.unit;
+    limits.slides = false;
+    limits.speed = range.speed;
+    const FieldEdit edit = numberInput(value, limits, name);
+    if (!edit.says && !ImGui::IsItemActive()) tooltip(tip);
     return edit;
 }
 
@@ -50,10 +50,11 @@ FieldEdit dragPoint(Eigen::Vector3d& point, const DragRange& range, const std::s
 BoxEdit boxRows(OrientedBox& box, const std::string& name) {
     BoxEdit edit;
     formLabel("Centre", "x, y, z in m");
-    edit.center = dragPoint(box.center, kPlaceRange, name + ".center", "m; drag, or Ctrl+click");
+    edit.center =
+        dragPoint(box.center, kPlaceRange, name + ".center", "m; drag, or double-click to type");
     formLabel("Size", "Along its own axes, in m");
     Eigen::Vector3d size = 2.0 * box.half_size;
-    edit.size = dragPoint(size, kLengthRange, name + ".size", "m; drag, or Ctrl+click");
+    edit.size = dragPoint(size, kLengthRange, name + ".size", "m; drag, or double-click to type");
     if (edit.size.changed) box.half_size = 0.5 * size;
     formLabel("Turned", "About the vertical");
     double yaw = box.yaw * kDegrees;

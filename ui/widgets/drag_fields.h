@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/object.h"
-#include "ui/widgets/field_editor.h"
+#include "ui/widgets/number_input.h"
 
 #include <Eigen/Core>
 
@@ -15,11 +15,12 @@ struct DragRange {
     double max = 1000.0;
     float speed = 0.01F;  // a pixel
     const char* format = "%.2f";
+    const char* unit = "";
 };
 
 constexpr DragRange kPlaceRange = {-1e4, 1e4, 0.01F, "%.2f"};   // m
 constexpr DragRange kLengthRange = {0.01, 1e4, 0.01F, "%.2f"};  // m
-constexpr DragRange kAngleRange = {-360.0, 360.0, 0.5F, "%.1f\u00b0"};
+constexpr DragRange kAngleRange = {-360.0, 360.0, 0.5F, "%.1f", "\u00b0"};
 
 /// A number with the width set by SetNextItemWidth().
 FieldEdit dragNumber(double& value, const DragRange& range, const std::string& name,

@@ -3,8 +3,8 @@
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,44 +31,49 @@ int decimals(double min, double max) {
     return 1;
 }
 
-bool edit(const Field::Real& real, const Field& field) {
-    const double min = real.info.min;
-    const double max = real.info.max;
-    if (max - min <= kWidestSlider) {
-        const std::string format =
-            "%." + std::to_string(decimals(min, max)) + "f" + unitSuffix(field);
-        const bool wide = min > 0.0 && max / min >= 50.0;
-        return ImGui::SliderScalar(
-            "##value", ImGuiDataType_Double, real.value, &min, &max, format.c_str(),
-            ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0));
-    }
-    const std::string format = "%.3g" + unitSuffix(field);
-    const auto speed = static_cast<float>(std::max(0.01 * std::abs(*real.value), 0.01));
-    return ImGui::DragScalar("##value", ImGuiDataType_Double, real.value, speed, &min, &max,
-                             format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+FieldEdit edit(const Field::Real& real, const Field& field, const std::string& path) {
+    NumberLimits limits;
+    limits.min = real.info.min;
+    limits.max = real.info.max;
+    limits.unit = unitSuffix(field);
+    limits.slides = limits.max - limits.min <= kWidestSlider;
+    limits.logarithmic = limits.min > 0.0 && limits.max / limits.min >= 50.0;
+    limits.format = limits.slides ? fmt::format("%.{}f", decimals(limits.min, limits.max)) : "%.3g";
+    limits.speed = static_cast<float>(std::max(0.01 * std::abs(*real.value), 0.01));
+    return numberInput(*real.value, limits, path);
 }
 
-bool edit(const Field::Integer& integer, const Field& field) {
-    const int min = static_cast<int>(std::max(integer.info.min, -2147483647.0));
-    const int max = static_cast<int>(std::min(integer.info.max, 2147483647.0));
-    const std::string format = "%d" + unitSuffix(field);
-    if (integer.info.max - integer.info.min <= kWidestSlider) {
-        return ImGui::SliderInt("##value", integer.value, min, max, format.c_str(),
-                                ImGuiSliderFlags_AlwaysClamp);
-    }
-    const auto speed = static_cast<float>(std::max(0.01 * std::abs(*integer.value), 0.2));
-    return ImGui::DragInt("##value", integer.value, speed, min, max, format.c_str(),
-                          ImGuiSliderFlags_AlwaysClamp);
+FieldEdit edit(const Field::Integer& integer, const Field& field, const std::string& path) {
+    NumberLimits limits;
+    limits.min = std::max(integer.info.min, -2147483647.0);
+    limits.max = std::min(integer.info.max, 2147483647.0);
+    limits.unit = unitSuffix(field);
+    limits.whole = true;
+    limits.format = "%.0f";
+    limits.slides = limits.max - limits.min <= kWidestSlider;
+    limits.speed = static_cast<float>(std::max(0.01 * std::abs(*integer.value), 0.2));
+    double value = *integer.value;
+    const FieldEdit result = numberInput(value, limits, path);
+    if (result.changed) *integer.value = static_cast<int>(std::lround(value));
+    return result;
 }
 
-bool edit(const Field::Switch& on_off, const Field&) {
-    return ImGui::Checkbox("##value", on_off.value);
+/// A choice is made at once: it needs no end.
+FieldEdit chosen(bool changed) {
+    return {changed, changed};
 }
 
-bool edit(const Field::Choice& choice, const Field&) {
+FieldEdit edit(const Field::Switch& on_off, const Field&, const std::string& path) {
+    const FieldEdit result = chosen(ImGui::Checkbox("##value", on_off.value));
+    nameItem(path);
+    return result;
+}
+
+FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& path) {
     const int now = choice.get();
     bool changed = false;
-    if (ImGui::BeginCombo("##value", std::string(choice.info.names[now]).c_str())) {
+    const bool open = ImGui::BeginCombo("##value", std::string(choice.info.names[now]).c_str());
+    if (open) {
         for (int i = 0; i < static_cast<int>(choice.info.names.size()); ++i) {
             const std::string name(choice.info.names[i]);
             if (ImGui::Selectable(name.c_str(), i == now)) {
@@ -79,7 +84,8 @@ bool edit(const Field::Choice& choice, const Field&) {
         }
         ImGui::EndCombo();
     }
-    return changed;
+    nameItem(path);
+    return chosen(changed);
 }
 
 void copyValue(const Field& from, const Field& to) {
@@ -96,16 +102,6 @@ void copyValue(const Field& from, const Field& to) {
         from.value);
 }
 
-/// The number that is being typed, and into which field. There is one keyboard.
-struct Typed {
-    std::string field;
-    std::string value;
-};
-Typed& typed() {
-    static Typed the_number;
-    return the_number;
-}
-
 void explainField(const Field& field, const Field& standard) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
@@ -113,7 +109,7 @@ void explainField(const Field& field, const Field& standard) {
     std::string range = field.rangeText();
     if (!field.unit().empty()) range += " " + std::string(field.unit());
     ImGui::TextDisabled("%s   %s", field.name.c_str(), range.c_str());
-    ImGui::TextDisabled("default %s; Ctrl+click to type", standard.valueText().c_str());
+    ImGui::TextDisabled("default %s; double-click to type", standard.valueText().c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -148,26 +144,8 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     const bool differs = field.valueText() != standard.valueText();
     const float reset_width = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
-    result.changed = std::visit([&](const auto& value) { return edit(value, field); }, field.value);
-    // A number that is being typed counts when it is whole: "0.45" is not 0, then 0.4, then 0.45.
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetItemID());
-    if (typing && result.changed) {
-        typed() = {path, field.valueText()};
-        result.changed = false;
-    }
-    const bool drags = std::holds_alternative<Field::Real>(field.value) ||
-                       std::holds_alternative<Field::Integer>(field.value);
-    result.finished = drags ? ImGui::IsItemDeactivatedAfterEdit() : result.changed;
-    if (!typing && typed().field == path) {
-        const bool applied = setField({field}, field.name + "=" + typed().value).has_value();
-        typed() = {};
-        result.changed = result.changed || applied;
-        result.finished = true;
-    } else if (typing) {
-        result.finished = false;
-    }
-    nameItem(path);
-    if (ImGui::IsItemHovered()) explainField(field, standard);
+    result = std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
+    if (!result.says && ImGui::IsItemHovered()) explainField(field, standard);
     if (differs) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("\u21ba", {reset_width, 0})) {
