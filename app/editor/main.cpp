@@ -78,7 +78,9 @@ int main(int argc, char** argv) {
     std::string size;
     app.add_option("file", path, "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
         ->type_name("FILE");
-    app.add_option("--size", size, "Size of the window, such as 1280x720")->type_name("WxH");
+    app.add_option("--size", size,
+                   "Size of the window, such as 1280x720; of a screen of 96 dots per inch")
+        ->type_name("WxH");
     app.add_option("--inspect", socket,
                    "Unix socket that answers the line 'state' with what is shown, as JSON")
         ->type_name("PATH");

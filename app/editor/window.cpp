@@ -1,6 +1,7 @@
 #include "app/editor/window.h"
 #include "engine/core/log.h"
 #include "render/gl/picture_texture.h"
+#include "ui/screen_scale.h"
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
 
@@ -42,6 +43,26 @@ class SharedContext : public gl::Context {
     GLFWwindow* window_;
 };
 
+/// How large to draw on a screen; 1 where there is none.
+double scaleOf(GLFWmonitor* monitor) {
+    if (monitor == nullptr) return 1.0;
+    float content_x = 1.0F;
+    float content_y = 1.0F;
+    glfwGetMonitorContentScale(monitor, &content_x, &content_y);
+    ui::ScreenSize screen;
+    glfwGetMonitorPhysicalSize(monitor, &screen.width_mm, &screen.height_mm);
+    if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
+        screen.width_px = mode->width;
+        screen.height_px = mode->height;
+    }
+    return ui::screenScale(content_x, screen);
+}
+
+/// A length in pixels on this screen, and no longer than the screen is.
+int onScreen(int length, double scale, int most) {
+    return std::min(static_cast<int>(std::lround(length * scale)), most);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin) {
@@ -61,20 +82,27 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     if (settings.maximized) glfwWindowHint(GLFW_MAXIMIZED, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "dollytrack-editor");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "dollytrack-editor");
     auto window = std::unique_ptr<Window>(new Window);
-    window->window_ =
-        glfwCreateWindow(settings.width, settings.height, "Dollytrack", nullptr, nullptr);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const double scale = scaleOf(monitor);
+    const int most_width = mode != nullptr ? mode->width : 16384;
+    const int most_height = mode != nullptr ? mode->height : 16384;
+    window->scale_ = scale;
+    window->window_ = glfwCreateWindow(onScreen(settings.width, scale, most_width),
+                                       onScreen(settings.height, scale, most_height), "Dollytrack",
+                                       nullptr, nullptr);
     if (window->window_ == nullptr) {
         return fail(ErrorCode::NoOpenGl,
                     "This display offers no OpenGL 4.5 (" + last_glfw_error +
                         "); update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
                         "with the processor.");
     }
-    glfwSetWindowSizeLimits(window->window_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window->window_, onScreen(800, scale, most_width),
+                            onScreen(500, scale, most_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window->window_);
     glfwSwapInterval(1);
     if (Status status = gl::loadFunctions(); !status) {
@@ -86,7 +114,9 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
         self->dropped_.insert(self->dropped_.end(), paths, paths + count);
     });
     glfwSetWindowContentScaleCallback(window->window_, [](GLFWwindow* handle, float, float) {
-        static_cast<Window*>(glfwGetWindowUserPointer(handle))->scale_changed_ = true;
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        self->scale_ = scaleOf(glfwGetPrimaryMonitor());
+        self->scale_changed_ = true;
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -198,17 +228,13 @@ bool Window::takeScaleChange() {
     return std::exchange(scale_changed_, false);
 }
 
-double Window::contentScale() const {
-    float x = 1.0F;
-    float y = 1.0F;
-    glfwGetWindowContentScale(window_, &x, &y);
-    return std::clamp(std::round(4.0 * x) / 4.0, 0.75, 4.0);
-}
-
 WindowSettings Window::settings() const {
     WindowSettings now;
     now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
     glfwGetWindowSize(window_, &now.width, &now.height);
+    // As open() takes them: else the window would grow from start to start.
+    now.width = static_cast<int>(std::lround(now.width / scale_));
+    now.height = static_cast<int>(std::lround(now.height / scale_));
     return now;
 }
 

@@ -13,6 +13,7 @@ struct GLFWwindow;
 
 namespace dollytrack::editor {
 
+/// Sizes at 96 dots per inch; a larger screen scale makes the window larger by as much.
 struct WindowSettings {
     int width = 1440;
     int height = 900;
@@ -45,7 +46,8 @@ class Window {
     /// Whether the user asked to close the window; asking resets it.
     [[nodiscard]] bool takeCloseRequest();
     [[nodiscard]] bool takeScaleChange();
-    [[nodiscard]] double contentScale() const;
+    /// Of all lengths; 1: 96 dots per inch.
+    [[nodiscard]] double contentScale() const { return scale_; }
     [[nodiscard]] WindowSettings settings() const;
     [[nodiscard]] double longestFrame_ms() const { return longest_frame_ms_; }
     [[nodiscard]] double lastFrame_ms() const { return last_frame_ms_; }
@@ -69,6 +71,7 @@ class Window {
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
     std::string title_;
     std::vector<std::string> dropped_;
+    double scale_ = 1.0;
     bool scale_changed_ = false;
     double wanted_font_scale_ = 0.0;
     double longest_frame_ms_ = 0.0;
