@@ -164,7 +164,7 @@ void Editor::editWithGizmo() {
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;
-    view.hovered = pane_.hovered && !preview_hovered_;
+    view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered;
     view.turns = point != nullptr;
     if (box != nullptr) {
         view.pose.position = box->box.center;
@@ -215,7 +215,7 @@ void Editor::drawPreview() {
     view.busy = drawing_.busy();
     view.point_selected = selected_.is(Selection::Kind::PositionPoint);
     view.what = panels_.preview.shows_selection && view.point_selected
-                    ? fmt::format("position point {}", selected_.now().index)
+                    ? fmt::format("point {}", selected_.now().index)
                     : fmt::format("frame {}", playback_.frame());
     if (!has) view.why_not = "There is no trajectory.";
     const ui::PreviewActions actions = ui::drawPreviewPanel(view, panels_.preview);
@@ -231,17 +231,17 @@ void Editor::drawLegend() {
     for (const auto& layer : layers_.layers().layers) {
         if (!layer->legend.entries.empty() || layer->legend.scale) legends.push_back(layer->legend);
     }
+    panels_.legend.hovered = false;
     if (legends.empty() || through_camera_) return;
-    ImGui::SetNextWindowPos({pane_.origin.x() + ui::scaled(10), pane_.origin.y() + ui::scaled(10)});
-    ImGui::SetNextWindowBgAlpha(0.82F);
-    constexpr ImGuiWindowFlags kOverlay =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-        ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-        ImGuiWindowFlags_NoFocusOnAppearing;
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {ui::scaled(230), 10000});
-    ImGui::Begin("legend", nullptr, kOverlay);
-    ui::drawLegends(legends);
-    ImGui::End();
+    const float margin = ui::scaled(10);
+    const ImVec2 low(static_cast<float>(pane_.origin.x()) + margin,
+                     static_cast<float>(pane_.origin.y()) + margin);
+    panels_.legend.open = settings_.layout.show_legend;
+    ui::drawLegendBox(legends, low,
+                      {static_cast<float>(pane_.width) - 2 * margin,
+                       static_cast<float>(pane_.height) - 2 * margin},
+                      panels_.legend);
+    settings_.layout.show_legend = panels_.legend.open;
 }
 
 void Editor::drawCentre() {
@@ -265,7 +265,8 @@ void Editor::drawCentre() {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;
     }
-    view.blocked = gizmo_.hasMouse() || preview_hovered_ || panels_.preview.full;
+    view.blocked =
+        gizmo_.hasMouse() || preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);

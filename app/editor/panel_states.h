@@ -12,6 +12,7 @@
 #include "ui/viewport/viewport_pane.h"
 #include "ui/widgets/command_palette.h"
 #include "ui/widgets/help_overlay.h"
+#include "ui/widgets/legend_view.h"
 
 namespace dollytrack::editor {
 
@@ -25,6 +26,7 @@ struct PanelStates {
     ui::StepsState steps;
     ui::LogPanelState log;
     ui::PreviewState preview;
+    ui::LegendBoxState legend;
     ui::ExportDraft export_draft;
     ui::ImageViewerState sheet;
     ui::HelpState help;

@@ -59,6 +59,7 @@ EditorSettings loadSettings() {
         settings.layout.show_left = layout.value("show_left", true);
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
+        settings.layout.show_legend = layout.value("show_legend", true);
         settings.theme =
             json.value("theme", "dark") == "light" ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
         settings.zoom = std::clamp(json.value("zoom", 1.0), 0.5, 3.0);
@@ -83,7 +84,8 @@ Status saveSettings(const EditorSettings& settings) {
           {"bottom", settings.layout.bottom},
           {"show_left", settings.layout.show_left},
           {"show_right", settings.layout.show_right},
-          {"show_bottom", settings.layout.show_bottom}}},
+          {"show_bottom", settings.layout.show_bottom},
+          {"show_legend", settings.layout.show_legend}}},
         {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
         {"zoom", settings.zoom},
         {"recent", settings.recent},

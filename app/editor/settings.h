@@ -18,6 +18,7 @@ struct Layout {
     bool show_left = true;
     bool show_right = true;
     bool show_bottom = true;
+    bool show_legend = true;
 };
 
 /// What the editor remembers from one start to the next: not about a project, about the person.

@@ -2,6 +2,7 @@
 
 #include "engine/scene/labels.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
@@ -18,6 +19,8 @@ constexpr std::array kModalities = {Modality::Rgb, Modality::Depth, Modality::In
                                     Modality::Semantic, Modality::Normal};
 constexpr float kMargin = 10.0F;
 constexpr float kNarrowest = 290.0F;
+constexpr float kListWidth = 86.0F;
+constexpr float kTitleMargin = 10.0F;
 
 bool isLeft(PaneCorner corner) {
     return corner == PaneCorner::TopLeft || corner == PaneCorner::BottomLeft;
@@ -66,7 +69,7 @@ Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
 }
 
 void drawModality(PreviewState& state, PreviewActions& actions) {
-    ImGui::SetNextItemWidth(scaled(92));
+    ImGui::SetNextItemWidth(scaled(kListWidth));
     const bool open = ImGui::BeginCombo("##modality", modalityName(state.modality));
     nameItem("preview.modality");
     if (!open) return;
@@ -102,16 +105,14 @@ void drawHandle(const PreviewView& view, PreviewState& state, float width) {
     list->AddText({low.x, low.y + ImGui::GetStyle().FramePadding.y},
                   ImGui::GetColorU32(view.busy ? palette().text_dim
                                                : ImGui::GetStyleColorVec4(ImGuiCol_Text)),
-                  view.what.c_str());
+                  cutToWidth(view.what, width).c_str());
     list->PopClipRect();
 }
 
 void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& actions) {
     const float gap = scaled(3);
     const float icon = ImGui::GetFrameHeight();
-    const float save_width = ImGui::CalcTextSize("PNG").x + 2 * ImGui::GetStyle().FramePadding.x;
-    const float tools =
-        scaled(92) + save_width + (state.full ? 2.0F : 3.0F) * icon + 5 * gap + scaled(8);
+    const float tools = scaled(kListWidth) + (state.full ? 3.0F : 4.0F) * icon + 5 * gap + scaled(8);
     drawHandle(view, state, ImGui::GetContentRegionAvail().x - tools);
     ImGui::SameLine(0, gap);
     drawModality(state, actions);
@@ -127,7 +128,8 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
         actions.changed = true;
     }
     ImGui::SameLine(0, gap);
-    if (button("PNG", "preview.save", {view.why_not, "Save this picture as a PNG file"})) {
+    if (iconButton(Icon::Save, "preview.save",
+                   {"Save this picture as a PNG file", view.why_not})) {
         actions.save_png = true;
     }
     ImGui::SameLine(0, gap);
@@ -266,7 +268,7 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
     ImGui::BeginChild("preview", frame.size, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     actions.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    ImGui::SetCursorScreenPos({frame.low.x + scaled(18), frame.low.y + pad});
+    ImGui::SetCursorScreenPos({frame.low.x + scaled(kTitleMargin), frame.low.y + pad});
     ImGui::BeginGroup();
     ImGui::PushClipRect(frame.low, {frame.low.x + frame.size.x - pad, frame.low.y + frame.size.y},
                         true);

@@ -103,6 +103,12 @@ void drawIcon(Icon icon, const IconPen& pen) {
         case Icon::Shrink:
             pen.line(-0.7F, 0.6F, 0.7F, 0.6F);
             break;
+        case Icon::Save:
+            pen.line(0, -0.9F, 0, 0.3F);
+            pen.line(-0.5F, -0.2F, 0, 0.3F);
+            pen.line(0, 0.3F, 0.5F, -0.2F);
+            pen.line(-0.8F, 0.8F, 0.8F, 0.8F);
+            break;
         case Icon::Up:
             pen.line(-0.7F, 0.4F, 0, -0.4F);
             pen.line(0, -0.4F, 0.7F, 0.4F);

@@ -19,6 +19,7 @@ enum class Icon {
     Pin,
     Grow,
     Shrink,
+    Save,
     Up,
     Down,
     Close,

@@ -127,4 +127,33 @@ void drawLegends(const std::vector<Legend>& legends) {
     }
 }
 
+void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
+                   LegendBoxState& state) {
+    const ImVec2 size(std::min(state.size.x, room.x), std::min(state.size.y, room.y));
+    ImVec4 back = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    back.w = 0.82F;
+    ImGui::SetCursorScreenPos(low);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, scaled(5));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(8), scaled(5)});
+    // A child of the viewport's window rather than a window of its own, which would lie over the
+    // shade behind dialogs.
+    ImGui::BeginChild("legend", {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, true,
+                      size.y < state.size.y ? 0 : ImGuiWindowFlags_NoScrollbar);
+    state.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    ImGui::BeginGroup();
+    if (button(state.open ? "\u25be Legend" : "\u25b8 Legend", "legend.title",
+               {.tip = state.open ? "Fold it" : "What the signs and colours mean",
+                .small = true})) {
+        state.open = !state.open;
+    }
+    if (state.open) drawLegends(legends);
+    ImGui::EndGroup();
+    state.size = {ImGui::GetItemRectSize().x + 2 * scaled(8),
+                  ImGui::GetItemRectSize().y + 2 * scaled(5)};
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
 }  // namespace dollytrack::ui
