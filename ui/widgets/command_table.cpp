@@ -17,6 +17,12 @@ std::string keyName(int key) {
         return "Num " + std::to_string(key - GLFW_KEY_KP_0);
     }
     switch (key) {
+        case GLFW_KEY_EQUAL:
+            return "+";
+        case GLFW_KEY_PAGE_UP:
+            return "Page up";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page down";
         case GLFW_KEY_SPACE:
             return "Space";
         case GLFW_KEY_HOME:
@@ -44,6 +50,24 @@ std::string keyName(int key) {
     }
 }
 
+/// Whether a key writes this sign on the user's keyboard, wherever it is there.
+bool writes(int key, char sign) {
+    const char* name = glfwGetKeyName(key, 0);
+    return name != nullptr && name[0] == sign && name[1] == '\0';
+}
+
+/// Larger and smaller are on keys of many places: + and - of the number pad, + beside Enter.
+bool pressedElsewhere(int key) {
+    if (key != GLFW_KEY_EQUAL && key != GLFW_KEY_MINUS) return false;
+    const bool larger = key == GLFW_KEY_EQUAL;
+    if (ImGui::IsKeyPressed(larger ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT, false)) return true;
+    for (int other = GLFW_KEY_APOSTROPHE; other <= GLFW_KEY_GRAVE_ACCENT; ++other) {
+        if (other == GLFW_KEY_EQUAL || other == GLFW_KEY_MINUS) continue;
+        if (ImGui::IsKeyPressed(other, false) && writes(other, larger ? '+' : '-')) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string Shortcut::text() const {
@@ -68,8 +92,12 @@ std::string CommandTable::runShortcuts() const {
         // Holding a key down repeats what goes step by step, not what makes things.
         const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
                              keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
-        if (keys.key == 0 || !ImGui::IsKeyPressed(keys.key, repeats)) continue;
-        if (keys.ctrl != io.KeyCtrl || keys.shift != io.KeyShift || keys.alt != io.KeyAlt) continue;
+        if (keys.key == 0) continue;
+        if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) continue;
+        const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
+        if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key))) continue;
+        // On many keyboards + is Shift and =.
+        if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) continue;
         // While typing only what no text holds is a command.
         const bool edits_text =
             keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||

@@ -292,6 +292,7 @@ void FileBrowser::Impl::drawList(float height) {
         if (!entry->is_folder && request.purpose == Purpose::Save) name = entry->name;
         path_line.show(entry->is_folder ? folder / "" : folder / entry->name);
     }
+    if (!actions.path.empty()) path_line.typeOn(actions.path);
     if (actions.opened && entry != nullptr) {
         look(folder / entry->name, entry->is_folder ? Intent::Enter : Intent::Accept);
     }

@@ -15,6 +15,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <ctime>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -31,23 +32,29 @@ std::string dateText(std::int64_t seconds) {
     return text.data();
 }
 
-/// Letters typed in quick succession go to the first name that begins with them.
-void jumpToTyped(const FileListView& view, FileListState& state) {
+/// Letters typed in quick succession go to the first name that begins with them. Returns them where
+/// they are the beginning of a path.
+std::string jumpToTyped(const FileListView& view, FileListState& state) {
     ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyCtrl || io.InputQueueCharacters.empty()) return;
+    if (io.KeyCtrl || io.InputQueueCharacters.empty()) return {};
     const double now = ImGui::GetTime();
     if (now - state.typed_at > kTypingPause_s) state.typed.clear();
     state.typed_at = now;
     for (const ImWchar c : io.InputQueueCharacters) {
         if (c >= 32 && c < 127) state.typed += static_cast<char>(c);
     }
+    if (state.typed.starts_with('~') || state.typed.find('/') != std::string::npos) {
+        io.InputQueueCharacters.resize(0);
+        return std::exchange(state.typed, {});
+    }
     for (std::size_t row = 0; row < view.rows->size(); ++row) {
         if (!beginsWithIgnoringCase(view.listing->entries[(*view.rows)[row]].name, state.typed))
             continue;
         state.selected = static_cast<int>(row);
         state.scroll = true;
-        return;
+        break;
     }
+    return {};
 }
 
 void moveByKeys(FileListState& state, int count) {
@@ -149,7 +156,7 @@ FileListActions drawFileList(const FileListView& view, FolderOrder& order, FileL
     const int count = view.listing == nullptr ? 0 : static_cast<int>(view.rows->size());
     if (view.listing != nullptr && view.takes_keys) {
         moveByKeys(state, count);
-        jumpToTyped(view, state);
+        actions.path = jumpToTyped(view, state);
         actions.go_up = ImGui::IsKeyPressed(GLFW_KEY_BACKSPACE, false);
         actions.opened = state.selected >= 0 && (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
                                                  ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false));

@@ -26,6 +26,7 @@ struct FileListActions {
     bool selected = false;  // another row than before
     bool opened = false;    // the selected row: double click or Enter
     bool go_up = false;     // Backspace
+    std::string path;       // what was typed is no name but a path: its beginning
 };
 
 /// The files of a folder as a table that sorts by its headings; keeps up with 100,000 of them.

@@ -47,7 +47,7 @@ Block mouseBlock() {
 Block fieldBlock() {
     return {"Number fields",
             {{"Change", "Drag"},
-             {"Type a value", "Ctrl+Click"},
+             {"Type a value", "Double click, Ctrl+Click"},
              {"Finer", "Alt+Drag"},
              {"Coarser", "Shift+Drag"}}};
 }

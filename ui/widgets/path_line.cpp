@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -51,6 +52,12 @@ fs::path typedPath(const std::string& text, const fs::path& folder) {
 void PathLine::show(const fs::path& path) {
     if (typing_) return;
     text_ = path.string();
+}
+
+void PathLine::typeOn(const std::string& begun) {
+    text_ = begun;
+    wants_focus_ = true;
+    takes_over_ = true;
 }
 
 void PathLine::complete(std::string& text) const {
@@ -127,24 +134,44 @@ bool PathLine::draw(const FolderOrder& order, float width) {
         ImGui::SetKeyboardFocusHere();
         wants_focus_ = false;
     }
+    if (takes_over_) {
+        // The keyboard changes hands from one frame to the next, and people type on meanwhile.
+        ImGuiIO& io = ImGui::GetIO();
+        for (const ImWchar c : io.InputQueueCharacters) {
+            if (c >= 32 && c < 127) text_ += static_cast<char>(c);
+        }
+        io.InputQueueCharacters.resize(0);
+        to_end_ =
+            true;  // a line that gets the keyboard selects all, which the next letter replaces
+    }
     const std::string before = text_;
     const bool was_typing = typing_;
     ImGui::SetNextItemWidth(width);
     const auto on_tab = [](ImGuiInputTextCallbackData* data) {
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways) {
+            auto* line = static_cast<PathLine*>(data->UserData);
+            if (!std::exchange(line->to_end_, false)) return 0;
+            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+            return 0;
+        }
         std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
         static_cast<const PathLine*>(data->UserData)->complete(text);
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text.c_str());
         return 0;
     };
-    const bool entered = ImGui::InputText(
-        "##path", &text_,
-        ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_EnterReturnsTrue, on_tab,
-        this);
+    const bool entered = ImGui::InputText("##path", &text_,
+                                          ImGuiInputTextFlags_CallbackCompletion |
+                                              ImGuiInputTextFlags_CallbackAlways |
+                                              ImGuiInputTextFlags_EnterReturnsTrue,
+                                          on_tab, this);
     nameItem("files.path");
     typing_ = ImGui::IsItemActive();
     if (text_ != before) escaped_ = false;
-    if (ImGui::IsItemActivated()) escaped_ = true;  // offers come with the first letter
+    if (ImGui::IsItemActivated()) {
+        escaped_ = !takes_over_;  // offers come with the first letter
+        takes_over_ = false;
+    }
     if (entered) {
         typing_ = false;
         return true;

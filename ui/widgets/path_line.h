@@ -17,6 +17,8 @@ class PathLine {
     /// Shows another path, unless the user is typing one.
     void show(const std::filesystem::path& path);
     void focus() { wants_focus_ = true; }
+    /// Goes on with a path whose beginning was typed elsewhere.
+    void typeOn(const std::string& begun);
     [[nodiscard]] bool isTyping() const { return typing_; }
     [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -31,7 +33,9 @@ class PathLine {
     std::string text_;
     bool typing_ = false;
     bool wants_focus_ = false;
-    bool escaped_ = false;  // the offers were sent away
+    bool takes_over_ = false;  // letters are for this line, which has not the keyboard yet
+    bool to_end_ = false;      // the cursor is to stand behind what is there
+    bool escaped_ = false;     // the offers were sent away
     FolderReader reader_;
     std::string asked_folder_;  // of which the reader was asked
     std::shared_ptr<const FolderListing> listing_;

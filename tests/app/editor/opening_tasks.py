@@ -22,6 +22,14 @@ class Opening(Task):
         self.editor.wait(lambda state: state["open"], "the room to open")
         self.assertEqual(self.editor.idle()["plan"]["objects"], 5)
 
+    def test_type_a_path_at_once(self):
+        self.start()
+        self.editor.key("ctrl+o")
+        self.editor.item("files.path")
+        self.editor.type(str(self.room))
+        self.editor.key("enter")
+        self.editor.wait(lambda state: state["open"], "the room to open")
+
     def test_open_a_file_by_walking_through_folders(self):
         self.start()
         self.editor.key("ctrl+o")
