@@ -128,6 +128,7 @@ class Editor {
     void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;
     [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;
+    [[nodiscard]] OrientedBox boxInView();
     [[nodiscard]] int frameCount() const;
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 

@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "planning/free_space/free_space.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/widgets/item_map.h"
 
@@ -136,7 +137,7 @@ void Editor::addEditCommands() {
                                   ? "Switch to perspective (5) first."
                                   : "";
                    }});
-    commands_.add({"edit.lock_point", "Edit", "Lock the position point", key(GLFW_KEY_L),
+    commands_.add({"edit.pin_point", "Edit", "Pin the position point, or unpin it", key(GLFW_KEY_L),
                    [this] { lockSelectedPoint(); },
                    [this]() -> std::string {
                        return selected_.is(Selection::Kind::PositionPoint)
@@ -154,9 +155,7 @@ void Editor::addEditCommands() {
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
          [this] {
-             const OrientedBox box{panels_.viewport.camera.pivot, Eigen::Vector3d::Constant(0.5),
-                                   0.0};
-             apply(ui::addNoGoOperation(boxAroundSelection().value_or(box)));
+             apply(ui::addNoGoOperation(boxAroundSelection().value_or(boxInView())));
              const auto& boxes = workspace_.state().edits.plan.no_go;
              if (!boxes.empty()) {
                  select(Selection::ofItem(Selection::Kind::NoGoBox,
@@ -260,6 +259,32 @@ void Editor::addViewCommands() {
     };
     ui::LayerSettings& layers = layer_settings_;
     layer("free_space", "Free space", {GLFW_KEY_F2}, layers.free_space);
+    const auto needs_map = [this]() -> std::string {
+        return workspace_.shown().free_space ? "" : "The map is not built yet.";
+    };
+    const auto slice = [this](double way) {
+        // What one moves one wants to see.
+        layer_settings_.free_space = layer_settings_.sliced = true;
+        ui::Slice& now = layer_settings_.slice;
+        const Eigen::AlignedBox3d& room = workspace_.shown().scene->room_bounds;
+        now.position_m =
+            std::clamp(now.position_m + way * workspace_.shown().free_space->resolution_m(),
+                       room.min()[now.axis], room.max()[now.axis]);
+    };
+    commands_.add({"layer.slice_up", "Layers", "Move the slice of free space up",
+                   key(GLFW_KEY_PAGE_UP), [slice] { slice(1.0); }, needs_map});
+    commands_.add({"layer.slice_down", "Layers", "Move the slice of free space down",
+                   key(GLFW_KEY_PAGE_DOWN), [slice] { slice(-1.0); }, needs_map});
+    commands_.add({"layer.slice_height",
+                   "Layers",
+                   "Slice height of free space\u2026",
+                   {},
+                   [this] {
+                       layer_settings_.free_space = layer_settings_.sliced = true;
+                       settings_.layout.show_left = true;
+                       focus_tab_ = "Layers";
+                   },
+                   needs_map});
     layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);
     layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
     layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);

@@ -2,6 +2,7 @@
 
 #include "planning/free_space/free_space.h"
 #include "ui/overlays/steps_overlay.h"
+#include "ui/panels/edit_parts.h"
 #include "ui/panels/edits_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/metrics_panel.h"
@@ -15,6 +16,9 @@
 #include <algorithm>
 
 namespace dollytrack::editor {
+
+using ui::Selection;
+
 namespace {
 
 /// A tab that comes to the front when `focus` names it.
@@ -64,13 +68,14 @@ void Editor::drawObjects() {
     if (shown.plan && shown.measured) view.captures = &shown.plan->captures;
     view.selected = &selected_.objects();
     view.hidden = &selected_.hidden();
+    if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     const ui::ObjectsActions actions = ui::drawObjectsPanel(view, panels_.objects);
     if (actions.clicked != 0) selectObject(actions.clicked, actions.add_to_selection);
     if (actions.frame != 0) commands_.find("view.frame_selected")->run();
     if (actions.toggle_hidden != 0) selected_.toggleHidden(actions.toggle_hidden);
     if (actions.toggle_target != 0) {
-        const bool target = shown.scene->object(actions.toggle_target).role == Role::Target;
-        apply({{"op", target ? "exclude" : "include"}, {"object", actions.toggle_target}});
+        apply({{"op", actions.make_target ? "include" : "exclude"},
+               {"object", ui::objectKey(*shown.scene, actions.toggle_target)}});
     }
 }
 
@@ -97,10 +102,15 @@ void Editor::drawEdits() {
         view.min_height_m = parameters_.params().free_space.min_height_m;
         view.max_height_m = parameters_.params().free_space.max_height_m;
     }
-    view.pivot = panels_.viewport.camera.pivot;
+    view.new_box = boxInView();
     view.around_selection = boxAroundSelection();
     const ui::EditsActions actions = ui::drawEditsPanel(view);
+    const std::size_t boxes = workspace_.isOpen() ? workspace_.state().edits.plan.no_go.size() : 0;
     applyRequest(actions.edit);
+    // A new box is there to be moved: its handles show when it is selected.
+    if (workspace_.isOpen() && workspace_.state().edits.plan.no_go.size() > boxes) {
+        select(Selection::ofItem(Selection::Kind::NoGoBox, static_cast<int>(boxes)));
+    }
     if (actions.select) select(*actions.select);
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.frame) {

@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/geometry/ray_caster.h"
 #include "planning/free_space/free_space.h"
 #include "render/look_inside.h"
 #include "ui/panels/edit_parts.h"
@@ -151,6 +152,36 @@ void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
         }
     }
     selectObject(ui::objectAt(image, pixel), add);
+}
+
+OrientedBox Editor::boxInView() {
+    const ui::ViewImage& image = drawing_.view();
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    const double size = std::clamp(std::round(camera.distance * 2.0) / 10.0, 0.3, 1.0);
+    Eigen::Vector3d base = camera.pivot;
+    const PlanOutcome& shown = workspace_.shown();
+    const bool is_shown = image.geometry == shown.geometry;
+    if (const auto surface =
+            is_shown ? ui::surfaceAt(image, 0.5 * Eigen::Vector2d(pane_.width, pane_.height))
+                     : std::nullopt) {
+        // Before a wall rather than half inside it.
+        const Eigen::Vector3d way = image.view.pose.position - *surface;
+        const Eigen::Vector3d level = Eigen::Vector3d(way.x(), way.y(), 0.0).normalized();
+        const bool on_top =
+            shown.rays && shown.rays
+                                  ->cast(*surface + 0.02 * Eigen::Vector3d::UnitZ() + 0.02 * level,
+                                         -Eigen::Vector3d::UnitZ(), 0.1)
+                                  .object_id != 0;
+        base = on_top ? *surface : Eigen::Vector3d(*surface + 0.55 * size * level);
+    }
+    // What is below carries it; without anything there it stays where one looks.
+    if (shown.rays) {
+        const RayHit below =
+            shown.rays->cast(base + 0.05 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ());
+        if (below.object_id != 0) base.z() += 0.05 - below.distance;
+    }
+    return {base + 0.5 * size * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Constant(0.5 * size),
+            0.0};
 }
 
 void Editor::editWithGizmo() {

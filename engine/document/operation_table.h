@@ -30,6 +30,7 @@ std::string removePoint(ProjectState&, const OperationContext&, const OperationR
 std::string restorePoint(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string moveNoGo(ProjectState&, const OperationContext&, const OperationReader&);
+std::string renameNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string removeNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 
 }  // namespace dollytrack

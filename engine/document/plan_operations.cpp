@@ -191,6 +191,22 @@ std::string moveNoGo(ProjectState& state, const OperationContext&, const Operati
     return "Move " + found->name;
 }
 
+std::string renameNoGo(ProjectState& state, const OperationContext&,
+                       const OperationReader& fields) {
+    std::vector<NoGoBox>& boxes = state.edits.plan.no_go;
+    const auto found = findNamed(boxes, fields.field("name"), "no-go box");
+    const JsonReader to = fields.field("to");
+    const std::string name = to.text();
+    if (!fields.good()) return {};
+    if (name.empty()) to.refuse("A name must not be empty.");
+    if (name != found->name && isTaken(boxes, name)) {
+        to.refuse(fmt::format("Another no-go box is called '{}' already.", name));
+    }
+    std::string done = fmt::format("Rename {} to {}", found->name, name);
+    found->name = name;
+    return done;
+}
+
 std::string removeNoGo(ProjectState& state, const OperationContext&,
                        const OperationReader& fields) {
     std::vector<NoGoBox>& boxes = state.edits.plan.no_go;

@@ -40,7 +40,7 @@ class EditsPanelTest : public testing::Test {
         view.scene = &scene;
         view.plan = &plan;
         view.plan_is_current = true;
-        view.pivot = {1.0, 2.0, 0.5};
+        view.new_box = {{1.0, 2.0, 0.5}, Eigen::Vector3d::Constant(0.5), 0.0};
         view.around_selection = around;
         const json heights = state.parameters.value("free_space", json::object());
         view.min_height_m = heights.value("min_height_m", 0.0);

@@ -210,10 +210,10 @@ TEST_F(SelectionPanelTest, CandidateIsLookedThroughAndPinned) {
 
 TEST_F(SelectionPanelTest, LockingKeepsThePoseToTheLastBit) {
     show(Selection::ofItem(Kind::PositionPoint, 0));
-    ASSERT_TRUE(screen.click("selection.lock")) << screen.names();
+    ASSERT_TRUE(screen.click("selection.pin")) << screen.names();
     ASSERT_EQ(state.edits.plan.pinned.size(), 1U);
     EXPECT_EQ(state.edits.plan.pinned[0].pose, plan.position_points[0].pose);
-    ASSERT_TRUE(screen.click("selection.unlock"));
+    ASSERT_TRUE(screen.click("selection.unpin"));
     EXPECT_TRUE(state.edits.plan.pinned.empty());
 }
 
@@ -258,7 +258,7 @@ TEST_F(SelectionPanelTest, APointPlacedFromAViewIsMovedByItsName) {
     ASSERT_TRUE(screen.typeInto("selection.position.z", "1.75")) << screen.names();
     ASSERT_EQ(state.edits.plan.pinned.size(), 1U);
     EXPECT_EQ(state.edits.plan.pinned[0].pose.position, Eigen::Vector3d(2.0, 1.0, 1.75));
-    EXPECT_FALSE(screen.enabled("selection.lock"));
+    EXPECT_FALSE(screen.enabled("selection.pin"));
     ASSERT_TRUE(screen.click("selection.delete"));
     EXPECT_TRUE(state.edits.plan.pinned.empty());
     EXPECT_TRUE(state.edits.plan.removed.empty());
@@ -298,6 +298,25 @@ TEST_F(SelectionPanelTest, NoGoBoxIsResizedAndDeleted) {
     EXPECT_DOUBLE_EQ(state.edits.plan.no_go[0].box.half_size.x(), 0.25);
     ASSERT_TRUE(screen.click("selection.delete"));
     EXPECT_TRUE(state.edits.plan.no_go.empty());
+}
+
+TEST_F(SelectionPanelTest, NoGoBoxIsRenamedWhenItsNameIsWhole) {
+    apply({{"op", "add_no_go"}, {"center", {2.0, 1.5, 1.0}}, {"size", {1.0, 0.5, 2.0}}});
+    show(Selection::ofItem(Kind::NoGoBox, 0));
+    const auto name = [&] { return state.edits.plan.no_go[0].name; };
+    ASSERT_TRUE(screen.click("selection.box.name")) << screen.names();
+    screen.type("stairs");
+    EXPECT_EQ(name(), "no-go box");
+    screen.press(GLFW_KEY_ENTER);
+    EXPECT_EQ(name(), "stairs");
+    screen.click("selection.box.name");
+    screen.type("else");
+    screen.press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(name(), "stairs");
+    screen.click("selection.box.name");
+    screen.type("well");
+    screen.click("selection.frame");  // another widget ends it as Enter does
+    EXPECT_EQ(name(), "well");
 }
 
 TEST_F(SelectionPanelTest, WhatIsGoneFromThePlanShowsNothing) {

@@ -1,9 +1,11 @@
 #include "ui/panels/edit_parts.h"
 
 #include "engine/document/apply_scene_edits.h"
+#include "engine/scene/labels.h"
 #include "ui/theme.h"
 #include "ui/widgets/drag_fields.h"
 #include "ui/widgets/form.h"
+#include "ui/widgets/text_field.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -126,7 +128,18 @@ std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>&
     return clicked;
 }
 
+std::string className(int nyu40) {
+    return nyu40 == 0 ? "unknown" : std::string(nyu40Name(nyu40));
+}
+
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit) {
+    formLabel("Name");
+    std::string called = box.name;
+    // A name is one step of undo, when it is whole.
+    const bool entered = textField(called, name + ".name");
+    if (entered && !called.empty() && called != box.name) {
+        edit.operation = {{"op", "rename_no_go"}, {"name", box.name}, {"to", called}};
+    }
     OrientedBox draft = box.box;
     const BoxEdit changes = boxRows(draft, name);
     const json move = {{"op", "move_no_go"}, {"name", box.name}};

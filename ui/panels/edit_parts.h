@@ -40,7 +40,10 @@ std::string placeText(const Eigen::Vector3d& place);
 std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>& ids,
                                      const std::string& name, std::size_t most = 8);
 
-/// The rows of a no-go box inside a form; asks for its move.
+/// "chair", or "unknown" for no class.
+std::string className(int nyu40);
+
+/// The rows of a no-go box inside a form; asks for its new name or its move.
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit);
 
 /// The object's change in the newest edits; null when nothing was said of it.

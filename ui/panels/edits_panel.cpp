@@ -177,9 +177,8 @@ void drawBoxes(const EditsView& view, EditsActions& actions) {
         ImGui::PopID();
         ImGui::Spacing();
     }
-    if (button("Add box", "edits.add_box", {.tip = "A box of 1 m in the middle of the view"})) {
-        actions.edit.operation =
-            addNoGoOperation({view.pivot, Eigen::Vector3d::Constant(0.5), 0.0});
+    if (button("Add box", "edits.add_box", {.tip = "On what is in the middle of the view"})) {
+        actions.edit.operation = addNoGoOperation(view.new_box);
     }
     flowTo("Add around selection");
     const std::string why_not = view.around_selection ? "" : "Select an object first.";

@@ -17,8 +17,8 @@ struct EditsView {
     bool plan_is_current = false;  // it was made with these edits
     double min_height_m = 0.0;
     double max_height_m = 100.0;
-    Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  // of the viewport: where a new box goes
-    std::optional<OrientedBox> around_selection;      // a new box around what is selected
+    OrientedBox new_box;                          // on what is in the middle of the view
+    std::optional<OrientedBox> around_selection;  // a new box around what is selected
 };
 
 /// What the user asked for.

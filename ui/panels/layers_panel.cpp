@@ -93,14 +93,15 @@ void flowToSwitch(const char* label) {
 
 void drawSlice(const LayersView& view, LayerSettings& settings, Switches& switches) {
     constexpr std::array kAxes = {"x", "y", "z, level"};
-    switches.choose("Axis", "slice.axis", settings.slice.axis, kAxes);
     const int axis = settings.slice.axis;
     const double low = view.room.isEmpty() ? 0.0 : view.room.min()[axis];
     const double high = view.room.isEmpty() ? 3.0 : view.room.max()[axis];
     settings.slice.position_m = std::clamp(settings.slice.position_m, low, high);
-    switches.slide("Position", "slice.position", settings.slice.position_m, low, high, " m");
-    switches.slide("Thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
+    switches.slide(axis == 2 ? "Slice height" : "Slice at", "slice.position",
+                   settings.slice.position_m, low, high, " m");
+    switches.slide("Slice thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
                    std::max(high - low, view.cell_m), " m");
+    switches.choose("Slice across", "slice.axis", settings.slice.axis, kAxes);
 }
 
 void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switches) {
@@ -139,13 +140,13 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
     switches.check("slice", "sliced", settings.sliced, "Only a slab of the map");
     ImGui::Unindent();
     details("free_space", [&] {
+        if (settings.sliced) drawSlice(view, settings, switches);
         constexpr std::array kColors = {"state", "clearance", "room"};
         switches.choose("Colour", "cells.color", settings.cells.color, kColors);
         drawLevels(view, settings, switches);
         double opacity = settings.cells.opacity;
         switches.slide("Opacity", "cells.opacity", opacity, 0.05, 1.0);
         settings.cells.opacity = static_cast<float>(opacity);
-        if (settings.sliced) drawSlice(view, settings, switches);
     });
 }
 

@@ -1,6 +1,7 @@
 #include "ui/panels/objects_panel.h"
 
 #include "engine/scene/labels.h"
+#include "ui/panels/edit_parts.h"
 #include "ui/theme.h"
 #include "ui/widgets/choice_combo.h"
 #include "ui/widgets/cut_text.h"
@@ -101,11 +102,12 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
                               ImGuiSelectableFlags_AllowItemOverlap |
                               ImGuiSelectableFlags_AllowDoubleClick)) {
         actions.clicked = object.id;
-        actions.add_to_selection = ImGui::GetIO().KeyCtrl;
+        actions.add_to_selection = state.pressed_with_ctrl;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
     }
+    if (ImGui::IsItemClicked()) state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
     nameItem("objects.row." + std::to_string(object.id));
-    const std::string class_name(nyu40Name(object.nyu40));
+    const std::string class_name = className(object.nyu40);
     if (shown_name != name) tooltip(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
         ImGui::SetScrollHereY(0.5F);
@@ -128,9 +130,16 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     }
     ImGui::TableNextColumn();
     if (object.role != Role::Structure) {
-        bool target = object.role == Role::Target;
+        const ObjectChange* change =
+            view.edits != nullptr ? findChange(*view.edits, *view.scene, object.id) : nullptr;
+        // As it was said last: a second click before the next plan takes the first one back.
+        bool target =
+            (change != nullptr ? change->role.value_or(object.role) : object.role) == Role::Target;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), 0});
-        if (ImGui::Checkbox("##target", &target)) actions.toggle_target = object.id;
+        if (ImGui::Checkbox("##target", &target)) {
+            actions.toggle_target = object.id;
+            actions.make_target = target;
+        }
         ImGui::PopStyleVar();
         nameItem("objects.target." + std::to_string(object.id));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("A target: the plan shall capture it");

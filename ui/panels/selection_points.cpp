@@ -101,19 +101,18 @@ void drawPinning(const SelectionView& view, const Handle& handle, SelectionActio
     const std::string why_not =
         handle.objects.empty() && handle.pin == nullptr ? "It stands for no object." : "";
     if (handle.pin == nullptr) {
-        if (button("Lock", "selection.lock",
+        if (button("Pin", "selection.pin",
                    {.why_not = why_not, .tip = "Planning keeps this pose from now on"})) {
             json operation = placing(view, handle);
             operation["quaternion_xyzw"] = turnJson(handle.pose.rotation);
             actions.edit.operation = std::move(operation);
         }
     } else if (!handle.placedFromView()) {
-        if (button("Unlock", "selection.unlock", {.tip = "Leaves it to the planner again"})) {
+        if (button("Unpin", "selection.unpin", {.tip = "Leaves it to the planner again"})) {
             actions.edit.operation = {{"op", "unpin"}, {"point", handle.pin->name}};
         }
     } else {
-        button("Lock", "selection.lock",
-               {.why_not = "A point placed from a view is always locked."});
+        button("Pin", "selection.pin", {.why_not = "A point placed from a view is always pinned."});
     }
     flowTo("Delete");
     if (button("Delete", "selection.delete",
@@ -217,7 +216,7 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
         endForm();
     }
     if (button("Look through", "selection.look")) actions.look_through = handle.pose;
-    flowTo("Unlock");
+    flowTo("Unpin");
     drawPinning(view, handle, actions);
     std::vector<int> small;
     std::ranges::copy_if(point.captured, std::back_inserter(small), [&](int id) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::ui {
@@ -204,6 +205,13 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
                   curve(paint, view.pose, GizmoPart::Pitch)};
         consider(GizmoPart::Yaw, distanceToLine(mouse, curves[0]));
         consider(GizmoPart::Pitch, distanceToLine(mouse, curves[1]));
+        // Where each can be grabbed with nothing else near.
+        for (const auto& [name, line] :
+             {std::pair("gizmo.yaw", &curves[0]), std::pair("gizmo.pitch", &curves[1])}) {
+            if (line->size() < 7) continue;
+            const ImVec2 at = (*line)[6];
+            nameArea(name, at.x - 3, at.y - 3, at.x + 3, at.y + 3);
+        }
     }
     consider(GizmoPart::MoveFree, std::hypot(mouse.x - middle->x, mouse.y - middle->y) - 1.0);
     nameArea("gizmo.free", middle->x - 3, middle->y - 3, middle->x + 3, middle->y + 3);

@@ -3,6 +3,7 @@
 #include "ui/overlays/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -140,11 +141,12 @@ void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
     // shade behind dialogs.
     ImGui::BeginChild("legend", {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, true,
                       size.y < state.size.y ? 0 : ImGuiWindowFlags_NoScrollbar);
+    nameArea("legend", low.x, low.y, low.x + size.x, low.y + size.y);
     state.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::BeginGroup();
-    if (button(state.open ? "\u25be Legend" : "\u25b8 Legend", "legend.title",
-               {.tip = state.open ? "Fold it" : "What the signs and colours mean",
-                .small = true})) {
+    if (button(
+            state.open ? "\u25be Legend" : "\u25b8 Legend", "legend.title",
+            {.tip = state.open ? "Fold it" : "What the signs and colours mean", .small = true})) {
         state.open = !state.open;
     }
     if (state.open) drawLegends(legends);

@@ -244,6 +244,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "move_point"}, {"point", "view"}, {"position", {1, 1, 1}}}, "no pinned point"},
         {{{"op", "add_no_go"}, {"center", {1, 1, 1}}, {"size", {1, 0, 1}}}, "above 0"},
         {{{"op", "remove_no_go"}, {"name", "x"}}, "no no-go box"},
+        {{{"op", "rename_no_go"}, {"name", "x"}, {"to", "y"}}, "no no-go box"},
         {{{"op", "restore_point"}, {"objects", {"mug"}}}, "was not removed"},
         {{{"op", "set"}, {"name", "fil"}, {"value", 1}}, "no parameter 'fil'"},
         {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "end above 2 m"},
@@ -266,6 +267,26 @@ TEST(Operation, SameNamesNeedTheNumber) {
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("7, 9"), std::string::npos) << result.error().message;
     EXPECT_TRUE(editing.apply({{{"op", "exclude"}, {"object", 9}}}));
+}
+
+TEST(Operation, BoxesAreRenamedToNamesOfTheirOwn) {
+    Editing editing;
+    const json box = {{"op", "add_no_go"}, {"center", {1, 1, 1}}, {"size", {1, 1, 1}}};
+    ASSERT_TRUE(editing.apply(json::array({box, box})));
+    const auto rename = [&](const char* from, const char* to) {
+        return editing.apply(json::array({{{"op", "rename_no_go"}, {"name", from}, {"to", to}}}));
+    };
+    const auto named = [&](std::size_t i) { return editing.state.edits.plan.no_go[i].name; };
+    const auto done = rename("no-go box 2", "stairs");
+    ASSERT_TRUE(done);
+    EXPECT_EQ(done->front(), "Rename no-go box 2 to stairs");
+    EXPECT_EQ(named(1), "stairs");
+    EXPECT_TRUE(rename("stairs", "stairs")) << "its own name is free";
+    const auto taken = rename("stairs", "no-go box");
+    ASSERT_FALSE(taken);
+    EXPECT_NE(taken.error().message.find("called 'no-go box' already"), std::string::npos);
+    EXPECT_FALSE(rename("stairs", ""));
+    EXPECT_EQ(named(1), "stairs");
 }
 
 TEST(Operation, PointsAndBoxesAreNamedMovedAndRemoved) {
@@ -310,7 +331,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 19U);
+    EXPECT_EQ(listOperations().size(), 20U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;
