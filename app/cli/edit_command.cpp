@@ -3,17 +3,25 @@
 #include "app/cli/planned_scene.h"
 #include "app/cli/scene_arguments.h"
 #include "app/project/read_project.h"
+#include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
+#include "engine/io/project_file.h"
+#include "engine/scene/labels.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 namespace dollytrack::cli {
 namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct EditArguments {
     SceneArguments scene;
@@ -23,6 +31,9 @@ struct EditArguments {
     bool plan = false;
     bool list = false;
     bool as_json = false;
+
+    /// Nothing is to be edited: the edits that are there are listed.
+    [[nodiscard]] bool showsOnly() const { return script.empty() && operations.empty(); }
 };
 
 Result<nlohmann::json> parse(const std::string& text, const std::string& where) {
@@ -76,12 +87,89 @@ void printOperations(bool as_json) {
     if (as_json) fmt::print("{}\n", jsonText(list));
 }
 
+/// The edits that a project has, in the order of its file: kind, name and what is said of it.
+struct EditRow {
+    std::string kind;
+    std::string name;
+    std::string text;
+};
+
+std::string wordsOf(const std::vector<ObjectRef>& objects) {
+    std::string text;
+    for (const ObjectRef& object : objects) text += (text.empty() ? "" : ", ") + object.name;
+    return text;
+}
+
+std::string wordsOf(const Eigen::Vector3d& point) {
+    return fmt::format("{:.2f}, {:.2f}, {:.2f}", point.x(), point.y(), point.z());
+}
+
+std::string wordsOf(const ObjectChange& change) {
+    std::vector<std::string> parts;
+    if (change.role) parts.emplace_back(*change.role == Role::Target ? "target" : "excluded");
+    if (change.nyu40) parts.push_back("class " + std::string(nyu40Name(*change.nyu40)));
+    if (change.front) {
+        parts.push_back(fmt::format("front {:.0f} deg",
+                                    std::atan2(change.front->y(), change.front->x()) * kDegrees));
+    }
+    if (change.large) parts.emplace_back(*change.large ? "large" : "small");
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<EditRow> rowsOf(const Edits& edits) {
+    std::vector<EditRow> rows;
+    for (const ObjectDefinition& one : edits.scene.definitions) {
+        const bool merged = one.kind == ObjectDefinition::Kind::Merge;
+        rows.push_back({merged ? "merged" : "split", merged ? one.name : wordsOf(one.objects),
+                        merged ? "from " + wordsOf(one.objects) : "into its pieces"});
+    }
+    for (const ObjectChange& one : edits.scene.changes) {
+        rows.push_back({"object", one.object.name, wordsOf(one)});
+    }
+    for (const PinnedPoint& one : edits.plan.pinned) {
+        rows.push_back(
+            {"pinned", one.name,
+             fmt::format("at {} m, {}", wordsOf(one.pose.position),
+                         one.objects.empty() ? "added" : "for " + wordsOf(one.objects))});
+    }
+    for (const RemovedPoint& one : edits.plan.removed) {
+        rows.push_back({"removed", wordsOf(one.objects), "gets no position point"});
+    }
+    for (const NoGoBox& one : edits.plan.no_go) {
+        rows.push_back(
+            {"no-go", one.name,
+             fmt::format("at {} m, size {} m, turned {:.0f} deg", wordsOf(one.box.center),
+                         wordsOf(Eigen::Vector3d(2.0 * one.box.half_size)),
+                         one.box.yaw * kDegrees)});
+    }
+    return rows;
+}
+
+/// What was changed by hand, for one who has not said what to edit.
+void printEdits(const Edits& edits, bool as_json) {
+    if (as_json) {
+        fmt::print("{}\n", jsonText(editsJson(edits)));
+        return;
+    }
+    const std::vector<EditRow> rows = rowsOf(edits);
+    if (rows.empty()) {
+        fmt::print("Nothing is edited by hand; 'dollytrack edit --list' tells what can be.\n");
+        return;
+    }
+    std::size_t widest = 0;
+    for (const EditRow& row : rows) widest = std::max(widest, row.name.size());
+    for (const EditRow& row : rows) {
+        fmt::print("{:<8} {:<{}}  {}\n", row.kind, row.name, std::min(widest, std::size_t{32}),
+                   row.text);
+    }
+}
+
 /// Errors that --list does not have.
 Status checkArguments(const EditArguments& arguments) {
     if (arguments.scene.path.empty()) {
         return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
     }
-    if (arguments.script.empty() && arguments.operations.empty()) {
+    if (arguments.showsOnly() && (arguments.plan || !arguments.out.empty())) {
         return fail(ErrorCode::Usage,
                     "Say what to edit: give --script or --op; --list tells what.");
     }
@@ -124,6 +212,16 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
     if (Status status = checkArguments(arguments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    if (arguments.showsOnly()) {
+        // Without its scene, which may be large or elsewhere.
+        const Result<Edits> edits =
+            io::loadProject(arguments.scene.path).and_then([](const io::ProjectFile& project) {
+                return editsFromJson(project.edits);
+            });
+        if (!edits) return tl::unexpected<Error>(edits.error());
+        printEdits(*edits, arguments.as_json);
+        return kDone;
+    }
     const Result<nlohmann::json> operations = readOperations(arguments);
     if (!operations) return tl::unexpected<Error>(operations.error());
     const JobContext job = session.job();
@@ -160,7 +258,9 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
 
 void addEditCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
-        "edit", "Change by hand what a project plans: objects, points, no-go boxes, parameters");
+        "edit",
+        "Change by hand what a project plans: objects, points, no-go boxes, parameters; without "
+        "--op or --script list what is changed");
     auto arguments = std::make_shared<EditArguments>();
     addSceneArguments(*command, arguments->scene);
     command->get_option("scene")->required(false);

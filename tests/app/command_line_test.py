@@ -239,9 +239,35 @@ class CommandLine(unittest.TestCase):
                          "0.1 .. 1")
         self.assertFails(run("edit", path, "--op", "{"), 2, "JSON")
         self.assertFails(run("edit", path, "--script", self.folder / "none.json"), 4, "none.json")
-        self.assertFails(run("edit", path), 2, "--op")
+        self.assertFails(run("edit", path, "--plan"), 2, "--op")
         self.assertFails(run("edit", self.room, "--op", '{"op":"exclude","object":"sofa"}'), 2, "-o")
         self.assertEqual(path.read_bytes(), self.project.read_bytes())
+
+    def test_without_an_operation_it_lists_the_edits(self):
+        result = run("edit", self.project)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("--list", result.stdout)
+        operations = [{"op": "exclude", "object": "sofa"},
+                      {"op": "set_class", "object": "mug", "class": "box"},
+                      {"op": "pin", "objects": "picture", "position": [1.8, -1.5, 1.5],
+                       "target": [1.8, 0, 1.5]},
+                      {"op": "remove_point", "objects": "book"},
+                      {"op": "add_no_go", "center": [1, -1, 1], "size": [1, 0.5, 2]},
+                      {"op": "rename_no_go", "name": "no-go box", "to": "stairs"}]
+        edited, path = self.edited("listed.dolly", *operations)
+        self.assertEqual(edited.returncode, 0, edited.stderr)
+        before = path.read_bytes()
+        lines = run("edit", path).stdout.splitlines()
+        words = [["object", "sofa", "excluded"], ["object", "mug", "box"],
+                 ["pinned", "picture", "1.80, -1.50, 1.50"], ["removed", "book"],
+                 ["no-go", "stairs", "1.00, 0.50, 2.00"]]
+        for expected in words:
+            self.assertTrue(any(all(word in line for word in expected) for line in lines),
+                            (expected, lines))
+        self.assertEqual(len(lines), len(words), lines)
+        shown = json.loads(run("edit", path, "--json").stdout)
+        self.assertEqual(shown, json.loads(path.read_text())["edits"])
+        self.assertEqual(path.read_bytes(), before)
 
     def test_a_scene_file_becomes_a_project(self):
         path = self.folder / "fresh.dolly"
