@@ -18,6 +18,7 @@ class InputQueue {
 
     /// Before ImGui's new frame. Returns whether something is left for the next one.
     bool deliver();
+    [[nodiscard]] bool empty() const { return events_.empty(); }
 
   private:
     struct Event {

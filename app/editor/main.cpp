@@ -51,9 +51,10 @@ int run(const std::string& path, const std::string& socket,
     shell.offerLostWork();
     int frames_until_answer = 0;
     (*window)->run([&] {
-        // The second frame after the question shows what the first one changed.
+        // The second frame after the question shows what the first one changed. Keys of before
+        // the question may take a frame each.
         if (inspector && inspector->asked()) {
-            if (++frames_until_answer > 2) {
+            if (!(*window)->hasInput() && ++frames_until_answer > 2) {
                 inspector->answer(shell.stateJson());
                 frames_until_answer = 0;
             }

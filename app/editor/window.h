@@ -42,6 +42,8 @@ class Window {
     /// Keeps drawing for a while without events: while something moves by itself.
     void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
 
+    /// Keys and clicks have arrived that no frame has seen yet.
+    [[nodiscard]] bool hasInput() const { return !input_.empty(); }
     [[nodiscard]] std::vector<std::string> takeDroppedPaths();
     /// Whether the user asked to close the window; asking resets it.
     [[nodiscard]] bool takeCloseRequest();
