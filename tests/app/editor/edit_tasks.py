@@ -1,7 +1,9 @@
-"""Changing the plan by hand: position points and no-go boxes."""
+"""Changing the plan by hand: position points, objects, no-go boxes, heights."""
+import json
 import math
 
-from task import NO_GO_BOX, POSITION_POINT, SOFA, Task
+from task import BOOK, MUG, NO_GO_BOX, OBJECTS, POSITION_POINT, SOFA, Task
+import tiny_room
 
 
 class ByHand(Task):
@@ -17,13 +19,13 @@ class ByHand(Task):
     def pinned(self):
         return self.editor.idle()["edits"].get("pinned", [])
 
-    def test_lock_a_position_point(self):
+    def test_pin_a_position_point(self):
         point = self.first_point()
         self.editor.key("l")
         pinned = self.pinned()
         self.assertEqual(len(pinned), 1)
         self.assertLess(math.dist(pinned[0]["position"], point["position"]), 1e-6)
-        # What is locked stays although the plan around it changes.
+        # What is pinned stays although the plan around it changes.
         self.set_parameter("fill", "0.4")
         self.assertEqual(self.pinned(), pinned)
         self.assertTrue(any(one["pin"] == 0 for one in self.editor.state()["points"]))
@@ -105,3 +107,138 @@ class ByHand(Task):
         self.show_preview(True)
         self.editor.click("preview.pin")
         self.editor.wait(lambda state: state["preview"]["serial"] > serial, "the preview")
+
+    def test_turn_a_position_point_with_the_rings(self):
+        point = self.first_point()
+        yaw, pitch = self.heading(point)
+        origin = self.editor.middle("gizmo.free")
+        grip = self.editor.middle("gizmo.yaw")
+        angle = math.radians(40)  # against the clock, which from above is positive
+        offset = (grip[0] - origin[0], grip[1] - origin[1])
+        to = (origin[0] + offset[0] * math.cos(angle) + offset[1] * math.sin(angle),
+              origin[1] - offset[0] * math.sin(angle) + offset[1] * math.cos(angle))
+        state = self.editor.drag(grip, to)
+        self.assertEqual(len(state["history"]), 2, "one drag, one step of undo")
+        turned = self.pinned()[0]
+        now = self.heading(turned)
+        self.assertLess(math.dist(turned["position"], point["position"]), 1e-6)
+        self.assertAlmostEqual(math.remainder(now[0] - yaw - angle, 2 * math.pi), 0.0, delta=0.06)
+        self.assertAlmostEqual(now[1], pitch, 6)
+        self.lower_the_view()
+        grip, origin = self.editor.middle("gizmo.pitch"), self.editor.middle("gizmo.free")
+        middle = ((grip[0] + origin[0]) / 2 + 20, (grip[1] + origin[1]) / 2)
+        self.editor.drag(grip, middle)
+        tilted = self.heading(self.pinned()[0])
+        self.assertGreater(abs(tilted[1] - pitch), 0.05)
+        self.assertAlmostEqual(tilted[0], now[0], 6)
+
+    def lower_the_view(self):
+        """From above to the side, so that the arc of the pitch is no line."""
+        left, top, _, bottom = self.editor.item("viewport")[:4]
+        x, y = left + 40, (top + bottom) / 2
+        self.editor.drag((x, y), (x + 60, y - 140))
+        self.wait_picture()
+
+    def heading(self, point):
+        """Yaw and pitch of where it looks, which is its z axis."""
+        x, y, z, w = point["quaternion_xyzw"]
+        forward = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
+        return math.atan2(forward[1], forward[0]), math.asin(max(-1.0, min(1.0, forward[2])))
+
+    def test_a_new_no_go_box_stands_on_the_floor_and_shows_its_handles(self):
+        self.start_room()
+        self.wait_picture()
+        self.editor.point("viewport")
+        state = self.editor.key("n")
+        self.assertEqual(state["selection_kind"], NO_GO_BOX)
+        box = self.boxes()[0]
+        self.assertGreater(min(box["half_size_m"]), 0.12)
+        bottom = box["center"][2] - box["half_size_m"][2]
+        self.assertLess(min(abs(bottom - height) for height in (0.0, 0.74, 0.7)), 0.02,
+                        "on the floor, the table or the sofa")
+        self.editor.item("gizmo.z")
+
+    def test_rename_a_no_go_box(self):
+        self.start_room()
+        self.wait_picture()
+        self.editor.click("tab.by hand")
+        self.press_by_hand("edits.add_box")
+        self.editor.wait(lambda state: state["selection_kind"] == NO_GO_BOX, "the box")
+        self.editor.click("selection.box.name")
+        self.editor.key("ctrl+a")
+        self.editor.type("stairs")
+        self.editor.key("enter")
+        self.assertEqual(self.boxes()[0]["name"], "stairs")
+        self.assertEqual(self.editor.state()["history"][-1], "Rename no-go box to stairs")
+        self.editor.key("ctrl+z")
+        self.assertEqual(self.boxes()[0]["name"], "no-go box")
+
+    def press_by_hand(self, name):
+        left, top, right, bottom = self.editor.reach(name, self.over_the_panel())[:4]
+        self.editor.click(((left + right) / 2, (top + bottom) / 2))
+
+    def over_the_panel(self):
+        left, _, _, bottom = self.editor.item("tab.by hand")[:4]
+        return left, bottom + 30
+
+    def test_set_a_height_band_and_see_it_obeyed(self):
+        self.start_room()
+        self.editor.click("tab.by hand")
+        self.editor.reach("edits.height.max", self.over_the_panel())
+        self.editor.type_value("edits.height.min", "1")
+        self.editor.type_value("edits.height.max", "1.4")
+        self.editor.idle()
+        project = self.folder / "band.dolly"
+        self.editor.key("ctrl+s")
+        self.editor.choose_file(project)
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        frames = self.saved(project)["result"]["trajectory"]["frames"]
+        heights = [frame["position"][2] for frame in frames]
+        self.assertGreater(len(heights), 10)
+        self.assertGreaterEqual(min(heights), 1.0 - 1e-6)
+        self.assertLessEqual(max(heights), 1.4 + 1e-6)
+
+    def saved(self, path):
+        return json.loads(path.read_text())
+
+    def test_split_an_object_into_its_pieces(self):
+        scene = self.folder / "pair.obj"
+        tiny_room.write(scene)
+        lines = scene.read_text().splitlines()
+        # A second box in the group of the mug: one object of two pieces.
+        at = lines.index("o book")
+        del lines[at]
+        scene.write_text("\n".join(lines) + "\n")
+        state = self.start(scene)
+        self.assertEqual(state["plan"]["objects"], 4)
+        self.select_row(MUG)
+        self.editor.click("selection.split")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"]["objects"], 5)
+        self.assertEqual(len(state["history"]), 2)
+        self.editor.key("ctrl+z")
+        self.assertEqual(self.editor.idle()["plan"]["objects"], 4)
+
+    def test_merge_two_objects(self):
+        before = self.start_room()
+        self.select_row(MUG)
+        left, top, _, bottom = self.editor.item(f"objects.row.{BOOK}")[:4]
+        state = self.editor.click((left + 30, (top + bottom) / 2), keys=["ctrl"])
+        self.assertEqual((state["selection_kind"], state["selected"]), (OBJECTS, [MUG, BOOK]))
+        self.editor.click("selection.merge_name")
+        self.editor.type("still life")
+        self.editor.click("selection.merge")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"]["objects"], before["plan"]["objects"] - 1)
+        self.assertIn("still life", [one["name"] for one in state["objects"]])
+        self.editor.key("ctrl+z")
+        self.assertEqual(self.editor.idle()["plan"], before["plan"])
+
+    def test_a_second_click_on_a_target_box_takes_the_first_back(self):
+        before = self.start_room()
+        self.editor.click("objects.shown")
+        self.editor.click("objects.shown.0")  # all: it stays in the list
+        for _ in range(2):  # without waiting for the plan of the first
+            self.editor.click(f"objects.target.{SOFA}")
+        self.editor.wait(lambda state: len(state["history"]) == 3, "two steps of undo", 10)
+        self.assertEqual(self.editor.idle()["plan"], before["plan"])

@@ -29,7 +29,8 @@ BUTTONS = {"left": 1, "middle": 2, "right": 3}
 KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Return",
            "esc": "Escape", "del": "Delete", "space": "space", "home": "Home", "end": "End",
            "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
-           "backspace": "BackSpace", "=": "equal", "-": "minus"}
+           "backspace": "BackSpace", "=": "equal", "-": "minus", "numplus": "KP_Add",
+           "numminus": "KP_Subtract", "pageup": "Prior", "pagedown": "Next"}
 
 
 def die_with_parent():

@@ -1,11 +1,12 @@
 """Datasets made from the editor, and the preview that shows what they will hold."""
 import hashlib
+import pathlib
 import subprocess
 
 import cv2
 import numpy
 
-from task import Programs, Task
+from task import Programs, Task, plan
 
 DONE, CANCELLED = 3, 4  # of ui/export_job.h
 SMALL = ("--set", "width_px=160", "--set", "height_px=120", "--max-frames", "12")
@@ -115,6 +116,27 @@ class Exporting(Task):
         same = self.folder / "same"
         self.by_command_line(same)
         self.assertEqual(self.hashes(out), self.hashes(same))
+
+    def test_queue_two_projects(self):
+        self.start_project(*SMALL)
+        other = self.folder / "other.dolly"
+        plan(self.room, other, *SMALL, "--set", "fill=0.4")
+        first = self.queue(self.folder / "dataset")
+        self.editor.click("export.add_files")
+        self.editor.choose_file(other)
+        jobs = self.editor.wait(lambda now: len(now["exports"]) == 2, "the second job")["exports"]
+        second = jobs[1]["id"]
+        for job in (first, second):
+            self.assertEqual(self.finished(job)["frames_done"], 12)
+        folders = [one["folder"] for one in self.editor.state()["exports"]]
+        self.assertEqual(len(set(folders)), 2)
+        same = self.folder / "same"
+        self.project = other
+        self.by_command_line(same)
+        ours, theirs = self.hashes(pathlib.Path(folders[1])), self.hashes(same)
+        self.assertEqual(set(ours), set(theirs))
+        self.assertEqual([name for name in ours if ours[name] != theirs[name] and
+                          name != "dataset.json"], [])
 
     def saved_preview(self, modality, frame):
         self.editor.type_value("timeline.frame", str(frame))

@@ -159,6 +159,23 @@ class Looking(Task):
                 self.wait_picture()
                 self.assertNotEqual(self.editor.picture(), picture, layer)
 
+    def test_move_the_slice_of_free_space(self):
+        self.start_room()
+        self.editor.key("F2")
+        before = self.editor.state()["layers"]["slice_m"]
+        self.wait_picture()
+        picture = self.editor.picture()
+        up = self.editor.key("pageup")["layers"]["slice_m"]
+        self.assertAlmostEqual(up - before, 0.05, 6)
+        self.assertAlmostEqual(self.editor.key("pagedown")["layers"]["slice_m"], before, 6)
+        self.editor.run_command("slice height")
+        self.editor.type_value("layers.slice.position", "0.35")
+        state = self.editor.wait(lambda now: abs(now["layers"]["slice_m"] - 0.35) < 1e-6,
+                                 "the slice")
+        self.wait_picture()
+        self.assertNotEqual(self.editor.picture(), picture)
+        self.assertTrue(state["layers"]["free_space"])
+
     def test_the_window_rests_when_nothing_happens(self):
         self.start_room()
         self.editor.wait(lambda state: state["preview"]["final_light"] and

@@ -27,11 +27,30 @@ class Tuning(Task):
         self.assertAlmostEqual(state["parameters"]["smoothing"]["corner_distance_m"], 0.2)
         self.assertEqual(len(state["history"]), 2)
 
-    def test_a_typed_value_stays_within_its_range(self):
+    def test_a_typed_value_out_of_range_is_told(self):
         self.start_room()
         state = self.set_parameter("fill", "40")
-        self.assertLessEqual(state["parameters"]["viewpoints"]["fill"], 1.0)
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 1.0)
         self.assertEqual(state["plan_error"], "")
+        self.assertIn("parameters.fill.note", state["items"])
+        state = self.set_parameter("fill", "abc")
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 1.0)
+        self.assertIn("parameters.fill.note", state["items"])
+        self.assertEqual(len(state["history"]), 2)
+        state = self.set_parameter("fill", "0.5")
+        self.assertNotIn("parameters.fill.note", state["items"])
+
+    def test_a_double_click_types_and_moves_nothing(self):
+        before = self.start_room()
+        self.editor.click(self.find_parameter("fill"), times=2)
+        state = self.editor.state()
+        self.assertEqual(state["parameters"], before["parameters"])
+        self.editor.key("ctrl+a")
+        self.editor.type("0.45")
+        self.editor.key("enter")
+        state = self.editor.idle()
+        self.assertAlmostEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+        self.assertEqual(len(state["history"]), 2)
 
     def test_reset_one_parameter(self):
         before = self.start_room()

@@ -1,4 +1,5 @@
 """The window itself: its size, its theme, help and the log."""
+from editor_driver import Screen
 from task import Task
 
 
@@ -58,9 +59,40 @@ class Window(Task):
         self.assertEqual(state["theme"], "light")
         self.assertGreater(state["zoom"], 1.15)
 
+    def test_zoom_with_the_keys_of_any_keyboard(self):
+        self.start()
+        for chord in ("ctrl+=", "ctrl+shift+=", "ctrl+numplus"):
+            before = self.editor.state()["zoom"]
+            self.assertGreater(self.editor.key(chord)["zoom"], 1.05 * before, chord)
+        for chord in ("ctrl+-", "ctrl+numminus"):
+            before = self.editor.state()["zoom"]
+            self.assertLess(self.editor.key(chord)["zoom"], before / 1.05, chord)
+
+    def test_fold_the_legend_and_find_it_folded_again(self):
+        self.start_room()
+        open_one = self.height_of("legend")
+        self.editor.click("legend.title")
+        folded = self.height_of("legend")
+        self.assertLess(folded, open_one / 3)
+        self.editor.tap("ctrl+q")
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        self.start_room()
+        self.assertEqual(self.height_of("legend"), folded)
+
     def height_of(self, name):
         item = self.editor.item(name)
         return item[3] - item[1]
+
+    def test_a_screen_of_4k_is_drawn_large(self):
+        with_4k = Screen(3840, 2160)
+        self.addCleanup(with_4k.close)
+        self.screen = with_4k
+        state = self.start(size=(1280, 720))
+        self.assertEqual(state["scale"], 2.0)
+        self.assertEqual(state["window"], [1280, 720], "in units of 96 dots per inch")
+        left, _, right, _ = self.editor.item("viewport")[:4]
+        self.assertGreater(right - left, 1200, "px")
 
     def test_read_the_help(self):
         self.start()
