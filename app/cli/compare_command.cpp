@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace dollytrack::cli {
 namespace {
@@ -126,6 +128,17 @@ render::Figure comparisonFigure(const ComparedScene& scene) {
     return figure;
 }
 
+/// What a scene is called in the tables: its file's name, with the folder's where files of several
+/// folders have the same.
+std::string tableName(const std::string& path, const std::vector<std::string>& all) {
+    const std::filesystem::path file = std::filesystem::absolute(path);
+    const auto same = std::count_if(all.begin(), all.end(), [&](const std::string& other) {
+        return std::filesystem::path(other).stem() == file.stem();
+    });
+    const std::string name = file.stem().string();
+    return same > 1 ? (file.parent_path().filename() / name).string() : name;
+}
+
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
         return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
@@ -187,6 +200,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
             continue;
         }
         failures += scene->failures;
+        scene->scene = tableName(path, arguments.scenes);
         compared.push_back(std::move(*scene));
     }
     if (compared.empty()) return tl::unexpected<Error>(std::move(last));

@@ -120,7 +120,6 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
                                 const planning::PlanParams& params, const ComparisonOrder& order,
                                 const std::vector<GivenFlight>& given, const JobContext& job) {
     const auto begin = std::chrono::steady_clock::now();
-    const std::string name = scene->name;
     const auto map =
         planning::mapRivalScene(std::move(scene), edits, params, job.stage(0.0, 0.1, "free space"));
     if (!map) return tl::unexpected<Error>(map.error());
@@ -151,7 +150,6 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
         }
     }
     ComparedScene compared = comparison.take();
-    compared.scene = name;
     compared.map_ms = map_ms;
     return compared;
 }

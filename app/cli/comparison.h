@@ -23,7 +23,7 @@ struct ComparedRow {
 };
 
 struct ComparedScene {
-    std::string scene;
+    std::string scene;  // its name in tables; the caller's
     double map_ms = 0.0;
     std::vector<ComparedRow> rows;
     int failures = 0;  // flights that could not be planned; said in the log

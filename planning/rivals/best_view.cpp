@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dollytrack::planning {
@@ -18,7 +19,6 @@ constexpr int kViews = 5;        // a scene
 constexpr double kApart = 1.0;   // m
 constexpr int kHeadings = 24;
 constexpr int kRaysPerTurn = 360;
-constexpr double kFarthest = 30.0;  // m, where a wall is missing
 
 struct View {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -60,15 +60,30 @@ std::vector<Eigen::Vector3d> candidatePlaces(const RivalScene& scene, const Room
     return places;
 }
 
+/// How far it is from a place inside the room's box to the box's side, which stands for the wall:
+/// the air outside of windows and doors is no part of the plan.
+double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
+                   const Eigen::Vector3d& ray) {
+    double reach = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 2; ++axis) {
+        const double side = ray[axis] > 0.0 ? box.max()[axis] : box.min()[axis];
+        if (std::abs(ray[axis]) < 1e-9) continue;
+        reach = std::min(reach, (side - place[axis]) / ray[axis]);
+    }
+    return std::max(0.0, reach);
+}
+
 /// The heading with the largest visible part of the plan, at the camera's height.
-View bestHeading(const RivalScene& scene, const Eigen::Vector3d& place, double hfov) {
+View bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3d& place,
+                 double hfov) {
     std::array<double, kRaysPerTurn> slices{};  // m2 each
     constexpr double kSlice = 2.0 * std::numbers::pi / kRaysPerTurn;
     for (int i = 0; i < kRaysPerTurn; ++i) {
         const double yaw = (i + 0.5) * kSlice;
         const Eigen::Vector3d ray(std::cos(yaw), std::sin(yaw), 0.0);
-        const RayHit hit = scene.rays->cast(place, ray, kFarthest);
-        const double reach = hit.object_id != 0 ? hit.distance : kFarthest;
+        const double to_side = reachInside(room.box, place, ray);
+        const RayHit hit = scene.rays->cast(place, ray, to_side);
+        const double reach = hit.object_id != 0 ? hit.distance : to_side;
         slices[static_cast<std::size_t>(i)] = 0.5 * reach * reach * kSlice;
     }
     const int wedge = std::max(1, static_cast<int>(std::lround(hfov / kSlice)));
@@ -90,7 +105,7 @@ std::vector<View> bestViews(const RivalScene& scene, const Room& room, int count
     if (places.empty()) places.push_back(room.sample);
     std::vector<View> views(places.size());
     parallelFor(places.size(),
-                [&](std::size_t i) { views[i] = bestHeading(scene, places[i], hfov); });
+                [&](std::size_t i) { views[i] = bestHeading(scene, room, places[i], hfov); });
     std::stable_sort(views.begin(), views.end(),
                      [](const View& a, const View& b) { return a.area_m2 > b.area_m2; });
     std::vector<View> chosen;

@@ -37,7 +37,7 @@ class Body {
         if (velocity_.norm() > kFastest) velocity_ *= kFastest / velocity_.norm();
         const Eigen::Vector3d next = position_ + kStep * velocity_;
         // As in the original, only the places of the steps are looked at, not the ways between.
-        if (scene_.free_space->componentAt(next) == room_) {
+        if (scene_.free_space->componentAt(next) == room_ && scene_.sphere->fits(next)) {
             position_ = next;
             return;
         }

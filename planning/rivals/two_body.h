@@ -9,10 +9,10 @@ namespace dollytrack::planning {
 /// Taken: bodies of 1 kg pushed at random at 25 steps a second, speed of 3 m/s at most, drag,
 /// bouncing off what they meet; 500 steps before the first frame; an image every 25th step; a run
 /// counts only when the camera moved more than 1 m and saw at least 10 objects. Different: the
-/// bodies keep to our map of free space (theirs to the depth in the picture), a run that does not
-/// count is tried again a fixed number of times instead of ending the program, houses get a run for
-/// each room, and the strengths of pushes and drag, which no publication gives, are ours.
-/// InteriorNet's learned styles of motion are not public.
+/// bodies bounce where the camera's sphere would not fit (theirs by the depth in the picture), a
+/// run that does not count is tried again a fixed number of times instead of ending the program,
+/// houses get a run for each room, and the strengths of pushes and drag, which no publication
+/// gives, are ours. InteriorNet's learned styles of motion are not public.
 Result<Flight> planTwoBody(const RivalScene& scene, const PlanParams& params, int seed,
                            const JobContext& job);
 

@@ -169,6 +169,7 @@ class Compare(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual([row["planner"] for row in rows], ["best-view", "uniform"] * 2)
         self.assertEqual(rows[0]["path_length_m"], "")
+        self.assertEqual(rows[0]["scene"], self.folder.name + "/room")
         xml.etree.ElementTree.parse(picture)
 
     def test_wrong_arguments_are_usage_errors(self):

@@ -25,7 +25,8 @@ endforeach()
 # ui has the numbers of the keys from GLFW: Dear ImGui 1.86 hands them through.
 foreach(rule "imgui|engine,planning,render" "GLFW/|engine,planning,render"
              "GL/|engine,planning,ui,app" "assimp/|planning,render,ui,app"
-             "octomap/|engine,render,ui,app" "embree|planning,render,ui,app")
+             "octomap/|engine,render,ui,app" "embree|planning,render,ui,app"
+             "hdf5|planning,render,ui,app")
     string(REPLACE "|" ";" parts "${rule}")
     list(GET parts 0 header)
     list(GET parts 1 folders)
