@@ -150,13 +150,14 @@ Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int s
             if (leg.points.empty()) break;
             // Whole steps of even length, so that each key is a frame.
             const int steps = std::max(1, static_cast<int>(std::ceil(leg.length_m / step)));
+            const Turn turn(leg.from, leg.to);
             for (int i = 1; i <= steps && frames.size() < end; ++i) {
                 const double before = leg.length_m * (i - 1) / steps;
                 const double share = static_cast<double>(i) / steps;
                 flight.between.resize(frames.size());
                 const Eigen::Vector3d place =
                     along(leg, leg.length_m * share, before, flight.between.back());
-                add(place, Turn(leg.from, leg.to).at(share));
+                add(place, turn.at(share));
             }
             job.report(static_cast<double>(frames.size()) / frameBudget(params));
         }
