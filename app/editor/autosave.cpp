@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -96,7 +97,12 @@ void Autosave::store(const CommandStack::State& state, io::ProjectFile snapshot,
                    outbox = written_](const JobContext&) {
         std::error_code ignored;
         std::filesystem::create_directories(file.parent_path(), ignored);
-        const Status status = io::saveProject(snapshot, file);
+        Status status;
+        try {
+            status = io::saveProject(snapshot, file);
+        } catch (const std::exception& failure) {
+            status = fail(ErrorCode::Failed, failure.what(), file.string());
+        }
         if (status && !old.empty()) std::filesystem::remove(old, ignored);
         outbox->put({old, status});
     });

@@ -85,8 +85,8 @@ void Editor::refreshScene() {
             step_playback_.goTo(
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
         }
-        // Indices into the plan before mean nothing in this one.
-        if (!gizmo_.draggedPose() && !selected_.keepIn(plan())) dropGizmo();
+        // Indices into the plan before mean nothing in this one, in the middle of a drag as well.
+        if (!selected_.keepIn(plan())) dropGizmo();
     }
     if (!shown.scene) return;
     if (sent_scene_.send(shown, workspace_.light())) selected_.keepIn(*shown.scene);
@@ -211,7 +211,15 @@ void Editor::apply(const nlohmann::json& operation, const std::string& merge_key
 }
 
 void Editor::applyRequest(const ui::EditRequest& request) {
+    const auto boxes = [&] {
+        return workspace_.isOpen() ? workspace_.state().edits.plan.no_go.size() : 0;
+    };
+    const std::size_t before = boxes();
     if (request.asks()) apply(request.operation, request.merge_key);
+    // A new box is there to be moved: its handles show when it is selected.
+    if (boxes() > before) {
+        select(ui::Selection::ofItem(ui::Selection::Kind::NoGoBox, static_cast<int>(before)));
+    }
     if (request.ends_merge) workspace_.endMerge();
 }
 

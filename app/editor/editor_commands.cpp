@@ -155,12 +155,8 @@ void Editor::addEditCommands() {
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
          [this] {
-             apply(ui::addNoGoOperation(boxAroundSelection().value_or(boxInView())));
-             const auto& boxes = workspace_.state().edits.plan.no_go;
-             if (!boxes.empty()) {
-                 select(Selection::ofItem(Selection::Kind::NoGoBox,
-                                          static_cast<int>(boxes.size()) - 1));
-             }
+             applyRequest(
+                 {ui::addNoGoOperation(boxAroundSelection().value_or(boxInView())), {}, false});
          },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
     commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {

@@ -46,7 +46,7 @@ void Editor::askForFile(const std::string& id) {
         request.accept = "Save";
         request.extension = ".png";
         request.filters = {{"PNG pictures", {".png"}}};
-        request.name = fmt::format("playback_.frame(){:06}.png",
+        request.name = fmt::format("frame_{:06}.png",
                                    picture_to_save_ ? picture_to_save_->frame : playback_.frame());
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
@@ -65,11 +65,12 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
     if (answer.id == "open") {
         openAfterAsking(answer.path);
     } else if (answer.id == "locate scene") {
-        if (scene_wanted_to_restore_) {
-            workspace_.restore(scene_wanted_by_, answer.path);
-        } else {
-            workspace_.open(scene_wanted_by_, answer.path);
-        }
+        questions_.afterUnsaved(
+            [this, project = scene_wanted_by_, scene = answer.path,
+             restores = scene_wanted_to_restore_] {
+                restores ? workspace_.restore(project, scene) : workspace_.open(project, scene);
+            },
+            "before another is opened");
     } else if (answer.id == "save") {
         // The dialog has asked already whether a file that is there may be replaced.
         workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
@@ -100,7 +101,10 @@ Questions::Doors Editor::doors() {
     Questions::Doors doors;
     doors.save = [this] { save(); };
     doors.save_as = [this] { askForFile("save"); };
-    doors.restore = [this](const LostWork& work) { workspace_.restore(work.file); };
+    doors.restore = [this](const LostWork& work) {
+        questions_.afterUnsaved([this, file = work.file] { workspace_.restore(file); },
+                                "before the other is restored");
+    };
     doors.find_scene = [this](const std::filesystem::path& project, bool restores) {
         scene_wanted_by_ = project;
         scene_wanted_to_restore_ = restores;

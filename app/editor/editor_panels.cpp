@@ -105,12 +105,7 @@ void Editor::drawEdits() {
     view.new_box = boxInView();
     view.around_selection = boxAroundSelection();
     const ui::EditsActions actions = ui::drawEditsPanel(view);
-    const std::size_t boxes = workspace_.isOpen() ? workspace_.state().edits.plan.no_go.size() : 0;
     applyRequest(actions.edit);
-    // A new box is there to be moved: its handles show when it is selected.
-    if (workspace_.isOpen() && workspace_.state().edits.plan.no_go.size() > boxes) {
-        select(Selection::ofItem(Selection::Kind::NoGoBox, static_cast<int>(boxes)));
-    }
     if (actions.select) select(*actions.select);
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.frame) {

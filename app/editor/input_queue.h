@@ -14,8 +14,6 @@ class InputQueue {
     /// Takes the window's callbacks. One queue in a program; the window must go before it.
     void attach(GLFWwindow* window);
 
-    [[nodiscard]] bool waits() const { return !events_.empty(); }
-
     /// Before ImGui's new frame. Returns whether something is left for the next one.
     bool deliver();
     [[nodiscard]] bool empty() const { return events_.empty(); }

@@ -58,6 +58,33 @@ double scaleOf(GLFWmonitor* monitor) {
     return ui::screenScale(content_x, screen);
 }
 
+/// The screen that shows most of the window.
+GLFWmonitor* monitorUnder(GLFWwindow* window) {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    long most = 0;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode == nullptr) continue;
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const long wide = std::min(x + width, left + mode->width) - std::max(x, left);
+        const long high = std::min(y + height, top + mode->height) - std::max(y, top);
+        if (wide <= 0 || high <= 0 || wide * high <= most) continue;
+        most = wide * high;
+        best = monitors[i];
+    }
+    return best;
+}
+
 /// A length in pixels on this screen, and no longer than the screen is.
 int onScreen(int length, double scale, int most) {
     return std::min(static_cast<int>(std::lround(length * scale)), most);
@@ -115,12 +142,13 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     });
     glfwSetWindowContentScaleCallback(window->window_, [](GLFWwindow* handle, float, float) {
         auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
-        self->scale_ = scaleOf(glfwGetPrimaryMonitor());
+        self->scale_ = scaleOf(monitorUnder(handle));
         self->scale_changed_ = true;
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
+    ImGui::GetIO().MouseDoubleClickTime = 0.5F;  // s; slow frames must not part two clicks
+    ImGui::GetIO().IniFilename = nullptr;        // the layout is ours and kept with the settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
     window->input_.attach(window->window_);
@@ -164,12 +192,13 @@ void Window::run(const std::function<bool()>& frame) {
     while (goes_on) {
         if (frames_to_draw_ > 0) {
             glfwPollEvents();
+            woken = false;
             --frames_to_draw_;
         } else {
             const double sleep_s = ImGui::GetIO().WantTextInput ? kBlink_s : kSleep_s;
             const auto begin = Clock::now();
             glfwWaitEventsTimeout(sleep_s);
-            const bool by_work = woken.exchange(false) && !input_.waits();
+            const bool by_work = woken.exchange(false) && input_.empty();
             // ImGui needs a few frames until everything has reacted to an event. Each one that is
             // not needed slows the work down whose news it shows.
             if (!by_work && millisecondsSince(begin) < 1000.0 * sleep_s) frames_to_draw_ = 3;

@@ -153,11 +153,18 @@ void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
         done.was_there = nothing_new && std::filesystem::exists(done.path, error);
         done.changed_elsewhere = !done.was_there && asks && known->changedElsewhere(done.path);
         if (!done.was_there && !done.changed_elsewhere) {
-            io::ProjectFile whole = file;
-            if (plan) whole.result = resultJson(*scene, *plan);
-            const std::string text = io::projectText(whole, done.path);
-            done.status = io::writeWhole(done.path, text);
-            if (done.status) known->remember(done.path, io::sha256Of(text));
+            try {
+                io::ProjectFile whole = file;
+                if (plan) whole.result = resultJson(*scene, *plan);
+                const std::string text = io::projectText(whole, done.path);
+                done.status = io::writeWhole(done.path, text);
+                if (done.status) known->remember(done.path, io::sha256Of(text));
+            } catch (const std::exception& failure) {
+                done.status = fail(ErrorCode::Failed,
+                                   std::string("The project cannot be written: ") + failure.what() +
+                                       "; close other programs and save again.",
+                                   done.path.string());
+            }
         }
         outbox->put(std::move(done));
     });

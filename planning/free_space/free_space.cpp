@@ -89,7 +89,7 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
         for (const FoundRoom& room : tried_rooms.rooms) cells_found += room.cells;
-        // A laxer rule takes over only where the stricter one tried_rooms nearly nothing.
+        // A laxer rule takes over only where the stricter one found nearly nothing.
         if (best.room_of_cell.empty() ||
             kEnoughAir * static_cast<double>(cells_found) > static_cast<double>(best_cells)) {
             best = std::move(tried_rooms);
