@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include <set>
 
@@ -46,13 +47,19 @@ bool InputQueue::deliver() {
             return true;
         }
         events_.pop_front();
-        if (switches && !repeats && event.action == GLFW_PRESS) changed.insert(which);
+        // Of a button its release, too: the second press of a double click is a frame of its own.
+        if (switches && !repeats && (!release || event.kind == Event::Kind::Button)) {
+            changed.insert(which);
+        }
         switch (event.kind) {
             case Event::Kind::Key:
                 ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action,
                                            event.mods);
                 break;
             case Event::Kind::Button:
+                if (event.code >= 0 && event.code < static_cast<int>(down_.size())) {
+                    down_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
+                }
                 ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.action, event.mods);
                 break;
             case Event::Kind::Scroll:
@@ -64,6 +71,12 @@ bool InputQueue::deliver() {
         }
     }
     return false;
+}
+
+void InputQueue::setButtons() const {
+    // The mouse itself is ahead of its events: a double click within a slow frame would be one
+    // click, and a click would overtake the letters that were typed before it.
+    for (std::size_t i = 0; i < down_.size(); ++i) ImGui::GetIO().MouseDown[i] = down_[i];
 }
 
 }  // namespace dollytrack::editor

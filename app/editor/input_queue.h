@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <deque>
 
 struct GLFWwindow;
@@ -16,6 +17,9 @@ class InputQueue {
 
     /// Before ImGui's new frame. Returns whether something is left for the next one.
     bool deliver();
+    /// After the backend's new frame, which looks at the mouse as it is now: sets its buttons to
+    /// what was delivered.
+    void setButtons() const;
     [[nodiscard]] bool empty() const { return events_.empty(); }
 
   private:
@@ -30,6 +34,7 @@ class InputQueue {
 
     GLFWwindow* window_ = nullptr;
     std::deque<Event> events_;
+    std::array<bool, 5> down_ = {};  // buttons, as far as delivered
 };
 
 }  // namespace dollytrack::editor

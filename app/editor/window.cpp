@@ -150,6 +150,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     ImGui::GetIO().MouseDoubleClickTime = 0.5F;  // s; slow frames must not part two clicks
     ImGui::GetIO().IniFilename = nullptr;        // the layout is ours and kept with the settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // as desktops have it; ImGui asks for haste
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
     window->input_.attach(window->window_);
     ImGui_ImplOpenGL3_Init("#version 450");
@@ -226,6 +227,7 @@ void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
     ui::item_map::beginFrame();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    input_.setButtons();
     ImGui::NewFrame();
     goes_on = frame();
     ImGui::Render();
