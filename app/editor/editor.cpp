@@ -67,6 +67,7 @@ void Editor::refreshScene() {
         through_camera_ = false;
         sent_scene_.forget();
         questions_.forgetProject();
+        panels_.export_draft.forgetProject();
         // The copy was of the project before.
         autosave_.discard();
         autosave_.replaces(workspace_.restoredFrom());

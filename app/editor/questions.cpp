@@ -151,10 +151,10 @@ void Questions::drawExports() {
     box.title = stopped_exports_ == 1
                     ? "An export is not finished"
                     : fmt::format("{} exports are not finished", stopped_exports_);
-    box.text =
-        "Leaving stops it after the frame at hand. Finished frames stay in the folder: "
-        "\"dollytrack "
-        "export PROJECT --out FOLDER --resume\" goes on from there.";
+    box.text = fmt::format(
+        "Leaving stops {} after the frame at hand. Finished frames stay in the folder: "
+        "\"dollytrack export PROJECT --out FOLDER --resume\" goes on from there.",
+        stopped_exports_ == 1 ? "it" : "them");
     box.buttons = {"Keep exporting", "Stop and quit"};
     box.escape = 0;
     const int pressed = ui::drawMessageBox(box);

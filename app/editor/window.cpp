@@ -147,7 +147,6 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().MouseDoubleClickTime = 0.5F;  // s; slow frames must not part two clicks
     ImGui::GetIO().IniFilename = nullptr;        // the layout is ours and kept with the settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // as desktops have it; ImGui asks for haste

@@ -40,6 +40,16 @@ struct ExportDraft {
     std::vector<std::string> left_out_modalities;
     std::vector<std::string> left_out_formats;
     bool overwrite = false;
+
+    /// Where to and which frames belong to one project; what to write holds for the next as well.
+    void forgetProject() {
+        folder.clear();
+        current_only = false;
+        first = 0;
+        last = -1;
+        step = 1;
+        overwrite = false;
+    }
 };
 
 /// What the user asked for; jobs by their number, 0: none.

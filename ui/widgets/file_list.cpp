@@ -33,7 +33,7 @@ std::string dateText(std::int64_t seconds) {
 }
 
 /// Letters typed in quick succession go to the first name that begins with them. Returns them where
-/// they are the beginning of a path.
+/// they are the beginning of a path, or of no name in the folder.
 std::string jumpToTyped(const FileListView& view, FileListState& state) {
     ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.InputQueueCharacters.empty()) return {};
@@ -43,16 +43,17 @@ std::string jumpToTyped(const FileListView& view, FileListState& state) {
     for (const ImWchar c : io.InputQueueCharacters) {
         if (c >= 32 && c < 127) state.typed += static_cast<char>(c);
     }
-    if (state.typed.starts_with('~') || state.typed.find('/') != std::string::npos) {
+    const auto row = std::ranges::find_if(*view.rows, [&](const auto entry) {
+        return beginsWithIgnoringCase(view.listing->entries[entry].name, state.typed);
+    });
+    const bool is_path = state.typed.starts_with('~') || state.typed.find('/') != std::string::npos;
+    if (is_path || (row == view.rows->end() && !state.typed.empty())) {
         io.InputQueueCharacters.resize(0);
         return std::exchange(state.typed, {});
     }
-    for (std::size_t row = 0; row < view.rows->size(); ++row) {
-        if (!beginsWithIgnoringCase(view.listing->entries[(*view.rows)[row]].name, state.typed))
-            continue;
-        state.selected = static_cast<int>(row);
+    if (row != view.rows->end()) {
+        state.selected = static_cast<int>(row - view.rows->begin());
         state.scroll = true;
-        break;
     }
     return {};
 }
