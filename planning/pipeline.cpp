@@ -5,8 +5,8 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/linking/link_groups.h"
+#include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
-#include "planning/metrics/explain.h"
 #include "planning/path/path_search.h"
 #include "planning/roadmap/roadmap_search.h"
 #include "planning/smoothing/smooth_path.h"
@@ -299,11 +299,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
     refusePinsOverBudget(edits, plan);
-    for (const ObjectCapture& capture : plan.captures) {
-        if (capture.captured) continue;
-        plan.uncaptured.push_back(
-            {capture.object_id, explainUncaptured(*scene, plan, capture.object_id)});
-    }
+    plan.ledger = captureLedger(*scene, plan);
     return plan;
 }
 

@@ -1,8 +1,10 @@
 #include "app/cli/command_line.h"
+#include "app/cli/ledger_table.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/scene_arguments.h"
+#include "app/cli/terminal_text.h"
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/io/durable_file.h"
@@ -36,6 +38,7 @@ struct PlanArguments {
     std::vector<std::string> requirements;
     bool as_json = false;
     bool bound = false;
+    bool explain = false;
 };
 
 Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
@@ -132,7 +135,13 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
     } else {
+        // The rows say the same of what is missing, and more.
+        if (arguments.explain) planned->metrics.erase("uncaptured");
         fmt::print("{}", metricsTable(planned->metrics));
+    }
+    if (arguments.explain && !arguments.as_json) {
+        fmt::print("\n{}",
+                   ledgerTable(*opened->scene, planned->plan->ledger, terminalWidth(stdout)));
     }
     return areMet(*requirements, planned->metrics) ? kDone : kPartial;
 }
@@ -154,6 +163,9 @@ void addPlanCommand(CLI::App& app, Session& session) {
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
                       "Also search densely for what could be captured at all (takes a while)");
+    command->add_flag("--explain", arguments->explain,
+                      "Say of every object which frame captures it and how well, or where it was "
+                      "lost and what would help");
     command
         ->add_option("--require", arguments->requirements,
                      "Exit with 3 unless a metric meets a condition, as in "

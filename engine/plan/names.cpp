@@ -1,3 +1,4 @@
+#include "engine/plan/capture_ledger.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
 
@@ -37,6 +38,32 @@ std::string_view name(Verdict verdict) {
             return "no_go";
         case Verdict::HeightBand:
             return "height_band";
+    }
+    return {};
+}
+
+std::string_view name(Loss loss) {
+    switch (loss) {
+        case Loss::NoFreePose:
+            return "no_free_pose";
+        case Loss::Occluded:
+            return "occluded";
+        case Loss::TooSmall:
+            return "too_small";
+        case Loss::DoesNotFit:
+            return "does_not_fit";
+        case Loss::OtherComponent:
+            return "other_component";
+        case Loss::DroppedByPath:
+            return "dropped_by_path";
+        case Loss::LostInSmoothing:
+            return "lost_in_smoothing";
+        case Loss::DroppedByScore:
+            return "dropped_by_score";
+        case Loss::ByHand:
+            return "by_hand";
+        case Loss::OverBudget:
+            return "over_budget";
     }
     return {};
 }

@@ -3,6 +3,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/plan/camera_path.h"
 #include "engine/plan/capture.h"
+#include "engine/plan/capture_ledger.h"
 #include "engine/plan/frame_series.h"
 #include "engine/plan/roadmap.h"
 #include "engine/plan/targets.h"
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace dollytrack {
-
-/// A target that no frame captures, and the reason in words.
-struct UncapturedObject {
-    int object_id = 0;
-    std::string reason;
-};
 
 /// A pinned point that planning could not keep, and the reason in words.
 struct RefusedPin {
@@ -72,7 +67,7 @@ struct Plan {
     std::vector<std::vector<ObjectView>> frame_views;
     FrameSeries series;
     TrajectoryMetrics trajectory_metrics;
-    std::vector<UncapturedObject> uncaptured;
+    std::vector<LedgerRow> ledger;  // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;
 
     std::vector<StageTime> stages;

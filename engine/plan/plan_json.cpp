@@ -1,5 +1,7 @@
 #include "engine/plan/plan_json.h"
 
+#include "engine/plan/ledger_json.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -91,20 +93,20 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"uncaptured", json::array()},
         {"not_well_captured", json::array()},
         {"refused_pins", json::array()},
+        {"ledger", ledgerJson(scene, plan.ledger)},
     });
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
-    for (const UncapturedObject& one : plan.uncaptured) {
-        result["uncaptured"].push_back({{"object", scene.object(one.object_id).name},
-                                        {"id", one.object_id},
-                                        {"reason", one.reason}});
+    for (const LedgerRow& row : plan.ledger) {
+        const std::string& object = scene.object(row.object_id).name;
+        if (!row.captured) {
+            result["uncaptured"].push_back(
+                {{"object", object}, {"id", row.object_id}, {"reason", row.reason}});
+        } else if (!row.well_captured) {
+            result["not_well_captured"].push_back(object);
+        }
     }
     for (const RefusedPin& one : plan.refused_pins) {
         result["refused_pins"].push_back({{"point", one.name}, {"reason", one.reason}});
-    }
-    for (const ObjectCapture& one : plan.captures) {
-        if (one.captured && !one.well_captured) {
-            result["not_well_captured"].push_back(scene.object(one.object_id).name);
-        }
     }
     return result;
 }

@@ -14,7 +14,8 @@ nlohmann::json captureMetricsJson(const CaptureMetrics& metrics);
 Result<CaptureMetrics> captureMetricsFromJson(const nlohmann::json& json);
 
 /// The metrics of a plan under their published names, for `--json` and dataset.json: object
-/// counts, rates (0..1), stage times, path length, frames and the uncaptured objects with reasons.
+/// counts, rates (0..1), stage times, path length, frames, the uncaptured objects with reasons, and
+/// the capture ledger.
 nlohmann::json metricsJson(const Scene& scene, const Plan& plan);
 
 /// The same with the dense search's rates, when it was made.

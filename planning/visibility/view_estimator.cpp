@@ -164,6 +164,7 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
         if (count <= most) continue;
         most = count;
         result.occluder = id;
+        result.occluder_share = static_cast<double>(count) / silhouette;
     }
     return result;
 }

@@ -26,8 +26,9 @@ class ViewEstimator {
         double box_share = 0.0;
         double mask_share = 0.0;
         int rays_on_silhouette = 0;
-        bool cropped = false;  // part of the silhouette lies outside the image
-        int occluder = 0;      // id of the object that hides most of it
+        bool cropped = false;         // part of the silhouette lies outside the image
+        int occluder = 0;             // id of the object that hides most of it
+        double occluder_share = 0.0;  // of the silhouette, hidden by that object
     };
 
     /// Rays through the middles of an even grid of about `grid` x `grid` cells over the object's

@@ -352,8 +352,9 @@ TEST(Edits, ARemovedPointIsNotVisitedAndSaysSo) {
     const auto plan = planOf(scene, edits);
     EXPECT_EQ(pointFor(*plan, {7}), nullptr);
     EXPECT_NE(pointFor(*plan, {8}), nullptr);
-    ASSERT_EQ(plan->uncaptured.size(), 1U);
-    EXPECT_EQ(plan->uncaptured[0].reason, "its position point was removed by hand");
+    ASSERT_EQ(plan->ledger.size(), 2U);
+    EXPECT_EQ(plan->ledger[0].loss, Loss::ByHand) << plan->ledger[0].reason;
+    EXPECT_TRUE(plan->ledger[1].captured);
 }
 
 TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {

@@ -72,7 +72,14 @@ class SelectionPanelTest : public testing::Test {
         missed.object_id = mug;
         missed.best.frame = missed.best_well.frame = -1;
         plan.captures = {seen, missed};
-        plan.uncaptured = {{mug, "the sofa hides it from everywhere"}};
+        plan.ledger.resize(2);
+        plan.ledger[0].object_id = sofa;
+        plan.ledger[0].captured = plan.ledger[0].well_captured = true;
+        plan.ledger[0].frame = 2;
+        plan.ledger[1].object_id = mug;
+        plan.ledger[1].loss = Loss::Occluded;
+        plan.ledger[1].occluder = sofa;
+        plan.ledger[1].reason = "The sofa hides it from everywhere.";
     }
     void apply(const json& operation) {
         const SetParameter set = [](json&, const std::string&, const json&) { return Status(); };

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace dollytrack::ui {
 namespace {
 
@@ -105,7 +107,8 @@ void drawStages(const Plan& plan) {
 
 int drawUncaptured(const MetricsView& view) {
     int clicked = 0;
-    for (const UncapturedObject& missing : view.plan->uncaptured) {
+    for (const LedgerRow& missing : view.plan->ledger) {
+        if (missing.captured) continue;
         ImGui::PushID(missing.object_id);
         const std::string name = view.scene->object(missing.object_id).name;
         const float room = ImGui::GetContentRegionAvail().x;
@@ -154,7 +157,8 @@ MetricsActions drawMetricsPanel(const MetricsView& view) {
     title("Trajectory");
     drawTrajectory(*view.plan, view.measured);
     if (view.measured) {
-        title(view.plan->uncaptured.empty() ? "Every target is captured" : "Not captured");
+        const bool all = std::ranges::all_of(view.plan->ledger, &LedgerRow::captured);
+        title(all ? "Every target is captured" : "Not captured");
         actions.select_object = drawUncaptured(view);
     }
     title("Time");

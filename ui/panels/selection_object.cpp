@@ -166,10 +166,9 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
         ImGui::TextColored(palette().warning, "\u25d0 captured, but small in the image");
     } else {
         ImGui::TextColored(palette().bad, "\u25cb not captured");
-        const auto& uncaptured = view.plan->uncaptured;
-        const auto missing = std::ranges::find(uncaptured, object.id, &UncapturedObject::object_id);
-        if (missing != uncaptured.end()) paragraph(missing->reason);
     }
+    const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
+    if (row != view.plan->ledger.end() && row->loss) paragraph(row->reason);
     if (!beginForm("capture")) return;
     if (found->best.frame >= 0) {
         drawView("Best frame", found->best, "selection.best_frame", actions);

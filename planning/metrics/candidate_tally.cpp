@@ -1,0 +1,145 @@
+#include "planning/metrics/candidate_tally.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace dollytrack::planning {
+namespace {
+
+std::string nameOf(const Scene& scene, int object_id) {
+    return object_id > 0 ? scene.object(object_id).name : std::string("itself");
+}
+
+/// Why a place was no view, as in "200 places are ...".
+std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
+    switch (verdict) {
+        case Verdict::InObstacle:
+            return "too near to " +
+                   (object_id > 0 ? scene.object(object_id).name : std::string("a surface"));
+        case Verdict::OutsideRoom:
+            return "outside the rooms' free space";
+        case Verdict::TooClose:
+            return "too near to the object itself";
+        case Verdict::NoGo:
+            return "in a no-go box";
+        case Verdict::HeightBand:
+            return "outside the height band";
+        case Verdict::OccludedBy:
+            return "hidden by " + nameOf(scene, object_id);
+        case Verdict::TooSmall:
+            return "too far";
+        case Verdict::Cropped:
+            return "too near to fit it in";
+        case Verdict::Legal:
+            break;
+    }
+    return "fit";
+}
+
+}  // namespace
+
+void CandidateTally::add(const Candidate& candidate) {
+    ++tried_;
+    if (candidate.verdict == Verdict::Legal) {
+        ++legal_;
+    } else {
+        // Only these two know who is to blame.
+        const bool blames =
+            candidate.verdict == Verdict::OccludedBy || candidate.verdict == Verdict::InObstacle;
+        ++refused_[{candidate.verdict, blames ? candidate.occluder : 0}];
+    }
+    switch (candidate.verdict) {
+        case Verdict::OccludedBy:
+            ++hidden_;
+            ++hidden_by_[candidate.occluder];
+            break;
+        case Verdict::TooSmall:
+            ++small_;
+            break;
+        case Verdict::Cropped:
+            ++cropped_;
+            break;
+        case Verdict::Legal:
+            break;
+        default:
+            return;  // not free: nothing was seen from there
+    }
+    most_visible_ = std::max(most_visible_, candidate.visible_fraction);
+}
+
+Loss CandidateTally::loss() const {
+    if (free() == 0) return Loss::NoFreePose;
+    // Places that were legal at a glance and not on a closer look show almost enough of it: what
+    // hides the rest decides, when anything hides it at all.
+    const int left = inSight() - legal_;
+    if (left == 0 && (hidden_ > 0 || legal_ == 0)) return Loss::Occluded;
+    return small_ > 0 || cropped_ == 0 ? Loss::TooSmall : Loss::DoesNotFit;
+}
+
+int CandidateTally::occluder() const {
+    int most = 0;
+    int by = 0;
+    for (const auto& [id, count] : hidden_by_) {
+        if (count <= most) continue;
+        most = count;
+        by = id;
+    }
+    return by;
+}
+
+std::string CandidateTally::refusals(const Scene& scene, std::size_t kinds) const {
+    std::vector<std::pair<int, std::string>> order;
+    for (const auto& [why, count] : refused_) {
+        order.emplace_back(count, inWords(scene, why.first, why.second));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kinds, order.size()); ++i) {
+        text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", order[i].second, order[i].first);
+    }
+    return text;
+}
+
+std::string CandidateTally::reason(const Scene& scene) const {
+    if (tried_ == 0) return "No place could be tried.";
+    const double best = 100.0 * most_visible_;
+    if (legal_ > 0) {
+        return fmt::format(
+            "Near to captured from {} of {} places tried, but a closer look shows too little.",
+            legal_, tried_);
+    }
+    switch (loss()) {
+        case Loss::NoFreePose:
+            return fmt::format("None of the {} places tried is free: {}.", tried_, refusals(scene));
+        case Loss::Occluded:
+            return fmt::format(
+                "Hidden at each of the {} free places tried, mostly by {}; the best shows {:.0f} "
+                "%.",
+                free(), nameOf(scene, occluder()), best);
+        case Loss::TooSmall:
+            return fmt::format(
+                "Too small in the image from each of the {} places tried that see it.", inSight());
+        default:
+            return fmt::format(
+                "Does not fit into the image from any of the {} places tried that see it; the "
+                "best shows {:.0f} %.",
+                inSight(), best);
+    }
+}
+
+CandidateTally tallyOf(const Plan& plan, int object_id) {
+    CandidateTally alone;
+    CandidateTally in_groups;
+    for (std::size_t o = 0; o < plan.observation_points.size(); ++o) {
+        const std::vector<int>& objects = plan.observation_points[o].objects;
+        if (std::find(objects.begin(), objects.end(), object_id) == objects.end()) continue;
+        CandidateTally& tally = objects.size() == 1 ? alone : in_groups;
+        for (const Candidate& candidate : plan.searches[o].candidates) tally.add(candidate);
+    }
+    return alone.tried() > 0 ? alone : in_groups;
+}
+
+}  // namespace dollytrack::planning

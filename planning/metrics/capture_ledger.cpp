@@ -1,0 +1,219 @@
+#include "planning/metrics/capture_ledger.h"
+
+#include "planning/metrics/candidate_tally.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack::planning {
+namespace {
+
+bool has(const std::vector<int>& ids, int id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// How far a position point came on its way to a frame.
+enum class Reached { Found, KeyFrame, Path, Frame };
+
+Reached reached(const Plan& plan, int point) {
+    if (!has(plan.key_frames, point)) return Reached::Found;
+    const bool on_path = std::any_of(
+        plan.smooth_paths.begin(), plan.smooth_paths.end(), [&](const SmoothPath& path) {
+            return std::any_of(path.keys.begin(), path.keys.end(), [&](const SmoothPath::Key& key) {
+                return key.position_point == point;
+            });
+        });
+    if (!on_path) return Reached::KeyFrame;
+    const auto& frames = plan.trajectory.frames;
+    return std::any_of(frames.begin(), frames.end(),
+                       [&](const TrajectoryFrame& f) { return f.position_point == point; })
+               ? Reached::Frame
+               : Reached::Path;
+}
+
+/// How far the rounded path leads past a key frame, m.
+double movedBySmoothing(const Plan& plan, int point) {
+    double moved = 0.0;
+    for (const SmoothPath& path : plan.smooth_paths) {
+        for (const SmoothPath::Key& key : path.keys) {
+            if (key.position_point != point) continue;
+            const auto& p = plan.position_points[static_cast<std::size_t>(point)];
+            moved = std::max(moved, (key.position - p.pose.position).norm());
+        }
+    }
+    return moved;
+}
+
+class RowMaker {
+  public:
+    RowMaker(const Scene& scene, const Plan& plan, const ObjectCapture& capture)
+        : scene_(scene), plan_(plan), capture_(capture) {}
+
+    LedgerRow make() {
+        row_.object_id = capture_.object_id;
+        row_.captured = capture_.captured;
+        row_.well_captured = capture_.well_captured;
+        takeFrame(capture_.best_well.frame >= 0 ? capture_.best_well : capture_.best);
+        if (!row_.well_captured && !lostOnTheWay() && !lostByHand()) lostInSearch();
+        return std::move(row_);
+    }
+
+  private:
+    void takeFrame(const ObjectView& view) {
+        // A frame that it would be in, were it not hidden, does not show it.
+        if (view.frame < 0 || view.visible_fraction <= 0.0) return;
+        const auto& frame = plan_.trajectory.frames[static_cast<std::size_t>(view.frame)];
+        row_.frame = view.frame;
+        row_.time_s = frame.time_s;
+        row_.key_frame = frame.position_point >= 0;
+        row_.visible_fraction = view.visible_fraction;
+        row_.box_share = view.box_share;
+        row_.mask_share = view.mask_share;
+        row_.distance_m = (center() - frame.pose.position).norm();
+    }
+
+    /// A view that does what no frame does was found, and lost later.
+    bool lostOnTheWay() {
+        int furthest = -1;
+        Reached how_far = Reached::Found;
+        for (std::size_t p = 0; p < plan_.position_points.size(); ++p) {
+            const PositionPoint& point = plan_.position_points[p];
+            if (!has(row_.captured ? point.well_captured : point.captured, row_.object_id)) {
+                continue;
+            }
+            const Reached now = reached(plan_, static_cast<int>(p));
+            if (furthest >= 0 && now <= how_far) continue;
+            furthest = static_cast<int>(p);
+            how_far = now;
+        }
+        if (furthest < 0) return false;
+        switch (how_far) {
+            case Reached::Found:
+                // Key frames are chosen to keep every capture; only a budget drops some.
+                lose(Loss::OverBudget, "Its key frame was dropped to keep to max_frames.");
+                break;
+            case Reached::KeyFrame:
+                lostBeforePath(furthest);
+                break;
+            case Reached::Path:
+                lose(Loss::DroppedByScore, "The frame that showed it was dropped for its score.");
+                break;
+            case Reached::Frame:
+                lostAtKeyFrame(furthest);
+                break;
+        }
+        return true;
+    }
+
+    void lostBeforePath(int point) {
+        const int part = plan_.position_points[static_cast<std::size_t>(point)].component;
+        const bool visited =
+            std::any_of(plan_.smooth_paths.begin(), plan_.smooth_paths.end(),
+                        [&](const SmoothPath& path) { return path.component == part; });
+        if (visited) {
+            lose(Loss::DroppedByPath, "Its key frame is not on the path that was taken.");
+        } else {
+            lose(Loss::OtherComponent,
+                 fmt::format("Its key frame is in room {}, which no path goes through.", part + 1));
+        }
+    }
+
+    void lostAtKeyFrame(int point) {
+        constexpr double kMoved_m = 1e-6;
+        const double moved = movedBySmoothing(plan_, point);
+        lose(Loss::LostInSmoothing,
+             moved > kMoved_m
+                 ? fmt::format("The rounded path passes its key frame at {:.2f} m, where {}.",
+                               moved, justBelow())
+                 : fmt::format("The path goes through its key frame, but counted by every pixel "
+                               "{}.",
+                               justBelow()));
+    }
+
+    [[nodiscard]] std::string justBelow() const {
+        return row_.captured
+                   ? fmt::format("its box takes {:.1f} % of the image", 100.0 * row_.box_share)
+                   : fmt::format("{:.0f} % of it shows", 100.0 * row_.visible_fraction);
+    }
+
+    bool lostByHand() {
+        for (std::size_t o = 0; o < plan_.observation_points.size(); ++o) {
+            if (!has(plan_.observation_points[o].objects, row_.object_id)) continue;
+            if (plan_.searches[o].removed && tallyOf(plan_, row_.object_id).legal() > 0) {
+                lose(Loss::ByHand, "Its position point was removed by hand.");
+                return true;
+            }
+        }
+        const bool pinned = std::any_of(
+            plan_.position_points.begin(), plan_.position_points.end(), [&](const auto& point) {
+                const auto o = static_cast<std::size_t>(point.observation_point);
+                return point.pin >= 0 && has(plan_.observation_points[o].objects, row_.object_id);
+            });
+        if (!pinned || row_.captured) return false;
+        lose(Loss::ByHand, "Its pinned position point does not capture it.");
+        return true;
+    }
+
+    void lostInSearch() {
+        if (row_.captured) {
+            lose(Loss::TooSmall, whyNotLarger());
+            return;
+        }
+        const CandidateTally tally = tallyOf(plan_, row_.object_id);
+        lose(tally.loss(), tally.reason(scene_));
+        if (tally.loss() == Loss::Occluded) row_.occluder = tally.occluder();
+    }
+
+    /// Captured, but never large: what became of the places nearer to it.
+    [[nodiscard]] std::string whyNotLarger() const {
+        double largest = row_.box_share;
+        for (const std::vector<ObjectView>& frame : plan_.frame_views) {
+            for (const ObjectView& view : frame) {
+                if (view.object_id == row_.object_id && isCaptured(view)) {
+                    largest = std::max(largest, view.box_share);
+                }
+            }
+        }
+        const std::string text = fmt::format(
+            "Where it is captured its box takes at most {:.1f} % of the image, and {:.0f} % are "
+            "needed",
+            100.0 * largest, 100.0 * CaptureRules{}.min_box_share);
+        CandidateTally nearer;
+        for (std::size_t o = 0; o < plan_.observation_points.size(); ++o) {
+            const ObservationPoint& point = plan_.observation_points[o];
+            if (point.objects != std::vector{row_.object_id}) continue;
+            for (const Candidate& candidate : plan_.searches[o].candidates) {
+                if ((candidate.position - center()).norm() < row_.distance_m) nearer.add(candidate);
+            }
+        }
+        const std::string why = nearer.refusals(scene_, 3);
+        return why.empty() ? text + "." : text + "; nearer places are " + why + ".";
+    }
+
+    void lose(Loss loss, std::string reason) {
+        row_.loss = loss;
+        row_.reason = std::move(reason);
+    }
+
+    [[nodiscard]] const Eigen::Vector3d& center() const {
+        return scene_.object(row_.object_id).box.center;
+    }
+
+    const Scene& scene_;
+    const Plan& plan_;
+    const ObjectCapture& capture_;
+    LedgerRow row_;
+};
+
+}  // namespace
+
+std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan) {
+    std::vector<LedgerRow> ledger;
+    for (const ObjectCapture& capture : plan.captures) {
+        ledger.push_back(RowMaker(scene, plan, capture).make());
+    }
+    return ledger;
+}
+
+}  // namespace dollytrack::planning
