@@ -10,11 +10,13 @@
 #include "engine/io/durable_file.h"
 #include "engine/io/png_writer.h"
 #include "engine/io/project_file.h"
+#include "engine/plan/ledger_json.h"
 #include "engine/plan/plan_json.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/metrics/capture_bound.h"
+#include "planning/metrics/remedies.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 #include "render/gl/osmesa_context.h"
@@ -57,6 +59,18 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
         std::chrono::steady_clock::now() - begin;
     addBound(metrics, *bound, spent.count());
     return {};
+}
+
+/// The ledger with what would help, in the plan's files and output as well.
+Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& planned,
+                                       const JobContext& job) {
+    auto rows = planning::findRemedies(opened.scene, opened.params, opened.plan_edits,
+                                       *planned.plan, planned.plan->ledger, job);
+    if (!rows) return rows;
+    planned.metrics["ledger"] = ledgerJson(*opened.scene, *rows);
+    planned.metrics["uncaptured"] = uncapturedJson(*opened.scene, *rows);
+    planned.result["metrics"] = withoutTimes(planned.metrics);
+    return rows;
 }
 
 Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
@@ -109,7 +123,8 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (!opened) return tl::unexpected<Error>(opened.error());
     planning::Pipeline pipeline(opened->scene);
     Result<PlannedScene> planned =
-        planScene(*opened, pipeline, job.stage(0.3, arguments.bound ? 0.5 : 1.0, "planning"));
+        planScene(*opened, pipeline,
+                  job.stage(0.3, arguments.bound || arguments.explain ? 0.5 : 1.0, "planning"));
     if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
     if (arguments.bound) {
         if (Status status = addDenseSearch(*opened, pipeline, *planned->plan, planned->metrics,
@@ -118,6 +133,12 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
             return tl::unexpected<Error>(std::move(status.error()));
         }
         planned->result["metrics"] = withoutTimes(planned->metrics);
+    }
+    std::vector<LedgerRow> ledger;
+    if (arguments.explain) {
+        auto rows = explain(*opened, *planned, job.stage(0.5, 1.0, "remedies"));
+        if (!rows) return tl::unexpected<Error>(std::move(rows.error()));
+        ledger = std::move(*rows);
     }
     if (!arguments.out.empty()) {
         io::ProjectFile project = projectOf(*opened);
@@ -140,8 +161,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         fmt::print("{}", metricsTable(planned->metrics));
     }
     if (arguments.explain && !arguments.as_json) {
-        fmt::print("\n{}",
-                   ledgerTable(*opened->scene, planned->plan->ledger, terminalWidth(stdout)));
+        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth(stdout)));
     }
     return areMet(*requirements, planned->metrics) ? kDone : kPartial;
 }

@@ -21,6 +21,7 @@ enum class Loss {
     LostInSmoothing,  // the rounded path passes its key frame where it no longer shows
     DroppedByScore,   // on the path, but its frame was taken out
     ByHand,           // its position point was removed, or a pinned one stands in that misses it
+    SearchMissed,     // a denser search found a view that the search had not
     OverBudget,       // its key frame was dropped to keep to max_frames
 };
 
@@ -32,6 +33,7 @@ struct Remedy {
     std::optional<Pose> pin;            // a position point to place by hand, world_from_camera
     std::string remove_no_go;           // name of a no-go box to take away; empty: none
     bool restore_point = false;         // the position point that was removed by hand
+    std::string unpin;                  // name of a pinned point to let go; empty: none
     int move_object = 0;                // id of an object to put elsewhere; 0: none
     bool well = false;                  // the object is then captured well, not only captured
     std::string text;                   // all that as a sentence's part, for a person

@@ -19,6 +19,7 @@ json remedyJson(const Scene& scene, const Remedy& remedy) {
                          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
     }
     if (!remedy.remove_no_go.empty()) result["remove_no_go"] = remedy.remove_no_go;
+    if (!remedy.unpin.empty()) result["unpin"] = remedy.unpin;
     if (remedy.restore_point) result["restore_point"] = true;
     if (remedy.move_object != 0) result["move"] = scene.object(remedy.move_object).name;
     return result;
@@ -51,6 +52,17 @@ json ledgerJson(const Scene& scene, const std::vector<LedgerRow>& ledger) {
         if (row.occluder != 0) one["occluder"] = scene.object(row.occluder).name;
         if (row.remedy) one["remedy"] = remedyJson(scene, *row.remedy);
         rows.push_back(std::move(one));
+    }
+    return rows;
+}
+
+json uncapturedJson(const Scene& scene, const std::vector<LedgerRow>& ledger) {
+    json rows = json::array();
+    for (const LedgerRow& row : ledger) {
+        if (row.captured) continue;
+        rows.push_back({{"object", scene.object(row.object_id).name},
+                        {"id", row.object_id},
+                        {"reason", row.reason}});
     }
     return rows;
 }

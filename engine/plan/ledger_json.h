@@ -11,4 +11,7 @@ namespace dollytrack {
 /// count in the trajectory.
 nlohmann::json ledgerJson(const Scene& scene, const std::vector<LedgerRow>& ledger);
 
+/// Those that no frame captures, each with its reason: short, for people and scripts.
+nlohmann::json uncapturedJson(const Scene& scene, const std::vector<LedgerRow>& ledger);
+
 }  // namespace dollytrack

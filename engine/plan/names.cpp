@@ -62,6 +62,8 @@ std::string_view name(Loss loss) {
             return "dropped_by_score";
         case Loss::ByHand:
             return "by_hand";
+        case Loss::SearchMissed:
+            return "search_missed";
         case Loss::OverBudget:
             return "over_budget";
     }

@@ -90,20 +90,15 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"map_ms", plan.map_ms},
         {"plan_ms", plan.plan_ms},
         {"stages", json::object()},
-        {"uncaptured", json::array()},
+        {"uncaptured", uncapturedJson(scene, plan.ledger)},
         {"not_well_captured", json::array()},
         {"refused_pins", json::array()},
         {"ledger", ledgerJson(scene, plan.ledger)},
     });
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const LedgerRow& row : plan.ledger) {
-        const std::string& object = scene.object(row.object_id).name;
-        if (!row.captured) {
-            result["uncaptured"].push_back(
-                {{"object", object}, {"id", row.object_id}, {"reason", row.reason}});
-        } else if (!row.well_captured) {
-            result["not_well_captured"].push_back(object);
-        }
+        if (!row.captured || row.well_captured) continue;
+        result["not_well_captured"].push_back(scene.object(row.object_id).name);
     }
     for (const RefusedPin& one : plan.refused_pins) {
         result["refused_pins"].push_back({{"point", one.name}, {"reason", one.reason}});

@@ -148,6 +148,15 @@ void drawView(const char* label, const ObjectView& seen, const std::string& name
                              100.0 * seen.visible_fraction, 100.0 * seen.box_share));
 }
 
+/// What the ledger adds to the views themselves.
+void drawRow(const LedgerRow& row) {
+    if (row.loss) formText("Lost by", std::string(name(*row.loss)));
+    if (row.frame < 0) return;
+    formText("Seen from", fmt::format("{:.2f} m, {:.1f} s into the path{}", row.distance_m,
+                                      row.time_s, row.key_frame ? ", at a key frame" : ""));
+    formText("Mask", fmt::format("{:.1f} % of the image", 100.0 * row.mask_share));
+}
+
 void drawCapture(const SelectionView& view, const Object& object, SelectionActions& actions) {
     heading("Capture");
     if (view.plan == nullptr || !view.measured) {
@@ -178,6 +187,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     if (found->well_captured && found->best_well.frame != found->best.frame) {
         drawView("Best well", found->best_well, "selection.best_well_frame", actions);
     }
+    if (row != view.plan->ledger.end()) drawRow(*row);
     endForm();
 }
 

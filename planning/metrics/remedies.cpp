@@ -1,0 +1,294 @@
+#include "planning/metrics/remedies.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/metrics/candidate_tally.h"
+#include "planning/metrics/plan_trials.h"
+#include "planning/metrics/remedy_proposals.h"
+#include "planning/viewpoints/key_frames.h"
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+bool has(const std::vector<int>& ids, int id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+bool names(const std::vector<ObjectRef>& objects, int id) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const ObjectRef& ref) { return ref.id == id; });
+}
+
+bool lostInSearch(const LedgerRow& row) {
+    return row.loss == Loss::NoFreePose || row.loss == Loss::Occluded ||
+           row.loss == Loss::TooSmall || row.loss == Loss::DoesNotFit;
+}
+
+/// What became of all the places around an object, in the words that candidates have.
+CandidateTally tallyOf(const std::vector<WhatIfPlace>& places) {
+    CandidateTally tally;
+    for (const WhatIfPlace& place : places) {
+        Candidate candidate;
+        candidate.position = place.position;
+        candidate.fill = place.fill;
+        candidate.visible_fraction = place.seen.visible_fraction;
+        const ObjectView view = makeView(place.seen, 0, 0);
+        if (!place.roomy) {
+            candidate.verdict = Verdict::InObstacle;
+        } else if (!place.legal()) {
+            candidate.verdict = place.allowed;
+        } else if (place.seen.occluder != 0 &&
+                   view.visible_fraction < CaptureRules{}.min_visible_fraction) {
+            candidate.verdict = Verdict::OccludedBy;
+            candidate.occluder = place.seen.occluder;
+        } else if (!isCaptured(view)) {
+            candidate.verdict = place.seen.cropped ? Verdict::Cropped : Verdict::TooSmall;
+        }
+        tally.add(candidate);
+    }
+    return tally;
+}
+
+class Finder {
+  public:
+    Finder(const std::shared_ptr<const Scene>& scene, const PlanParams& params,
+           const PlanEdits& edits, const Plan& plan, const Surroundings& around, PlanTrials& trials,
+           const JobContext& job)
+        : scene_(*scene),
+          params_(params),
+          edits_(edits),
+          plan_(plan),
+          around_(around),
+          trials_(trials),
+          job_(job) {}
+
+    void find(LedgerRow& row) {
+        if (lostInSearch(row)) {
+            findElsewhere(row);
+        } else {
+            giveBack(row);
+        }
+    }
+
+  private:
+    [[nodiscard]] PlanChange unchanged() const { return {params_, edits_}; }
+
+    /// Plans with the proposal. True when it does what is asked for; its remedy is then complete.
+    bool works(Proposal& made, const LedgerRow& row) {
+        const auto keeps = [&](const std::shared_ptr<const Plan>& plan) {
+            if (!plan) return false;
+            const auto now = std::find_if(
+                plan->captures.begin(), plan->captures.end(),
+                [&](const ObjectCapture& capture) { return capture.object_id == row.object_id; });
+            if (now == plan->captures.end()) return false;
+            made.remedy.well = now->well_captured;
+            return row.captured ? now->well_captured : now->captured;
+        };
+        if (!made.needs_pin && keeps(trials_.run(made.change, job_))) return true;
+        if (!made.view) return false;
+        PinnedPoint pin;
+        pin.name = "remedy";
+        pin.pose = *made.view;
+        pin.objects = {{row.object_id, scene_.object(row.object_id).name}};
+        std::erase_if(made.change.edits.pinned,
+                      [&](const PinnedPoint& other) { return other.objects == pin.objects; });
+        made.change.edits.pinned.push_back(pin);
+        if (!keeps(trials_.run(made.change, job_))) return false;
+        const Eigen::Vector3d& p = made.view->position;
+        made.remedy.pin = made.view;
+        made.remedy.text +=
+            fmt::format("{}pin a point at ({:.2f}, {:.2f}, {:.2f})",
+                        made.remedy.text.empty() ? "" : ", and ", p.x(), p.y(), p.z());
+        return true;
+    }
+
+    bool takeFirst(std::vector<Proposal> proposals, LedgerRow& row) {
+        for (Proposal& made : proposals) {
+            if (job_.cancelled()) return false;
+            if (!works(made, row)) continue;
+            if (!row.captured && !made.remedy.well) {
+                made.remedy.text += "; it is then captured, but not well";
+            }
+            row.remedy = std::move(made.remedy);
+            return true;
+        }
+        return false;
+    }
+
+    /// No view of it was found: is there one, or would there be?
+    void findElsewhere(LedgerRow& row) {
+        const Subject subject = makeSubject(around_.views, {row.object_id});
+        const auto places = whatIfPlaces(around_, subject, row.object_id, params_.seed, job_);
+        const WhatIf what{around_, params_, edits_, subject, places, row.object_id, row.captured};
+        if (takeFirst(proposePins(what), row)) {
+            row.loss = Loss::SearchMissed;
+            row.occluder = 0;
+            row.reason = "There is a legal view of it that the search did not find.";
+            return;
+        }
+        lookDenser(places, row);
+        if (takeFirst(proposeRegions(what), row) || takeFirst(proposeSmallerCameras(what), row) ||
+            takeFirst(proposeLenses(what), row)) {
+            return;
+        }
+        takeFirst(proposeMoves(what, trials_), row);
+    }
+
+    /// The dense look knows better than the few places of the search.
+    void lookDenser(const std::vector<WhatIfPlace>& places, LedgerRow& row) const {
+        if (row.captured || job_.cancelled() || places.empty()) return;
+        const CandidateTally tally = tallyOf(places);
+        if (tally.legal() > 0) return;
+        row.loss = tally.loss();
+        row.occluder = tally.loss() == Loss::Occluded ? tally.occluder() : 0;
+        row.reason = tally.reason(scene_);
+    }
+
+    /// A view was found and lost on the way: undo what lost it.
+    void giveBack(LedgerRow& row) {
+        std::vector<Proposal> proposals;
+        switch (*row.loss) {
+            case Loss::OverBudget:
+                proposals = proposeBudgets(row);
+                break;
+            case Loss::OtherComponent:
+            case Loss::DroppedByPath:
+                proposals = proposeTour();
+                break;
+            case Loss::LostInSmoothing:
+                proposals = proposeCorners();
+                break;
+            case Loss::ByHand:
+                proposals = proposeUndoing(row);
+                break;
+            default:
+                break;
+        }
+        if (takeFirst(std::move(proposals), row)) return;
+        // A pinned point is gone through at its very pose.
+        std::vector<Proposal> pins;
+        for (const PositionPoint& point : plan_.position_points) {
+            const auto& shown = row.captured ? point.well_captured : point.captured;
+            if (!has(shown, row.object_id)) continue;
+            Proposal made{unchanged(), {}, point.pose, true};
+            pins.push_back(std::move(made));
+        }
+        takeFirst(std::move(pins), row);
+    }
+
+    /// Proposals without a view of their own: planning again finds it, or they are no use.
+    [[nodiscard]] Proposal setting(const std::string& assignment, std::string text) const {
+        Proposal made{unchanged(), {}, std::nullopt, false};
+        made.remedy.settings = {assignment};
+        made.remedy.text = std::move(text);
+        FieldList fields = listFields(made.change.params);
+        if (!setField(fields, assignment)) made.change = unchanged();
+        return made;
+    }
+
+    /// Key frames come in order of what they add; up to this object's first, and all of them.
+    [[nodiscard]] std::vector<Proposal> proposeBudgets(const LedgerRow& row) const {
+        const std::vector<int> keys = chooseKeyFrames(plan_.position_points);
+        std::vector<Proposal> proposals;
+        const auto propose = [&](std::size_t frames) {
+            proposals.push_back(setting(
+                fmt::format("max_frames={}", frames),
+                fmt::format("max_frames {} instead of {}", frames, params_.timing.max_frames)));
+        };
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            const PositionPoint& point = plan_.position_points[static_cast<std::size_t>(keys[k])];
+            if (!has(row.captured ? point.well_captured : point.captured, row.object_id)) continue;
+            propose(k + 1);
+            break;
+        }
+        propose(keys.size());
+        return proposals;
+    }
+
+    [[nodiscard]] std::vector<Proposal> proposeTour() const {
+        if (params_.path.path_mode == PathMode::Tour) return {};
+        return {setting("path_mode=tour", "path_mode tour instead of longest_branch")};
+    }
+
+    [[nodiscard]] std::vector<Proposal> proposeCorners() const {
+        std::vector<Proposal> proposals;
+        const double before = params_.smoothing.corner_distance_m;
+        for (const double share : {0.75, 0.5, 0.25, 0.0}) {
+            const double corner = std::floor(share * before * 100.0) / 100.0;
+            proposals.push_back(
+                setting(fmt::format("corner_distance_m={}", corner),
+                        fmt::format("corner_distance_m {} instead of {}", corner, before)));
+        }
+        return proposals;
+    }
+
+    [[nodiscard]] std::vector<Proposal> proposeUndoing(const LedgerRow& row) const {
+        std::vector<Proposal> proposals;
+        Proposal restored{unchanged(), {}, std::nullopt, false};
+        std::erase_if(restored.change.edits.removed, [&](const RemovedPoint& removed) {
+            return names(removed.objects, row.object_id);
+        });
+        if (!(restored.change.edits == edits_)) {
+            restored.remedy.restore_point = true;
+            restored.remedy.text = "restore its position point";
+            proposals.push_back(std::move(restored));
+        }
+        for (const PinnedPoint& pin : edits_.pinned) {
+            if (!names(pin.objects, row.object_id)) continue;
+            Proposal unpinned{unchanged(), {}, std::nullopt, false};
+            std::erase_if(unpinned.change.edits.pinned,
+                          [&](const PinnedPoint& other) { return other.name == pin.name; });
+            unpinned.remedy.unpin = pin.name;
+            unpinned.remedy.text = "unpin '" + pin.name + "'";
+            proposals.push_back(std::move(unpinned));
+        }
+        return proposals;
+    }
+
+    const Scene& scene_;
+    const PlanParams& params_;
+    const PlanEdits& edits_;
+    const Plan& plan_;
+    const Surroundings& around_;
+    PlanTrials& trials_;
+    const JobContext& job_;
+};
+
+}  // namespace
+
+Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& scene,
+                                            const PlanParams& params, const PlanEdits& edits,
+                                            const Plan& plan, std::vector<LedgerRow> rows,
+                                            const JobContext& job) {
+    std::vector<LedgerRow*> lost;
+    for (LedgerRow& row : rows) {
+        if (row.loss) lost.push_back(&row);
+    }
+    if (lost.empty()) return rows;
+    PlanTrials trials(scene);
+    Pipeline& pipeline = trials.pipeline();
+    const auto as_it_is = pipeline.run(params, edits, job.stage(0.0, 0.1, "planning again"));
+    if (!as_it_is) return tl::unexpected<Error>(as_it_is.error());
+    const auto rays = pipeline.rays();
+    const auto free_space = pipeline.freeSpace();
+    const auto region = pipeline.region();
+    const ViewEstimator views(*scene, *rays, params.camera);
+    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, region.get());
+    const Surroundings around{views, *free_space, sphere};
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+        const double done = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(lost.size());
+        job.report(done);
+        const JobContext quiet = job.stage(done, done, "remedies");
+        Finder(scene, params, edits, plan, around, trials, quiet).find(*lost[i]);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    }
+    return rows;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,288 @@
+#include "planning/metrics/remedy_proposals.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/collision/swept_sphere.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kExactGrid = 72;         // as estimateCaptures() counts
+constexpr std::size_t kLookedAt = 24;  // places a kind of remedy looks at again, exactly
+constexpr std::size_t kMost = 2;       // proposals of one kind
+constexpr double kAlmost = 0.9;        // of what a coarse look must show for an exact one
+constexpr double kLeastRadius_m = 0.01;
+constexpr double kWhole = 0.92;  // share of the image's length that an object may take
+
+/// How near a coarse look comes to what is asked for; 1: all of it.
+double promise(const ViewEstimator::Estimate& seen, bool well) {
+    const CaptureRules rules;
+    double share = std::min(1.0, seen.visible_fraction / rules.min_visible_fraction);
+    share = std::min(share, seen.visible_px / rules.min_visible_px);
+    return well ? std::min(share, seen.box_share / rules.min_box_share) : share;
+}
+
+/// Places worth an exact look, by falling `order`.
+std::vector<const WhatIfPlace*> best(const std::vector<WhatIfPlace>& places,
+                                     const std::function<bool(const WhatIfPlace&)>& fits,
+                                     const std::function<double(const WhatIfPlace&)>& order) {
+    std::vector<const WhatIfPlace*> chosen;
+    for (const WhatIfPlace& place : places) {
+        if (fits(place)) chosen.push_back(&place);
+    }
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](const auto* a, const auto* b) { return order(*a) > order(*b); });
+    return chosen;
+}
+
+/// Well before captured, then with as much in sight and in the image as is to be had.
+double goodness(const ViewEstimator::Estimate& seen) {
+    return promise(seen, false) + 2.0 * promise(seen, true) + 0.5 * seen.visible_fraction +
+           0.2 * seen.box_share;
+}
+
+Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
+    return lookAt(place.position, what.subject.center);
+}
+
+Proposal proposal(const WhatIf& what, const Pose& view) {
+    Proposal made;
+    made.change.params = what.params;
+    made.change.edits = what.edits;
+    made.view = view;
+    return made;
+}
+
+std::string instead(const std::string& name, double value, double before) {
+    return fmt::format("{} {:.6g} instead of {:.6g}", name, value, before);
+}
+
+void set(Proposal& made, const std::string& name, double& field, double value) {
+    made.remedy.settings.push_back(fmt::format("{}={:.6g}", name, value));
+    if (!made.remedy.text.empty()) made.remedy.text += " and ";
+    made.remedy.text += instead(name, value, field);
+    field = value;
+}
+
+/// Distance of the near plane's corners for a near distance of 1.
+double cornerOf(const CameraParams& camera) {
+    return makeIntrinsics(camera).unproject(0.0, 0.0).norm();
+}
+
+}  // namespace
+
+bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bool well) {
+    const ObjectView view = makeView(views.estimate(pose, object_id, kExactGrid), object_id, 0);
+    return well ? isWellCaptured(view) : isCaptured(view);
+}
+
+std::vector<Proposal> proposePins(const WhatIf& what) {
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) { return p.legal() && promise(p.seen, what.well) >= kAlmost; },
+        [](const WhatIfPlace& p) { return goodness(p.seen); });
+    for (std::size_t i = 0; i < std::min(kLookedAt, places.size()); ++i) {
+        const Pose view = poseAt(what, *places[i]);
+        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        Proposal made = proposal(what, view);
+        made.needs_pin = true;
+        return {made};
+    }
+    return {};
+}
+
+std::vector<Proposal> proposeRegions(const WhatIf& what) {
+    const AllowedRegion* region = what.around.sphere.region();
+    std::vector<Proposal> proposals;
+    if (region == nullptr) return proposals;
+    const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
+    const FreeSpaceParams& band = what.params.free_space;
+    const auto beyond = [&](const WhatIfPlace& p) {
+        if (p.allowed != Verdict::HeightBand) return 0.0;
+        const double height = region->heightOf(p.position);
+        return std::max(height - band.max_height_m, band.min_height_m - height);
+    };
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) {
+            return p.roomy && p.allowed != Verdict::Legal && promise(p.seen, what.well) >= kAlmost;
+        },
+        [&](const WhatIfPlace& p) { return -beyond(p); });
+    std::set<std::string> proposed;
+    for (std::size_t i = 0; i < std::min(4 * kLookedAt, places.size()); ++i) {
+        if (proposals.size() >= kMost) break;
+        const Pose view = poseAt(what, *places[i]);
+        Proposal made = proposal(what, view);
+        if (places[i]->allowed == Verdict::NoGo) {
+            const NoGoBox* box = region->boxAt(view.position, reach);
+            if (box == nullptr) continue;
+            made.remedy.remove_no_go = box->name;
+            made.remedy.text = "take away the no-go box '" + box->name + "', which keeps it out";
+            std::erase_if(made.change.edits.no_go,
+                          [&](const NoGoBox& other) { return other.name == box->name; });
+        } else {
+            const double height = region->heightOf(view.position);
+            FreeSpaceParams& wider = made.change.params.free_space;
+            if (height > band.max_height_m) {
+                set(made, "max_height_m", wider.max_height_m, std::ceil(height * 100.0) / 100.0);
+            } else {
+                set(made, "min_height_m", wider.min_height_m,
+                    std::max(0.0, std::floor(height * 100.0) / 100.0));
+            }
+        }
+        if (proposed.contains(made.remedy.text)) continue;
+        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        proposed.insert(made.remedy.text);
+        proposals.push_back(std::move(made));
+    }
+    return proposals;
+}
+
+std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
+    const auto radiusAt = [](const WhatIfPlace& p) {
+        // A place keeps a little more than the radius, and parameters are easier to read in cm.
+        return std::floor((p.clearance_m - SweptSphere::kMargin) * 100.0 + 1e-6) / 100.0;
+    };
+    const CameraParams& camera = what.params.camera;
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) {
+            return !p.roomy && p.allowed == Verdict::Legal && radiusAt(p) >= kLeastRadius_m &&
+                   radiusAt(p) < camera.camera_radius_m && promise(p.seen, what.well) >= kAlmost;
+        },
+        [&](const WhatIfPlace& p) { return 100.0 * radiusAt(p) + goodness(p.seen); });
+    std::vector<Proposal> proposals;
+    std::map<double, std::size_t> looked;
+    for (const WhatIfPlace* place : places) {
+        if (proposals.size() >= kMost) break;
+        const double radius = radiusAt(*place);
+        const bool known =
+            !proposals.empty() && proposals.back().change.params.camera.camera_radius_m == radius;
+        if (known || ++looked[radius] > kLookedAt) continue;
+        const Pose view = poseAt(what, *place);
+        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        Proposal made = proposal(what, view);
+        CameraParams& smaller = made.change.params.camera;
+        set(made, "camera_radius_m", smaller.camera_radius_m, radius);
+        // The sphere has to hold the near plane.
+        const double near = radius / cornerOf(camera);
+        if (near < smaller.near_m) {
+            set(made, "near_m", smaller.near_m, std::floor(near * 1000.0) / 1000.0);
+        }
+        proposals.push_back(std::move(made));
+    }
+    return proposals;
+}
+
+std::vector<Proposal> proposeLenses(const WhatIf& what) {
+    const double before = what.params.camera.hfov_deg;
+    const double half = std::tan(before * std::numbers::pi / 360.0);
+    // The lens at which the object is just large enough or, where it is cropped, just fits.
+    const auto lensFor = [&](const WhatIfPlace& p) {
+        if (p.seen.occluder != 0 || !std::isfinite(p.fill) || p.fill <= 0.0) return before;
+        const CaptureRules rules;
+        double scale = 1.0;
+        if (p.fill > kWhole) {
+            scale = kWhole / p.fill;
+        } else {
+            double grow = rules.min_visible_px / std::max(p.seen.visible_px, 1.0);
+            if (what.well) {
+                grow = std::max(grow, rules.min_box_share / std::max(p.seen.box_share, 1e-6));
+            }
+            scale = std::max(1.0, 1.02 * std::sqrt(grow));
+            if (scale * p.fill > kWhole) return before;
+        }
+        const double hfov = 2.0 * std::atan(half / scale) * 180.0 / std::numbers::pi;
+        return scale > 1.0 ? std::floor(hfov) : std::ceil(hfov);
+    };
+    constexpr double kNarrowest = 10.0;
+    constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their rims
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) {
+            const double hfov = lensFor(p);
+            const bool whole = p.fill > kWhole || p.seen.visible_fraction >=
+                                                      kAlmost * CaptureRules{}.min_visible_fraction;
+            return p.legal() && whole && hfov != before && hfov >= kNarrowest && hfov <= kWidest;
+        },
+        [&](const WhatIfPlace& p) { return -std::abs(lensFor(p) - before); });
+    std::vector<Proposal> proposals;
+    std::map<double, ViewEstimator> lenses;
+    std::map<double, std::size_t> looked;
+    for (const WhatIfPlace* place : places) {
+        if (proposals.size() >= kMost || lenses.size() > 3 * kMost) break;
+        const double hfov = lensFor(*place);
+        const bool known =
+            !proposals.empty() && proposals.back().change.params.camera.hfov_deg == hfov;
+        if (known || ++looked[hfov] > kLookedAt / 2) continue;
+        const Pose view = poseAt(what, *place);
+        Proposal made = proposal(what, view);
+        set(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov);
+        CameraParams& camera = made.change.params.camera;
+        const double near = camera.camera_radius_m / cornerOf(camera);
+        if (near < camera.near_m) {
+            set(made, "near_m", camera.near_m, std::floor(near * 1000.0) / 1000.0);
+        }
+        const ViewEstimator& views =
+            lenses
+                .try_emplace(hfov, what.around.views.scene(), what.around.views.rays(),
+                             made.change.params.camera)
+                .first->second;
+        if (showsEnough(views, view, what.object_id, what.well)) {
+            proposals.push_back(std::move(made));
+        }
+    }
+    return proposals;
+}
+
+std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
+    const Scene& scene = what.around.views.scene();
+    const auto shareWithout = [](const WhatIfPlace& p) {
+        return p.seen.visible_fraction + p.seen.occluder_share;
+    };
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) {
+            return p.legal() && p.seen.occluder != 0 && p.seen.occluder != what.object_id &&
+                   !scene.object(p.seen.occluder).structure &&
+                   shareWithout(p) >= CaptureRules{}.min_visible_fraction;
+        },
+        [&](const WhatIfPlace& p) { return shareWithout(p) + 0.5 * p.seen.visible_fraction; });
+    std::vector<Proposal> proposals;
+    std::map<int, std::size_t> looked;
+    std::map<int, RayCaster> rays;
+    std::map<int, ViewEstimator> views;
+    std::set<int> done;
+    for (const WhatIfPlace* place : places) {
+        const int gone = place->seen.occluder;
+        if (proposals.size() >= kMost || done.contains(gone)) continue;
+        if (++looked[gone] > kLookedAt || looked.size() > 2 * kMost) continue;
+        // What it hides may be hidden by something else behind it: look without it.
+        const auto scene_without = trials.scene(gone);
+        const RayCaster& rays_without = rays.try_emplace(gone, *scene_without).first->second;
+        const ViewEstimator& views_without =
+            views.try_emplace(gone, *scene_without, rays_without, what.params.camera).first->second;
+        const Pose view = poseAt(what, *place);
+        if (!showsEnough(views_without, view, what.object_id, what.well)) continue;
+        Proposal made = proposal(what, view);
+        made.change.without_object = gone;
+        made.remedy.move_object = gone;
+        made.remedy.text = fmt::format("move {} out of the way, which hides {:.0f} % of it",
+                                       scene.object(gone).name, 100.0 * place->seen.occluder_share);
+        done.insert(gone);
+        proposals.push_back(std::move(made));
+    }
+    return proposals;
+}
+
+}  // namespace dollytrack::planning
