@@ -3,9 +3,12 @@
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <thread>
 
 namespace dollytrack::io {
 namespace {
@@ -198,6 +201,14 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
              Case{"l.hdf5", "not HDF5", "", "camera_keyframe_positions.hdf5", "HDF5"},
              Case{"m.txt", "", "", "m.txt", "known format"},
              Case{"n.txt", "# only remarks\n", "tum", "n.txt", "no pose"},
+             Case{"o.txt", "0 0 0 0 0 0 0 1\n1 0 2e6 0 0 0 0 1\n", "", "o.txt:2", "1000 km"},
+             Case{"p.txt", "1e300 0 0 0 0 0 1\n", "tartanair", "p.txt:1", "1000 km"},
+             Case{"q.json",
+                  R"([{"pos":[0,0,0],"target":[1,0,0],"time":5},
+                      {"pos":[0,0,1],"target":[1,0,0],"time":1}])",
+                  "", "[1]", "after"},
+             Case{"r.json", R"([{"pos":[0,0,0],"target":[1e300,0,0],"time":5}])", "", "[0]",
+                  "roll"},
          }) {
         const test::TempFolder folder;
         TrajectoryReading reading;
@@ -210,6 +221,37 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
         EXPECT_NE(loaded.error().message.find(bad.word), std::string::npos)
             << bad.name << " " << loaded.error().message;
     }
+}
+
+// A pipe tells its text only once: finding the format out must not use it up.
+TEST(TrajectoryFile, APipeIsReadOnce) {
+    const test::TempFolder folder;
+    const auto pipe = folder.path() / "poses";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << "0 1 2 3 0 0 0 1\n1 1 2 4 0 0 0 1\n"; });
+    const auto loaded = loadTrajectory(pipe, {});
+    writer.join();
+    ASSERT_TRUE(loaded) << describe(loaded.error());
+    EXPECT_EQ(loaded->format, "tum");
+    EXPECT_EQ(loaded->trajectory.frames.size(), 2U);
+}
+
+TEST(TrajectoryFile, ADeviceWithoutEndIsTooLarge) {
+    const auto loaded = loadTrajectory("/dev/zero", {});
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, ErrorCode::BadInput);
+    EXPECT_NE(loaded.error().message.find("512 MiB"), std::string::npos);
+}
+
+// Lines that all have the same time have none.
+TEST(TrajectoryFile, SceneNetsEqualTimesAreNone) {
+    const test::TempFolder folder;
+    const std::string pair = "1 0 0 0 1 0 0\n1 0 0 0 1 0 0\n";
+    TrajectoryReading reading;
+    reading.format = "scenenet";
+    const auto loaded = loadTrajectory(folder.write("a.txt", pair + pair), reading);
+    ASSERT_TRUE(loaded) << describe(loaded.error());
+    EXPECT_FALSE(loaded->timed);
 }
 
 TEST(TrajectoryFile, UnknownNamesAreUsageErrors) {

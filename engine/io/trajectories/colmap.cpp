@@ -32,15 +32,12 @@ std::optional<double> hfovBeside(const std::filesystem::path& images) {
 
 // COLMAP, images.txt: camera from world, Hamilton quaternion with w first. Each image has a second
 // line of points, which may be empty. Images are ordered by name, as they were taken.
-Result<PoseList> readColmap(const std::filesystem::path& given) {
-    const std::filesystem::path path =
-        std::filesystem::is_directory(given) ? given / "images.txt" : given;
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+Result<PoseList> readColmap(const PoseFile& file) {
+    const std::filesystem::path& path = file.path;
     std::vector<std::pair<std::string, ReadPose>> images;
     bool points_follow = false;
     int number = 0;
-    for (const std::string_view line : splitLines(*text)) {
+    for (const std::string_view line : splitLines(file.text)) {
         ++number;
         if (!line.empty() && line.front() == '#') continue;
         if (std::exchange(points_follow, false)) continue;
@@ -65,9 +62,9 @@ Result<PoseList> readColmap(const std::filesystem::path& given) {
         const Eigen::Matrix3d world_from_camera = camera_from_world->transpose();
         const Eigen::Vector3d translation(v[4], v[5], v[6]);
         const auto name_at = static_cast<std::size_t>(words[9].data() - line.data());
-        images.emplace_back(
-            std::string(line.substr(name_at)),
-            ReadPose{-(world_from_camera * translation), world_from_camera, std::nullopt});
+        images.emplace_back(std::string(line.substr(name_at)),
+                            ReadPose{-(world_from_camera * translation), world_from_camera,
+                                     std::nullopt, 0, number});
         points_follow = true;
     }
     if (images.empty()) {

@@ -15,28 +15,20 @@ Eigen::Vector3d vectorFrom(const nlohmann::json& value) {
 
 // 3D-FRONT's camera list and ours (camera.json): y up, metres. Without times it is a list of views
 // that no motion joins; with them, motion ends where the room changes.
-Result<PoseList> readFront3d(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+Result<PoseList> readFront3d(const PoseFile& file) {
     PoseList list;
     std::size_t view = 0;
-    const auto where = [&] { return fmt::format("{}: [{}]", path.string(), view); };
+    const auto where = [&] { return fmt::format("{}: [{}]", file.path.string(), view); };
     try {
         nlohmann::json room;
-        for (const nlohmann::json& one : nlohmann::json::parse(*text)) {
+        for (const nlohmann::json& one : nlohmann::json::parse(file.text)) {
             const Eigen::Vector3d position = vectorFrom(one.at("pos"));
             const Eigen::Vector3d forward = vectorFrom(one.at("target")) - position;
             const Eigen::Vector3d up =
                 one.contains("up") ? vectorFrom(one["up"]) : Eigen::Vector3d(0, 1, 0);
-            const Eigen::Vector3d right = forward.cross(up);
-            if (!position.allFinite() || !(right.norm() > 1e-9)) {
-                return fail(ErrorCode::BadInput, "pos, target and up give no direction of view.",
-                            where());
-            }
-            ReadPose pose{position, Eigen::Matrix3d::Identity(), std::nullopt};
-            pose.rotation.col(0) = right.normalized();
-            pose.rotation.col(2) = forward.normalized();
-            pose.rotation.col(1) = pose.rotation.col(2).cross(pose.rotation.col(0));
+            auto rotation = rotationAlong(forward, up, where());
+            if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+            ReadPose pose{position, *rotation, std::nullopt};
             if (one.contains("time")) pose.time_s = one["time"].get<double>();
             const nlohmann::json in_room = one.value("room", nlohmann::json());
             const bool carried = !pose.time_s || (view > 0 && in_room != room);
@@ -52,7 +44,7 @@ Result<PoseList> readFront3d(const std::filesystem::path& path) {
                     where());
     }
     if (list.poses.empty()) {
-        return fail(ErrorCode::BadInput, "There is no view in it.", path.string());
+        return fail(ErrorCode::BadInput, "There is no view in it.", file.path.string());
     }
     return list;
 }

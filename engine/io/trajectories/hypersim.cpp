@@ -55,11 +55,14 @@ Result<Numbers> readDataset(const std::filesystem::path& path) {
     numbers.size.resize(static_cast<std::size_t>(rank));
     H5Sget_simple_extent_dims(space.get(), numbers.size.data(), nullptr);
     hsize_t count = 1;
-    for (const hsize_t length : numbers.size) count *= length;
     constexpr hsize_t kMost = 100'000'000;
-    if (count > kMost) {
-        return fail(ErrorCode::BadInput, "Its dataset is too large for a list of poses.",
-                    path.string());
+    for (const hsize_t length : numbers.size) {
+        // By division: the product of what a file claims may wrap around to a small number.
+        if (length != 0 && count > kMost / length) {
+            return fail(ErrorCode::BadInput, "Its dataset is too large for a list of poses.",
+                        path.string());
+        }
+        count *= length;
     }
     numbers.values.resize(count);
     if (count > 0 && H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
@@ -73,9 +76,10 @@ Result<Numbers> readDataset(const std::filesystem::path& path) {
 
 // Hypersim: positions and orientations of a camera's key frames in two files of one folder, in the
 // units of the scene file; x right, y up, z back; one frame a second.
-Result<PoseList> readHypersim(const std::filesystem::path& given) {
+Result<PoseList> readHypersim(const PoseFile& file) {
+    std::error_code error;
     const std::filesystem::path folder =
-        std::filesystem::is_directory(given) ? given : given.parent_path();
+        std::filesystem::is_directory(file.path, error) ? file.path : file.path.parent_path();
     const Result<Numbers> positions = readDataset(folder / kPositions);
     if (!positions) return tl::unexpected<Error>(positions.error());
     const Result<Numbers> orientations = readDataset(folder / kOrientations);
@@ -99,12 +103,8 @@ Result<PoseList> readHypersim(const std::filesystem::path& given) {
         auto rotation = rotationFrom(matrix, where);
         if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
         rotation->rightCols<2>() *= -1.0;
-        ReadPose pose{Eigen::Map<const Eigen::Vector3d>(&positions->values[3 * i]), *rotation,
-                      static_cast<double>(i)};
-        if (!pose.position.allFinite()) {
-            return fail(ErrorCode::BadInput, "The position is not finite.", where);
-        }
-        list.poses.push_back(pose);
+        list.poses.push_back({Eigen::Map<const Eigen::Vector3d>(&positions->values[3 * i]),
+                              *rotation, static_cast<double>(i)});
     }
     return list;
 }

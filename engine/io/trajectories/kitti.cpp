@@ -7,22 +7,24 @@ namespace dollytrack::io {
 
 // KITTI odometry: rows of a 3x4 matrix from camera i to the first camera; times in times.txt
 // beside it, where there is one.
-Result<PoseList> readKitti(const std::filesystem::path& path) {
-    const auto lines = readNumberLines(path, 12, "the 3x4 matrix row by row");
+Result<PoseList> readKitti(const PoseFile& file) {
+    const auto lines = readNumberLines(file.path, file.text, 12, "the 3x4 matrix row by row");
     if (!lines) return tl::unexpected<Error>(lines.error());
     PoseList list;
     for (const NumberLine& line : *lines) {
         const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> matrix =
             Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(line.values.data());
         auto rotation =
-            rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), placeOf(path, line.line));
+            rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), placeOf(file.path, line.line));
         if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
-        list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
+        list.poses.push_back({matrix.col(3), *rotation, std::nullopt, 0, line.line});
     }
-    const std::filesystem::path times_path = path.parent_path() / "times.txt";
+    const std::filesystem::path times_path = file.path.parent_path() / "times.txt";
     std::error_code error;
     if (!std::filesystem::exists(times_path, error)) return list;
-    const auto times = readNumberLines(times_path, 1, "seconds");
+    const Result<std::string> text = readText(times_path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    const auto times = readNumberLines(times_path, *text, 1, "seconds");
     if (!times) return tl::unexpected<Error>(times.error());
     if (times->size() != list.poses.size()) {
         return fail(
@@ -32,6 +34,7 @@ Result<PoseList> readKitti(const std::filesystem::path& path) {
     }
     for (std::size_t i = 0; i < times->size(); ++i) {
         list.poses[i].time_s = (*times)[i].values[0];
+        // Looked at here and not with all formats', because the place is in this other file.
         if (i > 0 && *list.poses[i].time_s <= *list.poses[i - 1].time_s) {
             return fail(ErrorCode::BadInput, "The time is not after the one before it.",
                         placeOf(times_path, (*times)[i].line));

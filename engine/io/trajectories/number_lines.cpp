@@ -4,22 +4,38 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 namespace dollytrack::io {
 namespace {
 constexpr double kUnitTolerance = 1e-2;  // files have as few as three decimals
-}
+// Millions of poses, or COLMAP's points of many thousand images; but not a device without end.
+constexpr std::size_t kLargest = std::size_t{512} << 20U;
+}  // namespace
 
 Result<std::string> readText(const std::filesystem::path& path) {
+    std::error_code error;
     std::ifstream file(path, std::ios::binary);
-    if (std::filesystem::is_directory(path) || !file) {
+    if (std::filesystem::is_directory(path, error) || !file) {
         return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
     }
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    // A pipe has no size to ask for, so the bytes are counted as they come.
+    std::string text;
+    std::array<char, 1U << 16U> part{};
+    while (file.read(part.data(), part.size()) || file.gcount() > 0) {
+        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+        if (text.size() > kLargest) {
+            return fail(ErrorCode::BadInput, "It is larger than 512 MiB; no trajectory is.",
+                        path.string());
+        }
+    }
+    if (file.bad()) {
+        return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
+    }
+    return text;
 }
 
 std::vector<std::string_view> splitWords(std::string_view line) {
@@ -61,13 +77,11 @@ Result<double> parseNumber(std::string_view word, const std::filesystem::path& p
 }
 
 Result<std::vector<NumberLine>> readNumberLines(const std::filesystem::path& path,
-                                                std::size_t count, std::string_view meaning,
-                                                int first_line) {
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+                                                std::string_view text, std::size_t count,
+                                                std::string_view meaning, int first_line) {
     std::vector<NumberLine> result;
     int number = 0;
-    for (const std::string_view line : splitLines(*text)) {
+    for (const std::string_view line : splitLines(text)) {
         if (++number < first_line) continue;
         const auto words = splitWords(line);
         if (words.empty() || words.front().front() == '#') continue;
@@ -104,6 +118,23 @@ Result<Eigen::Matrix3d> rotationFrom(double w, double x, double y, double z,
             where);
     }
     return q.normalized().toRotationMatrix();
+}
+
+Result<Eigen::Matrix3d> rotationAlong(const Eigen::Vector3d& forward, const Eigen::Vector3d& up,
+                                      const std::string& where) {
+    const Eigen::Vector3d right = forward.cross(up);
+    // Numbers so large that their squares overflow give no direction either.
+    if (!(right.norm() > 1e-9) || !std::isfinite(right.norm()) || !std::isfinite(forward.norm())) {
+        return fail(ErrorCode::BadInput,
+                    "The camera looks at its own place, or straight up or down, which leaves its "
+                    "roll open.",
+                    where);
+    }
+    Eigen::Matrix3d rotation;
+    rotation.col(0) = right.normalized();
+    rotation.col(2) = forward.normalized();
+    rotation.col(1) = rotation.col(2).cross(rotation.col(0));
+    return rotation;
 }
 
 Result<Eigen::Matrix3d> rotationFrom(const Eigen::Matrix3d& matrix, const std::string& where) {

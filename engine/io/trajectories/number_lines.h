@@ -18,7 +18,7 @@ struct NumberLine {
     std::vector<double> values;
 };
 
-/// The whole file. Error: BadInput.
+/// The whole file, or what comes through a pipe, up to 512 MiB. Error: BadInput.
 Result<std::string> readText(const std::filesystem::path& path);
 
 /// The words of a line, separated by blanks, tabs or commas.
@@ -33,15 +33,21 @@ std::string placeOf(const std::filesystem::path& path, int line);
 /// A finite number. Error: BadInput, with the place.
 Result<double> parseNumber(std::string_view word, const std::filesystem::path& path, int line);
 
-/// The lines of a file from `first_line` on that are neither empty nor begin with '#'; each must
-/// hold `count` numbers. Error: BadInput, with the line, also when there is none.
+/// The lines of a text from `first_line` on that are neither empty nor begin with '#'; each must
+/// hold `count` numbers. `path` is where the text came from. Error: BadInput, with the line, also
+/// when there is none.
 Result<std::vector<NumberLine>> readNumberLines(const std::filesystem::path& path,
-                                                std::size_t count, std::string_view meaning,
-                                                int first_line = 1);
+                                                std::string_view text, std::size_t count,
+                                                std::string_view meaning, int first_line = 1);
 
 /// A rotation from a quaternion that is nearly unit. Error: BadInput, with the place.
 Result<Eigen::Matrix3d> rotationFrom(double w, double x, double y, double z,
                                      const std::string& where);
+
+/// The rotation of a camera that looks along `forward`, its roll given by `up`. Neither need be
+/// unit. Error: BadInput, with the place, when the two leave the roll open.
+Result<Eigen::Matrix3d> rotationAlong(const Eigen::Vector3d& forward, const Eigen::Vector3d& up,
+                                      const std::string& where);
 
 /// A 3x3 matrix as a rotation, when it nearly is one. Error: BadInput, with the place.
 Result<Eigen::Matrix3d> rotationFrom(const Eigen::Matrix3d& matrix, const std::string& where);

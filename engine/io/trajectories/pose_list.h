@@ -17,6 +17,7 @@ struct ReadPose {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file's world from camera
     std::optional<double> time_s;
     int motion = 0;  // changes where the camera was carried over
+    int line = 0;    // of the text, 1..; 0 where lines do not count
 };
 
 struct PoseList {
@@ -24,14 +25,21 @@ struct PoseList {
     std::optional<double> hfov_deg;  // of the lens, where the file tells it
 };
 
-/// Readers of one format each. Their errors are BadInput, one sentence with file and line.
-Result<PoseList> readTum(const std::filesystem::path& path);
-Result<PoseList> readKitti(const std::filesystem::path& path);
-Result<PoseList> readTartanAir(const std::filesystem::path& path);
-Result<PoseList> readSceneNet(const std::filesystem::path& path);
-Result<PoseList> readColmap(const std::filesystem::path& path);
-Result<PoseList> readTransforms(const std::filesystem::path& path);
-Result<PoseList> readFront3d(const std::filesystem::path& path);
-Result<PoseList> readHypersim(const std::filesystem::path& path);
+/// A file as its reader gets it, read once: a pipe tells its text only once.
+struct PoseFile {
+    std::filesystem::path path;
+    std::string text;  // empty for Hypersim, which is a folder of two files that are no text
+};
+
+/// Readers of one format each. Their errors are BadInput, one sentence with file and line. That
+/// positions and times make sense is looked after by loadTrajectory(), for all alike.
+Result<PoseList> readTum(const PoseFile& file);
+Result<PoseList> readKitti(const PoseFile& file);
+Result<PoseList> readTartanAir(const PoseFile& file);
+Result<PoseList> readSceneNet(const PoseFile& file);
+Result<PoseList> readColmap(const PoseFile& file);
+Result<PoseList> readTransforms(const PoseFile& file);
+Result<PoseList> readFront3d(const PoseFile& file);
+Result<PoseList> readHypersim(const PoseFile& file);
 
 }  // namespace dollytrack::io

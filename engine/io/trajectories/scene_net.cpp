@@ -20,15 +20,14 @@ int firstLine(std::string_view text) {
 
 // SceneNet RGB-D: two lines a frame, where the shutter opens and where it closes. The ground truth
 // is the middle of the two. World y up.
-Result<PoseList> readSceneNet(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
-    const auto lines = readNumberLines(path, 7, "time eye xyz look-at xyz", firstLine(*text));
+Result<PoseList> readSceneNet(const PoseFile& file) {
+    const auto lines =
+        readNumberLines(file.path, file.text, 7, "time eye xyz look-at xyz", firstLine(file.text));
     if (!lines) return tl::unexpected<Error>(lines.error());
     if (lines->size() % 2 != 0) {
         return fail(ErrorCode::BadInput,
                     "The last frame lacks its second line, where the shutter closes.",
-                    placeOf(path, lines->back().line));
+                    placeOf(file.path, lines->back().line));
     }
     PoseList list;
     for (std::size_t i = 0; i < lines->size(); i += 2) {
@@ -38,23 +37,16 @@ Result<PoseList> readSceneNet(const std::filesystem::path& path) {
         const Eigen::Matrix<double, 7, 1> middle = 0.5 * open;
         const Eigen::Vector3d eye = middle.segment<3>(1);
         const Eigen::Vector3d forward = middle.segment<3>(4) - eye;
-        const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitY());
-        if (right.norm() < 1e-9) {
-            return fail(ErrorCode::BadInput,
-                        "The camera looks at its own place or straight up or down, which leaves "
-                        "its roll open.",
-                        placeOf(path, (*lines)[i].line));
-        }
-        ReadPose pose{eye, Eigen::Matrix3d::Identity(), middle[0]};
-        pose.rotation.col(0) = right.normalized();
-        pose.rotation.col(2) = forward.normalized();
-        pose.rotation.col(1) = pose.rotation.col(2).cross(pose.rotation.col(0));
-        list.poses.push_back(pose);
+        const int line = (*lines)[i].line;
+        auto rotation = rotationAlong(forward, Eigen::Vector3d::UnitY(), placeOf(file.path, line));
+        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        list.poses.push_back({eye, *rotation, middle[0], 0, line});
     }
     // Some writers give every line the same time: that is none.
-    const bool rising =
-        std::is_sorted(list.poses.begin(), list.poses.end(),
-                       [](const ReadPose& a, const ReadPose& b) { return *a.time_s <= *b.time_s; });
+    const bool rising = std::adjacent_find(list.poses.begin(), list.poses.end(),
+                                           [](const ReadPose& a, const ReadPose& b) {
+                                               return *b.time_s <= *a.time_s;
+                                           }) == list.poses.end();
     if (!rising) {
         for (ReadPose& pose : list.poses) pose.time_s.reset();
     }

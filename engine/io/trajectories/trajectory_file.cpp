@@ -2,9 +2,13 @@
 
 #include "engine/io/trajectories/number_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace dollytrack::io {
 namespace {
@@ -62,39 +66,75 @@ std::string_view byNumbers(const std::vector<std::string_view>& words,
     return std::abs(std::sqrt(square) - 1.0) < 1e-2 ? "tartanair" : "scenenet";
 }
 
-Result<const TrajectoryFormat*> findFormat(const std::filesystem::path& path) {
-    const auto unknown = [&] {
-        return fail(ErrorCode::BadInput,
-                    "It is no trajectory of a known format; name it with --trajectory-format (" +
-                        listOf(kFormats, [](const auto& f) { return f.name; }) + ").",
-                    path.string());
-    };
+/// The format that the name tells, without a look inside; null when it tells none.
+const TrajectoryFormat* byName(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         if (std::filesystem::exists(path / "images.txt", error)) return formatNamed("colmap");
-        if (std::filesystem::exists(path / "camera_keyframe_positions.hdf5", error)) {
-            return formatNamed("hypersim");
-        }
-        return unknown();
+        const bool key_frames =
+            std::filesystem::exists(path / "camera_keyframe_positions.hdf5", error);
+        return key_frames ? formatNamed("hypersim") : nullptr;
     }
     const std::string extension = path.extension().string();
     if (extension == ".hdf5" || extension == ".h5") return formatNamed("hypersim");
-    if (path.filename() == "images.txt") return formatNamed("colmap");
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
-    const std::size_t first = text->find_first_not_of(" \t\r\n");
-    if (first == std::string::npos) return unknown();
-    if ((*text)[first] == '[') return formatNamed("3d-front");
-    if ((*text)[first] == '{') return formatNamed("transforms");
-    if (text->find("#first three elements") != std::string::npos) return formatNamed("scenenet");
-    for (const std::string_view line : splitLines(*text)) {
+    return path.filename() == "images.txt" ? formatNamed("colmap") : nullptr;
+}
+
+/// The format that the text tells; null when it tells none.
+const TrajectoryFormat* byContent(const PoseFile& file) {
+    const std::size_t first = file.text.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos) return nullptr;
+    if (file.text[first] == '[') return formatNamed("3d-front");
+    if (file.text[first] == '{') return formatNamed("transforms");
+    if (file.text.find("#first three elements") != std::string::npos) {
+        return formatNamed("scenenet");
+    }
+    for (const std::string_view line : splitLines(file.text)) {
         const auto words = splitWords(line);
         if (words.empty() || words.front().front() == '#') continue;
-        const TrajectoryFormat* format = formatNamed(byNumbers(words, path));
-        if (format) return format;
-        break;
+        return formatNamed(byNumbers(words, file.path));
     }
-    return unknown();
+    return nullptr;
+}
+
+/// Reads the file with the format given, or found out when that is null.
+Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format) {
+    if (!format) format = byName(file.path);
+    if (format && format->read == readHypersim) return format->read(file);
+    std::error_code error;
+    if (format && format->read == readColmap && std::filesystem::is_directory(file.path, error)) {
+        file.path /= "images.txt";
+    }
+    const bool folder = std::filesystem::is_directory(file.path, error);
+    if (format || !folder) {
+        Result<std::string> text = readText(file.path);
+        if (!text) return tl::unexpected<Error>(std::move(text.error()));
+        file.text = std::move(*text);
+    }
+    if (!format) format = byContent(file);
+    if (format) return format->read(file);
+    return fail(ErrorCode::BadInput,
+                "It is no trajectory of a known format; name it with --trajectory-format (" +
+                    trajectoryFormatNames() + ").",
+                file.path.string());
+}
+
+/// Whether a frame can follow the one before it. No scene is as large as kFarthest: what is
+/// beyond is a file of another kind or in another unit, and a way there has no end.
+Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before,
+                  const std::string& where) {
+    constexpr double kFarthest = 1e6;  // m
+    if (!(frame.pose.position.cwiseAbs().maxCoeff() <= kFarthest) ||
+        !frame.pose.position.allFinite() || !frame.pose.rotation.coeffs().allFinite()) {
+        return fail(ErrorCode::BadInput,
+                    "The position is more than 1000 km away or no number; are its unit and "
+                    "--trajectory-world right?",
+                    where);
+    }
+    if (before && !(frame.time_s > before->time_s)) {
+        return fail(ErrorCode::BadInput, "The time is not after the one before it.", where);
+    }
+    return {};
 }
 
 Eigen::Affine3d worldFromFile(FileWorld world, const TrajectoryReading& reading) {
@@ -139,6 +179,10 @@ double medianInterval(const std::vector<TrajectoryFrame>& frames, double otherwi
 
 }  // namespace
 
+std::string trajectoryFormatNames() {
+    return listOf(kFormats, [](const auto& format) { return format.name; });
+}
+
 std::span<const TrajectoryFormat> trajectoryFormats() {
     return kFormats;
 }
@@ -148,16 +192,10 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
     const TrajectoryFormat* format = formatNamed(reading.format);
     if (!reading.format.empty() && !format) {
         return fail(ErrorCode::Usage,
-                    "There is no such format; there are " +
-                        listOf(kFormats, [](const auto& f) { return f.name; }) + ".",
+                    "There is no such format; there are " + trajectoryFormatNames() + ".",
                     reading.format);
     }
-    if (!format) {
-        const auto found = findFormat(path);
-        if (!found) return tl::unexpected<Error>(found.error());
-        format = *found;
-    }
-    FileWorld world = format->world;
+    std::optional<FileWorld> world;
     if (!reading.world.empty()) {
         const auto* at = std::find_if(kWorlds.begin(), kWorlds.end(),
                                       [&](const auto& row) { return reading.world == row.first; });
@@ -169,14 +207,14 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         }
         world = at->second;
     }
-    const Result<PoseList> read = format->read(path);
+    const Result<PoseList> read = readPoses({path, {}}, format);
     if (!read) return tl::unexpected<Error>(read.error());
     LoadedTrajectory loaded;
     loaded.format = format->name;
     loaded.hfov_deg = read->hfov_deg;
     loaded.timed = std::all_of(read->poses.begin(), read->poses.end(),
                                [](const ReadPose& pose) { return pose.time_s.has_value(); });
-    const Eigen::Affine3d world_from_file = worldFromFile(world, reading);
+    const Eigen::Affine3d world_from_file = worldFromFile(world.value_or(format->world), reading);
     for (const ReadPose& pose : read->poses) {
         TrajectoryFrame frame;
         const auto count = static_cast<double>(loaded.trajectory.frames.size());
@@ -184,6 +222,12 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         frame.pose = placed(pose, world_from_file);
         frame.target_in_world = frame.pose.position + frame.pose.forward();
         frame.path = pose.motion;
+        const auto& frames = loaded.trajectory.frames;
+        const std::string where = pose.line > 0
+                                      ? placeOf(path, pose.line)
+                                      : fmt::format("{}: [{}]", path.string(), frames.size());
+        const Status fits = checkFrame(frame, frames.empty() ? nullptr : &frames.back(), where);
+        if (!fits) return tl::unexpected<Error>(fits.error());
         loaded.trajectory.frames.push_back(frame);
     }
     loaded.trajectory.frame_interval_s =

@@ -25,10 +25,13 @@ struct TrajectoryFormat {
     const char* name;  // as one asks for it
     const char* text;
     FileWorld world;  // what its positions usually are
-    Result<PoseList> (*read)(const std::filesystem::path& path);
+    Result<PoseList> (*read)(const PoseFile& file);
 };
 
 std::span<const TrajectoryFormat> trajectoryFormats();
+
+/// Their names, for people: "tum, kitti, ...".
+std::string trajectoryFormatNames();
 
 struct TrajectoryReading {
     std::string format;  // empty: found by name and content
@@ -46,7 +49,8 @@ struct LoadedTrajectory {
 };
 
 /// Reads a trajectory that some other program wrote, into our world. Errors: Usage for an unknown
-/// format or world, with what there is; BadInput, with file and line.
+/// format or world, with what there is; BadInput, with file and line, also for positions beyond
+/// 1000 km and times that do not rise. The file is read once, so it may be a pipe.
 Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                         const TrajectoryReading& reading);
 

@@ -23,14 +23,12 @@ std::optional<double> hfovOf(const nlohmann::json& root) {
 }  // namespace
 
 // transforms.json of nerfstudio and instant-ngp: world from camera, x right, y up, z back; z up.
-Result<PoseList> readTransforms(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+Result<PoseList> readTransforms(const PoseFile& file) {
     PoseList list;
     std::size_t frame = 0;
-    const auto where = [&] { return fmt::format("{}: frames[{}]", path.string(), frame); };
+    const auto where = [&] { return fmt::format("{}: frames[{}]", file.path.string(), frame); };
     try {
-        const nlohmann::json root = nlohmann::json::parse(*text);
+        const nlohmann::json root = nlohmann::json::parse(file.text);
         for (const nlohmann::json& one : root.at("frames")) {
             const nlohmann::json& rows = one.at("transform_matrix");
             Eigen::Matrix<double, 3, 4> matrix;
@@ -44,11 +42,7 @@ Result<PoseList> readTransforms(const std::filesystem::path& path) {
             auto rotation = rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), where());
             if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
             rotation->rightCols<2>() *= -1.0;
-            ReadPose pose{matrix.col(3), *rotation, std::nullopt};
-            if (!pose.position.allFinite()) {
-                return fail(ErrorCode::BadInput, "The position is not finite.", where());
-            }
-            list.poses.push_back(pose);
+            list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
             ++frame;
         }
         list.hfov_deg = hfovOf(root);
@@ -57,7 +51,7 @@ Result<PoseList> readTransforms(const std::filesystem::path& path) {
                     fmt::format("It is not a transforms.json ({}).", error.what()), where());
     }
     if (list.poses.empty()) {
-        return fail(ErrorCode::BadInput, "There is no frame in it.", path.string());
+        return fail(ErrorCode::BadInput, "There is no frame in it.", file.path.string());
     }
     return list;
 }
