@@ -6,6 +6,7 @@
 #include "planning/free_space/free_space.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/metrics/shown_surface.h"
+#include "planning/rivals/median.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -20,29 +21,35 @@ namespace {
 // least, so that it gets past a touch.
 constexpr double kLongestStep = 0.02;
 constexpr double kShortestStep = 0.0005;
+// Where everything is further than this, the walk takes what is free in one step.
+constexpr double kFar = 10.0;
 
-/// Distance to the nearest surface; a search that ends early where there is plenty of room.
+/// Distance to the nearest surface. Indoors one is mostly near, and a search that looks no further
+/// than that is quicker; only where it finds nothing the whole scene is searched.
 double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& place) {
     const double near = rays.closest(place, 0.5).distance;
     return std::isfinite(near) ? near : rays.closest(place).distance;
 }
 
-/// The smallest clearance on the way. Walks by what is free around each place, so that nothing thin
-/// is stepped over. Deliberately not the proof that planning uses: this asks the triangles alone.
+/// The smallest clearance on the way, to a centimetre where it is less than kFar; ends early when
+/// cancelled. A step is at most what is free beyond the camera's sphere, so that nothing thin is
+/// stepped over but a touch of less than kShortestStep. Deliberately not the proof that planning
+/// uses: this asks the triangles alone.
 double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
-                         double radius) {
+                         double radius, const JobContext& job) {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const Eigen::Vector3d move = way[i + 1] - way[i];
         const double length = move.norm();
         double walked = 0.0;
-        while (true) {
+        while (!job.cancelled()) {
             const double share = length > 0.0 ? walked / length : 0.0;
             const double distance = clearanceAt(rays, way[i] + share * move);
             smallest = std::min(smallest, distance);
             if (walked >= length) break;
             const double step = distance < radius ? kLongestStep : distance - radius;
-            walked = std::min(length, walked + std::clamp(step, kShortestStep, kLongestStep));
+            const double longest = std::max(kLongestStep, distance - kFar);
+            walked = std::min(length, walked + std::clamp(step, kShortestStep, longest));
         }
     }
     return smallest;
@@ -54,13 +61,11 @@ double lengthOf(const std::vector<Eigen::Vector3d>& way) {
     return length;
 }
 
-void setMedianAndMax(std::vector<double> values, std::optional<double>& median,
+void setMedianAndMax(std::vector<double> values, std::optional<double>& middle,
                      std::optional<double>& max) {
     if (values.empty()) return;
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    median = values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-    max = values.back();
+    max = *std::max_element(values.begin(), values.end());
+    middle = median(std::move(values));
 }
 
 void measureMotion(const Flight& flight, const std::vector<double>& lengths, Judgement& result) {
@@ -105,7 +110,7 @@ void measureCollisions(const RivalScene& scene, const Flight& flight, const JobC
         if (way.empty()) return;
         moves[i] = 1;
         lengths[i] = lengthOf(way);
-        on_way[i] = smallestClearance(*scene.rays, way, radius);
+        on_way[i] = smallestClearance(*scene.rays, way, radius, job);
     });
     const auto hits = [&](const std::vector<double>& clearances) {
         return static_cast<double>(std::count_if(clearances.begin(), clearances.end(),

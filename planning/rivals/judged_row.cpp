@@ -1,6 +1,6 @@
 #include "planning/rivals/judge.h"
+#include "planning/rivals/median.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace dollytrack::planning {
@@ -44,11 +44,7 @@ JudgedRow toRow(const Judgement& judgement) {
 }
 
 JudgedRow medianOf(const std::vector<JudgedRow>& rows) {
-    return byColumn(rows, [](std::vector<double>& values) {
-        std::sort(values.begin(), values.end());
-        const std::size_t half = values.size() / 2;
-        return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-    });
+    return byColumn(rows, [](const std::vector<double>& values) { return median(values); });
 }
 
 JudgedRow meanOf(const std::vector<JudgedRow>& rows) {

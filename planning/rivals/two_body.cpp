@@ -64,7 +64,8 @@ struct Run {
     std::vector<std::vector<Eigen::Vector3d>> between;
 };
 
-Run simulate(const RivalScene& scene, int room, int images, Random random) {
+/// Ends early when cancelled.
+Run simulate(const RivalScene& scene, int room, int images, Random random, const JobContext& job) {
     Body camera(scene, room, random);
     Body target(scene, room, random);
     const auto step = [&] {
@@ -73,7 +74,7 @@ Run simulate(const RivalScene& scene, int room, int images, Random random) {
     };
     for (int i = 0; i < kBurnIn; ++i) step();
     Run run;
-    for (int image = 0; image < images; ++image) {
+    for (int image = 0; image < images && !job.cancelled(); ++image) {
         TrajectoryFrame frame;
         frame.component = room;
         frame.path = room;
@@ -95,11 +96,12 @@ Run simulate(const RivalScene& scene, int room, int images, Random random) {
     return run;
 }
 
-bool counts(const RivalScene& scene, const Run& run) {
+bool counts(const RivalScene& scene, const Run& run, const JobContext& job) {
     double furthest = 0.0;
     std::set<int> seen;
     const Intrinsics& k = scene.views->intrinsics();
     for (const TrajectoryFrame& frame : run.frames) {
+        if (job.cancelled()) return false;
         const Pose& pose = frame.pose;
         furthest = std::max(furthest, (pose.position - run.frames.front().pose.position).norm());
         for (int i = 0; i < kColumns * kRows; ++i) {
@@ -129,9 +131,10 @@ Result<Flight> planTwoBody(const RivalScene& scene, const PlanParams& params, in
         for (int attempt = 0; attempt < kTries; ++attempt) {
             if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
             run = simulate(scene, static_cast<int>(room), shares[room],
-                           Random(static_cast<std::uint64_t>(seed), room * kTries + attempt));
-            if (counts(scene, run)) break;
+                           Random(static_cast<std::uint64_t>(seed), room * kTries + attempt), job);
+            if (counts(scene, run, job)) break;
         }
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         auto& frames = flight.trajectory.frames;
         frames.insert(frames.end(), run.frames.begin(), run.frames.end());
         flight.between.insert(flight.between.end(), run.between.begin(), run.between.end());

@@ -78,6 +78,17 @@ TEST(Judge, FollowsTheWayBetweenFrames) {
     EXPECT_NEAR(result.min_clearance_m, 0.486, 1e-6);
 }
 
+// From one end of what a file may hold to the other, through the room: 10^8 steps of 2 cm.
+TEST(Judge, AWayFromVeryFarMeetsTheRoomAndEnds) {
+    const RivalScene scene = mapped(roomWithCord().build());
+    const Judgement result =
+        judged(scene, through({{-1e6, 1.5, 2.0}, {1e6, 1.5, 2.0}, {1e6, 9e5, 2.0}}));
+    ASSERT_TRUE(result.move_collision_rate);
+    EXPECT_EQ(*result.move_collision_rate, 0.5);
+    EXPECT_EQ(result.frame_collision_rate, 0.0);
+    EXPECT_LT(result.min_clearance_m, 0.02);
+}
+
 TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
     const RivalScene scene = mapped(roomWithCord().build());
     const Judgement result = judged(
