@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/comparison.h"
 #include "app/cli/metrics_table.h"
+#include "app/cli/output_file.h"
 #include "app/cli/scene_arguments.h"
 #include "engine/core/log.h"
 #include "engine/io/durable_file.h"
@@ -74,10 +75,32 @@ ExitCode listPlanners() {
     return kDone;
 }
 
+/// What each trajectory is called in the tables: its file's name, with the folder's and then a
+/// number where something else has that name already.
+std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
+    std::vector<std::string> taken = {"bound"};
+    for (const planning::Planner& planner : planning::planners()) taken.emplace_back(planner.name);
+    const auto isFree = [&](const std::string& name) {
+        return std::find(taken.begin(), taken.end(), name) == taken.end();
+    };
+    std::vector<std::string> names;
+    for (const std::string& path : paths) {
+        const std::filesystem::path file = std::filesystem::absolute(path).lexically_normal();
+        const std::string longer = (file.parent_path().filename() / file.filename()).string();
+        std::string name = file.filename().string();
+        if (!isFree(name)) name = longer;
+        for (int i = 2; !isFree(name); ++i) name = fmt::format("{} ({})", longer, i);
+        taken.push_back(name);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
 /// The trajectories that come with the scene, in its world.
 Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
                                            const OpenedScene& opened) {
     std::vector<GivenFlight> given;
+    const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
         io::TrajectoryReading reading;
         reading.format = arguments.trajectory_format;
@@ -98,8 +121,7 @@ Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
                                              "as if {:.1f}; give --set hfov_deg={:.1f}",
                                              path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
         }
-        given.push_back({std::filesystem::path(path).filename().string(),
-                         {std::move(loaded->trajectory), {}, {}, {}}});
+        given.push_back({names[given.size()], {std::move(loaded->trajectory), {}, {}, {}}});
     }
     return given;
 }
@@ -139,6 +161,7 @@ std::string tableName(const std::string& path, const std::vector<std::string>& a
     return same > 1 ? (file.parent_path().filename() / name).string() : name;
 }
 
+/// What would be in vain or in doubt only after long work.
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
         return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
@@ -147,7 +170,11 @@ Status checkUsage(const CompareArguments& arguments) {
         return fail(ErrorCode::Usage, "A trajectory belongs to one scene; name only that one.",
                     "--trajectory");
     }
-    return arguments.picture.empty() ? Status{} : render::checkFigureName(arguments.picture);
+    if (!arguments.picture.empty()) {
+        if (Status status = render::checkFigureName(arguments.picture); !status) return status;
+    }
+    if (Status status = checkWritable(arguments.csv); !status) return status;
+    return checkWritable(arguments.picture);
 }
 
 Status writeFiles(const CompareArguments& arguments, const std::vector<ComparedScene>& compared) {
@@ -204,14 +231,15 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
         compared.push_back(std::move(*scene));
     }
     if (compared.empty()) return tl::unexpected<Error>(std::move(last));
-    if (Status status = writeFiles(arguments, compared); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
-    }
+    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
     if (arguments.as_json) {
         fmt::print("{}\n", comparisonJson(compared, order));
     } else {
         for (const ComparedScene& scene : compared) fmt::print("{}\n", comparisonTable(scene));
         if (compared.size() > 1) fmt::print("{}", comparisonTable(meanOver(compared)));
+    }
+    if (Status status = writeFiles(arguments, compared); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     return failures == 0 ? kDone : kPartial;
 }
@@ -244,10 +272,6 @@ void addCompareCommand(CLI::App& app, Session& session) {
         ->add_option("--picture", arguments->picture,
                      "Draw it as bars; the mean when there are several scenes")
         ->type_name("FILE.svg|png");
-    std::string formats;
-    for (const io::TrajectoryFormat& format : io::trajectoryFormats()) {
-        formats += (formats.empty() ? "" : ", ") + std::string(format.name);
-    }
     command
         ->add_option("--trajectory", arguments->trajectories,
                      "Also judge a trajectory from elsewhere; again for more")
@@ -255,7 +279,7 @@ void addCompareCommand(CLI::App& app, Session& session) {
         ->allow_extra_args(false);
     command
         ->add_option("--trajectory-format", arguments->trajectory_format,
-                     "Its format, else found out: " + formats)
+                     "Its format, else found out: " + io::trajectoryFormatNames())
         ->type_name("NAME");
     command
         ->add_option("--trajectory-world", arguments->trajectory_world,

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <limits>
 
 namespace dollytrack::cli {
 namespace {
@@ -119,6 +120,12 @@ class SceneComparison {
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
                                 const std::vector<GivenFlight>& given, const JobContext& job) {
+    if (order.seeds > 1 && params.seed > std::numeric_limits<int>::max() - (order.seeds - 1)) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("There are no {} seeds from {} on; begin with a smaller --seed.",
+                                order.seeds, params.seed),
+                    "--seeds");
+    }
     const auto begin = std::chrono::steady_clock::now();
     const auto map =
         planning::mapRivalScene(std::move(scene), edits, params, job.stage(0.0, 0.1, "free space"));

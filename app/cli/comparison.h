@@ -37,7 +37,8 @@ struct ComparisonOrder {
 
 /// Plans with every planner in one map of the scene and judges all flights alike. With `bound` a
 /// last row tells what no planner can pass: a dense search, helped by all that the flights found.
-/// Errors: those of the map, and Cancelled; a planner that fails is left out with a warning.
+/// Errors: Usage for more seeds than there are numbers, those of the map, and Cancelled; a planner
+/// that fails is left out with a warning.
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
                                 const std::vector<GivenFlight>& given, const JobContext& job);

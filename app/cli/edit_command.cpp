@@ -173,6 +173,12 @@ Status checkArguments(const EditArguments& arguments) {
         return fail(ErrorCode::Usage,
                     "Say what to edit: give --script or --op; --list tells what.");
     }
+    const SceneArguments& scene = arguments.scene;
+    if (arguments.showsOnly() && (scene.unit_m || scene.up_axis || scene.labels)) {
+        return fail(ErrorCode::Usage,
+                    "Edits are listed without reading the scene; leave --unit, --up and --labels "
+                    "out.");
+    }
     if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
                     arguments.scene.path);
@@ -214,12 +220,9 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
     }
     if (arguments.showsOnly()) {
         // Without its scene, which may be large or elsewhere.
-        const Result<Edits> edits =
-            io::loadProject(arguments.scene.path).and_then([](const io::ProjectFile& project) {
-                return editsFromJson(project.edits);
-            });
-        if (!edits) return tl::unexpected<Error>(edits.error());
-        printEdits(*edits, arguments.as_json);
+        const Result<ProjectContent> project = readProject(arguments.scene.path);
+        if (!project) return tl::unexpected<Error>(project.error());
+        printEdits(project->edits, arguments.as_json);
         return kDone;
     }
     const Result<nlohmann::json> operations = readOperations(arguments);

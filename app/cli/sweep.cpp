@@ -25,21 +25,12 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
 }
 
-std::optional<double> numberIn(const std::string& text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
-}
-
 Result<std::vector<std::string>> valuesOf(const std::string& text, const std::string& where) {
     const std::vector<std::string> range = split(text, ':');
     if (range.size() == 1) return split(text, ',');
     std::vector<double> numbers;
     for (const std::string& part : range) {
-        if (const auto number = numberIn(part)) numbers.push_back(*number);
+        if (const auto number = finiteNumber(part)) numbers.push_back(*number);
     }
     if (range.size() != 3 || numbers.size() != 3 || numbers[2] <= 0.0 || numbers[1] < numbers[0]) {
         return fail(ErrorCode::Usage, "A range is FROM:TO:STEP, with numbers that rise.", where);
@@ -56,14 +47,33 @@ Result<std::vector<std::string>> valuesOf(const std::string& text, const std::st
     return values;
 }
 
-/// Whether reading the scene again could give another one.
-bool concernsImport(const std::vector<std::string>& assignments) {
-    return std::any_of(assignments.begin(), assignments.end(), [](const std::string& text) {
-        return text.starts_with("small_volume_m3=") || text.starts_with("size_ratio=");
+/// Those with which reading the scene again could give another one.
+std::vector<std::string> ofImport(std::vector<std::string> assignments) {
+    std::erase_if(assignments, [](const std::string& text) {
+        return !text.starts_with("small_volume_m3=") && !text.starts_with("size_ratio=");
     });
+    return assignments;
+}
+
+/// Points without numbers, for planners that could not plan.
+SweepPoint gapOf(const planning::Planner& planner, const Error& error) {
+    SweepPoint point;
+    point.planner = planner.name;
+    point.metrics.resize(planning::judgedMetrics().size());
+    point.gap = describe(error);
+    return point;
 }
 
 }  // namespace
+
+std::optional<double> finiteNumber(const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    return value;
+}
 
 Result<SweptParameter> parseSweptParameter(const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -89,16 +99,14 @@ Result<SweptParameter> parseSweptParameter(const std::string& text) {
 }
 
 Status Sweeper::open(const std::vector<std::string>& assignments, const JobContext& job) {
-    const bool again = concernsImport(assignments);
-    if (opened_ && !again) return {};
+    std::vector<std::string> with = ofImport(assignments);
+    if (opened_ && with == opened_with_) return {};
     SceneArguments arguments = arguments_;
-    if (again) {
-        arguments.assignments.insert(arguments.assignments.end(), assignments.begin(),
-                                     assignments.end());
-    }
+    arguments.assignments.insert(arguments.assignments.end(), with.begin(), with.end());
     Result<OpenedScene> opened = openScene(arguments, job);
     if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
     opened_ = std::move(*opened);
+    opened_with_ = std::move(with);
     pipeline_ = std::make_unique<planning::Pipeline>(opened_->scene);
     mapped_.reset();
     return {};
@@ -150,11 +158,16 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
+    params.timing.max_frames = planning::frameBudget(params);
+    std::vector<SweepPoint> points;
     if (Status status = map(params, job.stage(0.1, 0.2, "free space")); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        if (status.error().code == ErrorCode::Cancelled) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+        for (const planning::Planner* one : planners) points.push_back(gapOf(*one, status.error()));
+        return points;
     }
     plan_.reset();
-    std::vector<SweepPoint> points;
     for (std::size_t i = 0; i < planners.size(); ++i) {
         const auto share = [&](double done) {
             return 0.2 +
@@ -164,6 +177,10 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
         point.planner = planners[i]->name;
         const auto flight = fly(*planners[i], params, point.stages,
                                 job.stage(share(0.0), share(0.5), point.planner));
+        if (!flight && flight.error().code != ErrorCode::Cancelled) {
+            points.push_back(gapOf(*planners[i], flight.error()));
+            continue;
+        }
         if (!flight) return tl::unexpected<Error>(flight.error());
         const auto judged =
             planning::judge(*mapped_, *flight, job.stage(share(0.5), share(1.0), "judging"));

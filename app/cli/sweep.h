@@ -25,12 +25,16 @@ struct SweptParameter {
 /// the parameter cannot take.
 Result<SweptParameter> parseSweptParameter(const std::string& text);
 
+/// The number that a text is, whole and finite; else nothing.
+std::optional<double> finiteNumber(const std::string& text);
+
 /// What came of one planner at one combination of values.
 struct SweepPoint {
     std::vector<std::string> values;  // one for each parameter
     std::string planner;
     planning::JudgedRow metrics;
     std::vector<StageTime> stages;  // of Dollytrack's own pipeline; empty for others
+    std::string gap;                // why there are no metrics; empty where there are
 };
 
 /// Plans the same scene again and again, keeping what a change does not concern: the scene, the
@@ -39,8 +43,9 @@ class Sweeper {
   public:
     explicit Sweeper(SceneArguments arguments) : arguments_(std::move(arguments)) {}
 
-    /// Points of all planners with "name=value" set. Errors: Usage, BadInput, Cancelled; what
-    /// Pipeline::run() gives.
+    /// A point of each planner with "name=value" set; where nothing can be mapped or planned with
+    /// these values, with the reason. All have the same budget of frames. Errors: Cancelled, and
+    /// what openScene() gives.
     Result<std::vector<SweepPoint>> at(const std::vector<std::string>& assignments,
                                        const std::vector<const planning::Planner*>& planners,
                                        const JobContext& job);
@@ -54,6 +59,7 @@ class Sweeper {
 
     SceneArguments arguments_;
     std::optional<OpenedScene> opened_;
+    std::vector<std::string> opened_with_;  // assignments that concern the import
     std::unique_ptr<planning::Pipeline> pipeline_;
     std::shared_ptr<const Plan> plan_;  // at the values at hand; null before it is made
     std::optional<planning::RivalScene> mapped_;

@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/output_file.h"
 #include "app/cli/sweep.h"
 #include "app/cli/sweep_output.h"
 #include "engine/core/log.h"
@@ -12,6 +13,8 @@
 namespace dollytrack::cli {
 namespace {
 
+constexpr std::size_t kMostCombinations = 10'000;
+
 struct SweepArguments {
     SceneArguments scene;
     std::vector<std::string> parameters;
@@ -23,9 +26,22 @@ struct SweepArguments {
 
 Result<std::vector<SweptParameter>> parseParameters(const std::vector<std::string>& texts) {
     std::vector<SweptParameter> parameters;
+    std::size_t combined = 1;
     for (const std::string& text : texts) {
         Result<SweptParameter> one = parseSweptParameter(text);
         if (!one) return tl::unexpected<Error>(std::move(one.error()));
+        const bool twice =
+            std::any_of(parameters.begin(), parameters.end(),
+                        [&](const SweptParameter& other) { return other.name == one->name; });
+        if (twice) {
+            return fail(ErrorCode::Usage, "Give all values of a parameter in one --param.",
+                        one->name);
+        }
+        if (one->values.size() > kMostCombinations / combined) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("That is more than {} combinations.", kMostCombinations), text);
+        }
+        combined *= one->values.size();
         parameters.push_back(std::move(*one));
     }
     return parameters;
@@ -100,6 +116,11 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
+    for (const std::string& path : {arguments.csv, arguments.plot}) {
+        if (Status status = checkWritable(path); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     const JobContext job = session.job();
     Sweeper sweeper(arguments.scene);
     std::vector<SweepPoint> points;
@@ -117,20 +138,18 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
             job.stage(static_cast<double>(i) / count, static_cast<double>(i + 1) / count, text);
         part.report(0.0);
         auto made = sweeper.at(assignments, *planners, part);
-        if (!made) {
-            // One value that cannot be planned leaves a gap; what stops the scene stops all.
-            if (made.error().code != ErrorCode::Failed) {
-                return tl::unexpected<Error>(std::move(made.error()));
-            }
-            log::warn("sweep", text + ": " + describe(made.error()));
-            ++failures;
-            continue;
-        }
+        if (!made) return tl::unexpected<Error>(std::move(made.error()));
         for (SweepPoint& point : *made) {
+            if (!point.gap.empty()) {
+                log::warn("sweep", text + ", " + point.planner + ": " + point.gap);
+                ++failures;
+            }
             point.values = all[i];
             points.push_back(std::move(point));
         }
     }
+    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    fmt::print("{}", sweepTable(*parameters, points, *metrics));
     if (!arguments.csv.empty()) {
         if (Status status = io::writeWhole(arguments.csv, sweepCsv(*parameters, points)); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
@@ -143,7 +162,6 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
-    fmt::print("{}", sweepTable(*parameters, points, *metrics));
     return failures == 0 ? kDone : kPartial;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace dollytrack::cli {
 namespace {
@@ -16,13 +15,6 @@ std::optional<double> shown(int metric, const SweepPoint& point) {
     const auto& value = point.metrics[static_cast<std::size_t>(metric)];
     if (!value) return value;
     return metricAt(metric).unit == "%" ? 100.0 * *value : *value;
-}
-
-std::optional<double> numberIn(const std::string& text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
 }
 
 std::string withUnit(std::string_view name, std::string_view unit) {
@@ -111,7 +103,7 @@ std::string sweepTable(const std::vector<SweptParameter>& parameters,
 Status checkAxis(const SweptParameter& parameter) {
     const bool numbers =
         std::all_of(parameter.values.begin(), parameter.values.end(),
-                    [](const std::string& value) { return numberIn(value).has_value(); });
+                    [](const std::string& value) { return finiteNumber(value).has_value(); });
     if (numbers) return {};
     return fail(ErrorCode::Usage,
                 "Only a number can be drawn along an axis; make this parameter the second --param.",
@@ -128,7 +120,7 @@ render::Figure sweepFigure(const std::string& title, const std::vector<SweptPara
         chart.y_label = withUnit(metricAt(metric).title, metricAt(metric).unit);
         chart.x_label = withUnit(parameters.front().name, parameters.front().unit);
         for (const SweepPoint& point : points) {
-            const double x = numberIn(point.values.front()).value_or(0.0);
+            const double x = finiteNumber(point.values.front()).value_or(0.0);
             const std::string name = curveName(parameters, point);
             auto at = std::find_if(chart.curves.begin(), chart.curves.end(),
                                    [&](const render::Curve& curve) { return curve.name == name; });

@@ -240,6 +240,12 @@ class CommandLine(unittest.TestCase):
         self.assertFails(run("edit", path, "--op", "{"), 2, "JSON")
         self.assertFails(run("edit", path, "--script", self.folder / "none.json"), 4, "none.json")
         self.assertFails(run("edit", path, "--plan"), 2, "--op")
+        self.assertFails(run("edit", path, "--unit", 0.01), 2, "--unit")
+        broken = json.loads(path.read_text())
+        broken["edits"] = {"pinned": 7}
+        bad = self.folder / "bad_edits.dolly"
+        bad.write_text(json.dumps(broken))
+        self.assertFails(run("edit", bad), 4, "bad_edits.dolly")
         self.assertFails(run("edit", self.room, "--op", '{"op":"exclude","object":"sofa"}'), 2, "-o")
         self.assertEqual(path.read_bytes(), self.project.read_bytes())
 

@@ -147,6 +147,17 @@ class Compare(unittest.TestCase):
                 self.assertEqual(row["outside_rate"], 0.0)
                 self.assertIsNone(row["plan_ms"])
 
+    def test_a_table_that_claims_too_many_rows_is_refused(self):
+        folder = self.folder / "hostile"
+        folder.mkdir()
+        rows = (2 ** 64 + 2) // 3  # times 3 this is 2 where numbers end at 2^64
+        for name in ["positions", "orientations"]:
+            with h5py.File(folder / f"camera_keyframe_{name}.hdf5", "w") as file:
+                file.create_dataset("dataset", (rows, 3), "f8", chunks=(1, 3))
+        result = run("compare", self.room, "--planners", "best-view", "--trajectory", folder)
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("too large", result.stderr)
+
     def test_our_own_camera_json_is_judged_as_the_plan(self):
         project, dataset = self.folder / "own.dolly", self.folder / "own"
         run("plan", self.room, "--max-frames", 12, "-o", project)
@@ -185,6 +196,27 @@ class Compare(unittest.TestCase):
             self.assertIn(word, result.stderr)
         missing = run("compare", self.room, "--trajectory", self.folder / "none.txt")
         self.assertEqual(missing.returncode, 4)
+
+    def test_trajectories_of_one_name_are_two_rows(self):
+        lines = "0 1 -1 1.5 0 0 0 1\n1 1.1 -1 1.5 0 0 0 1\n"
+        paths = []
+        for name in ["a/poses.txt", "b/poses.txt", "uniform"]:
+            paths.append(self.folder / "names" / name)
+            paths[-1].parent.mkdir(parents=True, exist_ok=True)
+            paths[-1].write_text(lines)
+        given = [word for path in paths + paths[:1] for word in ("--trajectory", path)]
+        result = run("compare", self.room, "--planners", "uniform", *given, "--json",
+                     "--max-frames", 10)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = [row["planner"] for row in json.loads(result.stdout)["mean"]]
+        self.assertEqual(names, ["uniform", "poses.txt", "b/poses.txt", "names/uniform",
+                                 "a/poses.txt"])
+
+    def test_seeds_beyond_the_last_number_are_refused(self):
+        result = run("compare", self.room, "--planners", "uniform", "--seed", 2147483646,
+                     "--seeds", 3)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("--seed", result.stderr)
 
     def test_a_trajectory_elsewhere_is_warned_of(self):
         path = self.folder / "far.txt"
@@ -233,10 +265,39 @@ class Compare(unittest.TestCase):
             (("--param", "fill"), "NAME="),
             (("--param", "fill=0.5", "--metric", "wel_captured_rate"), "well_captured_rate"),
             (("--param", "path_mode=tour,longest_branch", "--plot", "a.svg"), "number"),
+            (("--param", "fill=0.5", "--param", "fill=0.6"), "one --param"),
+            (("--param", "fill=0.2:0.9:0.001", "--param", "seed=1:100:1"), "combinations"),
         ]:
             result = run("sweep", self.room, *arguments)
             self.assertEqual(result.returncode, 2, result.stderr)
             self.assertIn(word, result.stderr)
+
+    def test_a_value_that_leaves_no_room_is_a_gap(self):
+        table = self.folder / "gap.csv"
+        result = run("sweep", self.room, "--param", "camera_radius_m=0.1,1", "--max-frames", 20,
+                     "--unit", 0.5, "--planners", "dollytrack,uniform", "--csv", table)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("camera_radius_m=1,", result.stderr)
+        with open(table) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["camera_radius_m"] for row in rows], ["0.1", "0.1", "1", "1"])
+        self.assertEqual([row["frames"] == "" for row in rows], [False, False, True, True])
+
+    def test_without_a_limit_all_planners_have_the_same_frames(self):
+        table = self.folder / "budget.csv"
+        result = run("sweep", self.room, "--param", "max_frames=0,300", "--planners", "dollytrack",
+                     "--csv", table)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(table) as file:
+            frames = [row["frames"] for row in csv.DictReader(file)]
+        self.assertEqual(frames[0], frames[1])
+
+    def test_a_file_that_cannot_be_written_is_said_before_the_work(self):
+        nowhere = self.folder / "nowhere" / "table.csv"
+        for command in (["compare"], ["sweep", "--param", "fill=0.5"]):
+            result = run(*command, self.folder / "missing.obj", "--csv", nowhere)
+            self.assertEqual(result.returncode, 6, result.stderr)
+            self.assertIn("folder does not exist", result.stderr)
 
 
 if __name__ == "__main__":
