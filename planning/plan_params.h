@@ -102,10 +102,17 @@ void visitSmoothingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 5, "m", "Bezier set-back before and after a corner", "d"});
 }
 
+/// Limits of motion by one name; see motionLimits().
+enum class MotionPreset { Easy, Medium, Hard, Custom };
+
+/// When the frames are taken. A limit of 0 is the preset's.
 struct TimingParams {
     double frame_rate = 10.0;
-    double max_speed_mps = 0.5;
-    double max_turn_dps = 45.0;
+    MotionPreset motion_preset = MotionPreset::Medium;
+    double max_speed_mps = 0.0;
+    double max_acceleration_mps2 = 0.0;
+    double max_turn_dps = 0.0;
+    double max_turn_acceleration_dps2 = 0.0;
     int max_frames = 0;
     bool operator==(const TimingParams&) const = default;
 };
@@ -113,8 +120,18 @@ struct TimingParams {
 template <class Params, class Visitor>
 void visitTimingParams(Params& p, Visitor&& visit) {
     visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames a second"});
-    visit("max_speed_mps", p.max_speed_mps, FieldInfo{0.01, 100, "m/s", "Speed limit"});
-    visit("max_turn_dps", p.max_turn_dps, FieldInfo{0.1, 3600, "deg/s", "Turning limit"});
+    visit("motion_preset", p.motion_preset,
+          ChoiceInfo{{"easy", "medium", "hard", "custom"},
+                     "Limits of motion, where they are 0 below: a slow pan, a calm walk, a hurried "
+                     "one, or (custom) none"});
+    visit("max_speed_mps", p.max_speed_mps,
+          FieldInfo{0, 100, "m/s", "Speed limit; 0: the preset's"});
+    visit("max_acceleration_mps2", p.max_acceleration_mps2,
+          FieldInfo{0, 1000, "m/s2", "Limit of acceleration, in curves too; 0: the preset's"});
+    visit("max_turn_dps", p.max_turn_dps,
+          FieldInfo{0, 3600, "deg/s", "Turning limit; 0: the preset's"});
+    visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
+          FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
     visit("max_frames", p.max_frames, FieldInfo{0, 1e6, "", "Budget of frames; 0: no limit"});
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "planning/free_space/free_space.h"
+#include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/edits_panel.h"
@@ -14,6 +15,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace dollytrack::editor {
 
@@ -203,8 +205,9 @@ void Editor::drawTimeline() {
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
         view.camera_radius_m = params.camera.camera_radius_m;
-        view.max_speed_mps = params.timing.max_speed_mps;
-        view.max_turn_dps = params.timing.max_turn_dps;
+        const planning::MotionLimits limits = planning::motionLimits(params.timing);
+        view.max_speed_mps = limits.speed_mps;
+        view.max_turn_dps = limits.turn_rps * 180.0 / std::numbers::pi;
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
     }
     const ui::TimelineActions actions = ui::drawTimelinePanel(view, panels_.timeline);

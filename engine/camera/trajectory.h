@@ -13,6 +13,7 @@ struct TrajectoryFrame {
     Eigen::Vector3d target_in_world = Eigen::Vector3d::Zero();  // a point the camera looks at
     int component = 0;        // free-space component (room) the frame is in
     int path = 0;             // which continuous motion it belongs to
+    double arc_m = 0.0;       // how far along its smoothed path, where it has one
     int position_point = -1;  // index into Plan::position_points when it stands on a key frame
 };
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace dollytrack {
@@ -33,6 +34,14 @@ struct SmoothPath {
             end;  // control: the corner; for a straight piece the middle
         double length_m = 0.0;
         bool curved = false;
+        double begin_m = 0.0;  // length of the path before it
+
+        /// Point of the curve, by its own parameter 0..1.
+        [[nodiscard]] Eigen::Vector3d at(double t) const;
+        /// The parameter that far along the piece, to rounding.
+        [[nodiscard]] double parameterAt(double way_m) const;
+        /// 1 / radius, 1/m.
+        [[nodiscard]] double curvature(double t) const;
     };
     struct Key {
         double arc_m = 0.0;  // where on the path
@@ -48,6 +57,12 @@ struct SmoothPath {
     int collisions = 0;            // pieces that could not be proven free
     int corner_collisions = 0;     // those of them that are curves
 
+    /// Adds a piece at the end, with its length; one of no length is left out.
+    void append(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                const Eigen::Vector3d& end, bool curved);
+
+    /// Index of the piece there; the last one that begins there or before.
+    [[nodiscard]] std::size_t pieceAt(double arc_m) const;
     [[nodiscard]] Eigen::Vector3d at(double arc_m) const;
 };
 

@@ -17,36 +17,26 @@ namespace {
 
 constexpr double kFineStep = 0.01;  // m; chords this short stay within 0.1 mm of the curves
 
-/// The way along each smoothed path, as the timing distributed its frames: evenly from key to key.
+/// The way along each smoothed path from frame to frame. A shaken camera leaves its path, and then
+/// goes straight.
 std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
                                                     const Trajectory& trajectory) {
     const auto& frames = trajectory.frames;
     std::vector<std::vector<Eigen::Vector3d>> between(frames.size());
-    std::size_t key = 0;
-    for (std::size_t first = 0; first < frames.size();) {
-        const SmoothPath& path = paths[static_cast<std::size_t>(frames[first].path)];
-        std::size_t last = first + 1;
-        while (last < frames.size() && frames[last].path == frames[first].path &&
-               frames[last].position_point < 0) {
-            ++last;
-        }
-        if (last == frames.size() || frames[last].path != frames[first].path) {
-            first = last;
-            key = 0;
-            continue;
-        }
-        const double begin = path.keys[key].arc_m;
-        const double step = (path.keys[key + 1].arc_m - begin) / static_cast<double>(last - first);
+    const auto on_path = [&](const TrajectoryFrame& frame) {
+        const SmoothPath& path = paths[static_cast<std::size_t>(frame.path)];
+        return (path.at(frame.arc_m) - frame.pose.position).norm() < 1e-6;
+    };
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const TrajectoryFrame& from = frames[i];
+        const TrajectoryFrame& to = frames[i + 1];
+        if (from.path != to.path || !on_path(from) || !on_path(to)) continue;
+        const double step = to.arc_m - from.arc_m;
         const int pieces = std::max(1, static_cast<int>(std::ceil(step / kFineStep)));
-        for (std::size_t i = first; i < last; ++i) {
-            for (int j = 1; j < pieces; ++j) {
-                const double done =
-                    static_cast<double>(i - first) + static_cast<double>(j) / pieces;
-                between[i].push_back(path.at(begin + step * done));
-            }
+        const SmoothPath& path = paths[static_cast<std::size_t>(from.path)];
+        for (int j = 1; j < pieces; ++j) {
+            between[i].push_back(path.at(from.arc_m + step * j / pieces));
         }
-        first = last;
-        ++key;
     }
     return between;
 }

@@ -4,6 +4,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/linking/rrt_star.h"
+#include "planning/timing/motion_limits.h"
 #include "planning/timing/turn.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int s
     const double interval = 1.0 / params.timing.frame_rate;
     flight.trajectory.frame_interval_s = interval;
     auto& frames = flight.trajectory.frames;
-    const double step = kSpeedFactor * params.timing.max_speed_mps * interval;
+    const double step = kSpeedFactor * motionLimits(params.timing).speed_mps * interval;
     const std::vector<int> shares = shareByRoom(scene, frameBudget(params), 20);
     for (std::size_t room = 0; room < shares.size(); ++room) {
         if (shares[room] == 0) continue;
@@ -157,7 +158,7 @@ Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int s
                 flight.between.resize(frames.size());
                 const Eigen::Vector3d place =
                     along(leg, leg.length_m * share, before, flight.between.back());
-                add(place, turn.at(share));
+                add(place, turn.at(share * turn.angle()));
             }
             job.report(static_cast<double>(frames.size()) / frameBudget(params));
         }

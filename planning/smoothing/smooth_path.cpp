@@ -26,22 +26,6 @@ struct Curve {
     }
 };
 
-double curveLength(const SmoothPath::Piece& piece) {
-    if (!piece.curved) return (piece.end - piece.start).norm();
-    constexpr int kSteps = 32;
-    double length = 0.0;
-    Eigen::Vector3d last = piece.start;
-    for (int i = 1; i <= kSteps; ++i) {
-        const double t = static_cast<double>(i) / kSteps;
-        const double u = 1.0 - t;
-        const Eigen::Vector3d point =
-            u * u * piece.start + 2.0 * u * t * piece.control + t * t * piece.end;
-        length += (point - last).norm();
-        last = point;
-    }
-    return length;
-}
-
 class Smoother {
   public:
     Smoother(const CameraPath& path, const std::vector<PositionPoint>& points,
@@ -100,15 +84,15 @@ class Smoother {
         for (std::size_t i = 1; i < count; ++i) {
             const double set_back = i + 1 < count ? corners[i - 1].set_back_m : 0.0;
             if (set_back <= 0.0) {
-                add(smooth, {from, 0.5 * (from + at(i)), at(i), 0.0, false});
+                smooth.append(from, 0.5 * (from + at(i)), at(i), false);
                 addKey(smooth, i, smooth.length_m, at(i));
                 from = at(i);
                 continue;
             }
             const Curve curve = curveAt(i, set_back);
-            add(smooth, {from, 0.5 * (from + curve.start), curve.start, 0.0, false});
+            smooth.append(from, 0.5 * (from + curve.start), curve.start, false);
             const double before = smooth.length_m;
-            add(smooth, {curve.start, curve.corner, curve.end, 0.0, true});
+            smooth.append(curve.start, curve.corner, curve.end, true);
             addKey(smooth, i, 0.5 * (before + smooth.length_m), curve.middle());
             from = curve.end;
         }
@@ -143,13 +127,6 @@ class Smoother {
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);
         });
-    }
-
-    static void add(SmoothPath& smooth, SmoothPath::Piece piece) {
-        piece.length_m = curveLength(piece);
-        if (piece.length_m < 1e-9) return;
-        smooth.length_m += piece.length_m;
-        smooth.pieces.push_back(piece);
     }
 
     void addKey(SmoothPath& smooth, std::size_t vertex, double arc,

@@ -2,91 +2,51 @@
 
 #include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
+#include "planning/timing/motion_limits.h"
+#include "planning/timing/speed_track.h"
 #include "planning/timing/turn.h"
+#include "planning/timing/turn_pace.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr std::int64_t kMostFrames = 1'000'000;
+constexpr std::size_t kMostFrames = 1'000'000;
 constexpr std::size_t kGrain = 8;  // stretches a thread takes at once
 
 /// The motion from one key frame to the next.
 struct Stretch {
-    const SmoothPath* path = nullptr;
-    std::size_t path_index = 0;
     const SmoothPath::Key* from = nullptr;
     const SmoothPath::Key* to = nullptr;
     Turn turn;
+    TurnPace pace;
     Eigen::Vector3d from_target, to_target;
-    double least_time_s = 0.0;  // by the limits
+};
 
-    [[nodiscard]] std::int64_t frames(double interval) const {
-        return std::max<std::int64_t>(
-            1, static_cast<std::int64_t>(std::ceil(least_time_s / interval - 1e-9)));
+/// One continuous motion, by its stretches.
+struct Motion {
+    const SmoothPath* path = nullptr;
+    std::size_t path_index = 0;
+    SpeedTrack track;
+    std::size_t first_stretch = 0;
+    std::vector<double> least_times_s;  // of the stretches, by their turns
+    std::vector<std::size_t> intervals;
+
+    [[nodiscard]] std::size_t frames() const {
+        return std::accumulate(intervals.begin(), intervals.end(), std::size_t{1});
     }
 };
 
-class Timer {
+/// Where the camera looks at key frames.
+class Gaze {
   public:
-    Timer(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets,
-          const TimingParams& params)
-        : points_(points), targets_(targets), params_(params) {}
-
-    [[nodiscard]] Stretch stretch(const SmoothPath& path, std::size_t path_index,
-                                  std::size_t key) const {
-        Stretch s;
-        s.path = &path;
-        s.path_index = path_index;
-        s.from = &path.keys[key];
-        s.to = &path.keys[key + 1];
-        s.from_target = target(*s.from);
-        s.to_target = target(*s.to);
-        s.turn = Turn(rotation(*s.from), rotation(*s.to));
-        const double turn_limit = params_.max_turn_dps * std::numbers::pi / 180.0;
-        s.least_time_s = std::max((s.to->arc_m - s.from->arc_m) / params_.max_speed_mps,
-                                  s.turn.greatestRate() / turn_limit);
-        return s;
-    }
-
-    [[nodiscard]] TrajectoryFrame frame(const Stretch& s, double share) const {
-        TrajectoryFrame frame;
-        frame.path = static_cast<int>(s.path_index);
-        frame.component = s.path->component;
-        frame.pose.position =
-            share >= 1.0 ? s.to->position
-            : s.to->arc_m <= s.from->arc_m
-                ? s.from->position  // two keys at one place
-                : s.path->at(s.from->arc_m + share * (s.to->arc_m - s.from->arc_m));
-        frame.pose.rotation = s.turn.at(share);
-        const double distance = (1.0 - share) * (s.from_target - s.from->position).norm() +
-                                share * (s.to_target - s.to->position).norm();
-        frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
-        if (share >= 1.0) frame.position_point = s.to->position_point;
-        return frame;
-    }
-
-    [[nodiscard]] TrajectoryFrame first(const SmoothPath& path, std::size_t path_index) const {
-        const SmoothPath::Key& key = path.keys.front();
-        TrajectoryFrame frame;
-        frame.path = static_cast<int>(path_index);
-        frame.component = path.component;
-        frame.pose = {key.position, rotation(key)};
-        frame.target_in_world = target(key);
-        frame.position_point = key.position_point;
-        return frame;
-    }
-
-  private:
-    [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
-        return points_[static_cast<std::size_t>(key.position_point)];
-    }
+    Gaze(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets)
+        : points_(points), targets_(targets) {}
 
     /// What the camera looks at there. From a pinned point it looks where it was told to, as far as
     /// its target is away.
@@ -105,29 +65,85 @@ class Timer {
                                    : lookAt(key.position, target(key)).rotation;
     }
 
+    [[nodiscard]] Stretch stretch(const SmoothPath& path, std::size_t key,
+                                  const MotionLimits& limits) const {
+        Stretch s;
+        s.from = &path.keys[key];
+        s.to = &path.keys[key + 1];
+        s.turn = Turn(rotation(*s.from), rotation(*s.to));
+        s.pace = TurnPace(s.turn, limits);
+        s.from_target = target(*s.from);
+        s.to_target = target(*s.to);
+        return s;
+    }
+
+  private:
+    [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
+        return points_[static_cast<std::size_t>(key.position_point)];
+    }
+
     const std::vector<PositionPoint>& points_;
     const std::vector<ObservationPoint>& targets_;
-    const TimingParams& params_;
 };
 
-std::int64_t countFrames(const std::vector<Stretch>& stretches, std::size_t path_count,
-                         double interval) {
-    auto count = static_cast<std::int64_t>(path_count);
-    for (const Stretch& s : stretches) count += s.frames(interval);
-    return count;
+TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key, const Gaze& gaze) {
+    TrajectoryFrame frame;
+    frame.path = static_cast<int>(motion.path_index);
+    frame.component = motion.path->component;
+    frame.pose = {key.position, gaze.rotation(key)};
+    frame.target_in_world = gaze.target(key);
+    frame.position_point = key.position_point;
+    frame.arc_m = key.arc_m;
+    return frame;
 }
 
-/// The shortest frame interval that keeps to the budget, found to 0.1 %.
-double intervalWithin(const std::vector<Stretch>& stretches, std::size_t path_count,
-                      double interval, int max_frames) {
-    if (countFrames(stretches, path_count, interval) <= max_frames) return interval;
-    double low = interval;
-    double high = interval;
-    for (const Stretch& s : stretches) high = std::max(high, s.least_time_s);
+/// The frames after the stretch's first key up to its second, from `frames` on.
+void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const Gaze& gaze,
+               double interval_s, TrajectoryFrame* frames) {
+    const std::size_t count = motion.intervals[index];
+    const double time_s = interval_s * static_cast<double>(count);
+    const std::vector<double> arcs = motion.track.arcs(index, time_s, count);
+    const double from_distance = (s.from_target - s.from->position).norm();
+    const double to_distance = (s.to_target - s.to->position).norm();
+    for (std::size_t i = 1; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count);
+        TrajectoryFrame& frame = frames[i - 1];
+        frame.path = static_cast<int>(motion.path_index);
+        frame.component = motion.path->component;
+        frame.arc_m = arcs[i - 1];
+        frame.pose.position = s.to->arc_m <= s.from->arc_m ? s.from->position  // at one place
+                                                           : motion.path->at(frame.arc_m);
+        frame.pose.rotation = s.turn.at(s.pace.turnedAt(share));
+        const double distance = (1.0 - share) * from_distance + share * to_distance;
+        frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
+    }
+    frames[count - 1] = frameAtKey(motion, *s.to, gaze);
+}
+
+std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
+    std::size_t frames = 0;
+    for (Motion& motion : motions) {
+        motion.intervals = motion.track.settle(interval_s, motion.least_times_s);
+        frames += motion.frames();
+    }
+    return frames;
+}
+
+/// The shortest frame interval found, to 0.1 %, that keeps to the budget; all is settled at it.
+double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t max_frames) {
+    const std::size_t wanted = settleAll(motions, interval_s);
+    if (max_frames == 0 || wanted <= max_frames) return interval_s;
+    double low = interval_s;
+    double high = interval_s * static_cast<double>(wanted) / static_cast<double>(max_frames);
+    while (settleAll(motions, high) > max_frames) {
+        low = high;
+        high *= 1.5;
+    }
     while (high > low * 1.001) {
         const double middle = 0.5 * (low + high);
-        (countFrames(stretches, path_count, middle) <= max_frames ? high : low) = middle;
+        (settleAll(motions, middle) <= max_frames ? high : low) = middle;
     }
+    settleAll(motions, high);
     return high;
 }
 
@@ -137,57 +153,59 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,
                                   const TimingParams& params) {
-    const Timer timer(position_points, observation_points, params);
-    std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: path and key
-    std::size_t keyed_paths = 0;
+    const MotionLimits limits = motionLimits(params);
+    const Gaze gaze(position_points, observation_points);
+    std::vector<Motion> motions;
+    std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: motion and key
     for (std::size_t p = 0; p < paths.size(); ++p) {
-        keyed_paths += paths[p].keys.empty() ? 0 : 1;
-        for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) begins.emplace_back(p, k);
+        if (paths[p].keys.empty()) continue;
+        const std::size_t first = begins.size();
+        for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) {
+            begins.emplace_back(motions.size(), k);
+        }
+        motions.push_back({&paths[p], p, SpeedTrack(paths[p], limits), first, {}, {}});
+    }
+    if (params.max_frames > 0 &&
+        begins.size() + motions.size() > static_cast<std::size_t>(params.max_frames)) {
+        return fail(ErrorCode::Failed, "There are more key frames than max_frames allows.",
+                    "max_frames");
     }
     std::vector<Stretch> stretches(begins.size());
     parallelRanges(begins.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const auto [p, k] = begins[i];
-            stretches[i] = timer.stretch(paths[p], p, k);
+            const auto [motion, key] = begins[i];
+            stretches[i] = gaze.stretch(*motions[motion].path, key, limits);
         }
     });
-    Trajectory trajectory;
-    trajectory.frame_interval_s = 1.0 / params.frame_rate;
-    if (params.max_frames > 0) {
-        if (static_cast<int>(stretches.size() + keyed_paths) > params.max_frames) {
-            return fail(ErrorCode::Failed, "There are more key frames than max_frames allows.",
-                        "max_frames");
-        }
-        trajectory.frame_interval_s =
-            intervalWithin(stretches, keyed_paths, trajectory.frame_interval_s, params.max_frames);
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        motions[begins[i].first].least_times_s.push_back(stretches[i].pace.time());
     }
-    const std::int64_t total = countFrames(stretches, keyed_paths, trajectory.frame_interval_s);
+    Trajectory trajectory;
+    trajectory.frame_interval_s =
+        settleWithin(motions, 1.0 / params.frame_rate, static_cast<std::size_t>(params.max_frames));
+    std::size_t total = 0;
+    for (const Motion& motion : motions) total += motion.frames();
     if (total > kMostFrames) {
         return fail(ErrorCode::Usage,
                     "At these limits the trajectory would have more than a million frames; lower "
                     "frame_rate, raise max_speed_mps or max_turn_dps, or set max_frames.",
                     "frame_rate");
     }
+    trajectory.frames.resize(total);
     std::vector<std::size_t> first_frames;  // of each stretch
     std::size_t frames = 0;
-    std::size_t stretch = 0;
-    trajectory.frames.resize(static_cast<std::size_t>(total));
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-        if (paths[p].keys.empty()) continue;
-        trajectory.frames[frames++] = timer.first(paths[p], p);
-        for (; stretch < stretches.size() && stretches[stretch].path_index == p; ++stretch) {
+    for (const Motion& motion : motions) {
+        trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), gaze);
+        for (const std::size_t count : motion.intervals) {
             first_frames.push_back(frames);
-            frames +=
-                static_cast<std::size_t>(stretches[stretch].frames(trajectory.frame_interval_s));
+            frames += count;
         }
     }
     parallelRanges(stretches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
-            const std::int64_t count = stretches[s].frames(trajectory.frame_interval_s);
-            for (std::int64_t i = 1; i <= count; ++i) {
-                trajectory.frames[first_frames[s] + static_cast<std::size_t>(i - 1)] =
-                    timer.frame(stretches[s], static_cast<double>(i) / static_cast<double>(count));
-            }
+            const Motion& motion = motions[begins[s].first];
+            putFrames(motion, s - motion.first_stretch, stretches[s], gaze,
+                      trajectory.frame_interval_s, &trajectory.frames[first_frames[s]]);
         }
     });
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {

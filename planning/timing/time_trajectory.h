@@ -7,12 +7,13 @@ namespace dollytrack::planning {
 
 struct TimingParams;
 
-/// Puts frames on the smoothed paths at a fixed rate under the limits of speed and turning, one
-/// of them exactly on each key frame: the time from key to key is the least the limits allow,
-/// rounded up to whole frames. Between keys the orientation is slerped over arc length and its
-/// roll removed; pinned points keep their pose to the last bit. With `max_frames` the rate is
-/// lowered until the budget holds, down to one frame a key. Error: Failed when there are more keys
-/// than frames allowed.
+/// Puts frames on the smoothed paths at a fixed rate under the limits of motion (motionLimits()),
+/// one of them exactly on each key frame: the time from key to key is about the least the limits
+/// allow, rounded up to whole frames. Speed is continuous; the camera stands still at both ends of
+/// a path and where it turns a corner on the spot, and slows down in tight curves. From key to key
+/// it turns from rest to rest, roll-free; pinned points keep their pose to the last bit. With
+/// `max_frames` the rate is lowered until the budget holds, down to one frame a key. Error: Failed
+/// when there are more keys than frames allowed.
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,

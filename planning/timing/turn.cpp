@@ -15,10 +15,14 @@ constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
 // flips.
 constexpr double kSteep = 50.0 * std::numbers::pi / 180.0;
 constexpr double kLargeTurn = 0.5 * std::numbers::pi;
-constexpr int kSamples = 64;
+// So near the vertical the heading of a view is that of its camera's right side, and slerp would
+// leave or reach it with a leap.
+constexpr double kVertical = 85.0 * std::numbers::pi / 180.0;
 
-double heading(const Eigen::Vector3d& forward) {
-    return std::atan2(forward.y(), forward.x());
+/// From the camera's right side, which is level and has a direction straight down, too.
+double heading(const Eigen::Quaterniond& rotation) {
+    const Eigen::Vector3d right = rotation * Eigen::Vector3d::UnitX();
+    return std::atan2(right.x(), -right.y());
 }
 double elevation(const Eigen::Vector3d& forward) {
     return std::asin(std::clamp(forward.z(), -1.0, 1.0));
@@ -39,35 +43,79 @@ double risesBy(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, dou
 Turn::Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) : from_(from), to_(to) {
     const Eigen::Vector3d a = from * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d b = to * Eigen::Vector3d::UnitZ();
-    heading_ = heading(a);
-    heading_change_ = std::remainder(heading(b) - heading_, 2.0 * std::numbers::pi);
+    heading_ = heading(from);
+    heading_change_ = std::remainder(heading(to) - heading_, 2.0 * std::numbers::pi);
     elevation_ = elevation(a);
     elevation_change_ = elevation(b) - elevation_;
     const double highest = std::max(std::abs(elevation_), std::abs(elevation(b)));
     const bool over_the_top = highest > kSteep && std::abs(heading_change_) > kLargeTurn;
-    by_angles_ = over_the_top || risesBy(from, to, highest) > kDetour;
+    by_angles_ = over_the_top || highest > kVertical || risesBy(from, to, highest) > kDetour;
+    measure();
 }
 
-Eigen::Quaterniond Turn::at(double t) const {
-    if (t <= 0.0) return from_;
-    if (t >= 1.0) return to_;
-    if (!by_angles_) return withoutRoll(from_.slerp(t, to_));
-    const double yaw = heading_ + t * heading_change_;
-    const double pitch = elevation_ + t * elevation_change_;
+Eigen::Quaterniond Turn::byShare(double share) const {
+    if (share <= 0.0) return from_;
+    if (share >= 1.0) return to_;
+    if (!by_angles_) return withoutRoll(from_.slerp(share, to_));
+    const double yaw = heading_ + share * heading_change_;
+    const double pitch = elevation_ + share * elevation_change_;
     return lookAlong(
         {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)},
         {std::sin(yaw), -std::cos(yaw), 0.0});
 }
 
-double Turn::greatestRate() const {
-    double fastest = 0.0;
+void Turn::measure() {
     Eigen::Quaterniond last = from_;
-    for (int i = 1; i <= kSamples; ++i) {
-        const Eigen::Quaterniond next = at(static_cast<double>(i) / kSamples);
-        fastest = std::max(fastest, angleBetween(last, next));
-        last = next;
+    Eigen::Vector3d last_axis = Eigen::Vector3d::Zero();
+    double last_step = 0.0;
+    for (std::size_t i = 1; i <= kSteps; ++i) {
+        const Eigen::Quaterniond now = byShare(static_cast<double>(i) / kSteps);
+        Eigen::Quaterniond step = now * last.conjugate();
+        if (step.w() < 0.0) step.coeffs() *= -1.0;
+        const double sine = step.vec().norm();
+        const double angle = 2.0 * std::atan2(sine, step.w());
+        turned_[i] = turned_[i - 1] + angle;
+        // Below this an axis is rounding.
+        if (angle > 1e-6) {
+            const Eigen::Vector3d axis = step.vec() / sine;
+            if (last_step > 0.0) {
+                bend_ = std::max(bend_, (axis - last_axis).norm() / (0.5 * (angle + last_step)));
+            }
+            last_axis = axis;
+        }
+        last_step = angle > 1e-6 ? angle : 0.0;
+        last = now;
     }
-    return fastest * kSamples;
+}
+
+/// Inverse of the table by cubic pieces that join with one slope: straight ones would make the
+/// turning rate jump from step to step.
+double Turn::shareAt(double turned) const {
+    const auto above = std::upper_bound(turned_.begin() + 1, turned_.end() - 1, turned);
+    const auto i = static_cast<std::size_t>(above - turned_.begin());
+    const double width = turned_[i] - turned_[i - 1];
+    constexpr double kStep = 1.0 / kSteps;
+    const auto begin = static_cast<double>(i - 1) * kStep;
+    if (width <= 0.0) return begin;
+    // Shares a radian at a step's end; never so steep that the cubic would turn back.
+    const auto slope = [&](std::size_t j) {
+        const std::size_t low = j == 0 ? 0 : j - 1;
+        const std::size_t high = j == kSteps ? kSteps : j + 1;
+        const double angle = turned_[high] - turned_[low];
+        const double steepest = 3.0 * kStep / width;
+        return angle > 0.0 ? std::min(steepest, static_cast<double>(high - low) * kStep / angle)
+                           : steepest;
+    };
+    const double x = (turned - turned_[i - 1]) / width;
+    const double y = 1.0 - x;
+    return begin + kStep * x * x * (3.0 - 2.0 * x) +
+           width * x * y * (y * slope(i - 1) - x * slope(i));
+}
+
+Eigen::Quaterniond Turn::at(double turned) const {
+    if (turned <= 0.0) return from_;
+    if (turned >= angle()) return to_;
+    return byShare(shareAt(turned));
 }
 
 }  // namespace dollytrack::planning

@@ -6,6 +6,7 @@
 #include "planning/pipeline.h"
 #include "planning/rivals/ours.h"
 #include "planning/smoothing/smooth_path.h"
+#include "planning/timing/motion_limits.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/support/scene_builder.h"
@@ -164,8 +165,9 @@ TEST(Judge, AgreesWithThePipeline) {
     EXPECT_EQ(result.outside_rate, 0.0);
     // Chords of at most a centimetre instead of the curves, and only from first to last key.
     EXPECT_NEAR(*result.path_length_m, motion.path_length_m, 1e-3 * motion.path_length_m);
-    EXPECT_LE(*result.speed_max_mps, params.timing.max_speed_mps + 1e-6);
-    EXPECT_LE(*result.turn_max_dps, params.timing.max_turn_dps + 0.5);
+    EXPECT_LE(*result.speed_max_mps, motionLimits(params.timing).speed_mps + 1e-6);
+    EXPECT_LE(*result.turn_max_dps,
+              motionLimits(params.timing).turn_rps * 180.0 / std::numbers::pi + 0.5);
 }
 
 // A pillar in the inner corner of a right-angled turn: the curve of the whole set-back cuts it, and

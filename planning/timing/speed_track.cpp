@@ -1,0 +1,273 @@
+#include "planning/timing/speed_track.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kCurveSteps = 4;   // per part of a curve; even, so that a stop to a stop is exact
+constexpr int kRampSteps = 2;    // from rest to full speed
+constexpr int kShortSteps = 8;   // of a straight part too short for both ramps
+constexpr int kCruiseSteps = 4;  // between the ramps
+// In a curve, what is left of the limit serves speeding up and braking: sqrt(1 - 0.8^2) of it.
+constexpr double kAcross = 0.8;
+// Directions that differ by less are one line with rounding in it; more is a stop.
+constexpr double kStraight = 0.51 * std::numbers::pi / 180.0;
+// A kink of such a line may jolt the camera by what the acceleration gives in this time.
+constexpr double kJolt_s = 0.002;
+
+/// Direction in which a piece begins or ends.
+Eigen::Vector3d beginOf(const SmoothPath::Piece& piece) {
+    return piece.curved ? piece.control - piece.start : piece.end - piece.start;
+}
+Eigen::Vector3d endOf(const SmoothPath::Piece& piece) {
+    return piece.curved ? piece.end - piece.control : piece.end - piece.start;
+}
+
+/// Squared speed at which the camera may go from one piece on to the next.
+double jointLimit2(const SmoothPath::Piece& before, const SmoothPath::Piece& after,
+                   const MotionLimits& limits) {
+    const Eigen::Vector3d in = endOf(before);
+    const Eigen::Vector3d out = beginOf(after);
+    const double kink = std::atan2(in.cross(out).norm(), in.dot(out));
+    if (kink > kStraight) return 0.0;
+    const double fastest = kJolt_s * limits.acceleration_mps2 / std::max(kink, 1e-12);
+    return fastest * fastest;
+}
+
+}  // namespace
+
+SpeedTrack::SpeedTrack(const SmoothPath& path, const MotionLimits& limits) {
+    cut(path, limits);
+    key_limit2_.assign(key_nodes_.size(), kInfinity);
+    for (std::size_t k = 0; k + 1 < key_nodes_.size(); ++k) {
+        // Two keys at one place: the camera stands while it turns.
+        if (key_nodes_[k] == key_nodes_[k + 1]) nodes_[key_nodes_[k]].limit2 = 0.0;
+    }
+    nodes_[key_nodes_.front()].limit2 = 0.0;
+    nodes_[key_nodes_.back()].limit2 = 0.0;
+}
+
+void SpeedTrack::cut(const SmoothPath& path, const MotionLimits& limits) {
+    constexpr double kSame = 1e-9;  // m
+    nodes_.push_back({path.keys.front().arc_m, kInfinity, 0.0, 0.0, 0.0});
+    key_nodes_.push_back(0);
+    std::size_t piece = path.pieceAt(nodes_.front().arc_m);
+    for (std::size_t k = 1; k < path.keys.size(); ++k) {
+        const double end = path.keys[k].arc_m;
+        while (end - nodes_.back().arc_m > kSame && piece < path.pieces.size()) {
+            const SmoothPath::Piece& p = path.pieces[piece];
+            const double piece_end = p.begin_m + p.length_m;
+            const double until = piece_end > end - kSame ? end : piece_end;
+            if (until - nodes_.back().arc_m > kSame) {
+                addSteps(p, nodes_.back().arc_m, until, limits);
+            }
+            if (piece_end > end + kSame || piece + 1 == path.pieces.size()) break;
+            nodes_.back().limit2 =
+                std::min(nodes_.back().limit2, jointLimit2(p, path.pieces[piece + 1], limits));
+            ++piece;
+        }
+        key_nodes_.push_back(nodes_.size() - 1);
+    }
+}
+
+void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to,
+                          const MotionLimits& limits) {
+    const double length = to - from;
+    const double most2 = limits.speed_mps * limits.speed_mps;
+    const auto step = [&](double until, double limit2, double acceleration) {
+        Node& last = nodes_.back();
+        last.limit2 = std::min(last.limit2, limit2);
+        last.gain2 = 2.0 * acceleration * (until - last.arc_m);
+        nodes_.push_back({until, limit2, 0.0, 0.0, 0.0});
+    };
+    if (piece.curved) {
+        const auto parameter = [&](int i) {
+            return piece.parameterAt(from + length * i / kCurveSteps - piece.begin_m);
+        };
+        double before = parameter(0);
+        for (int i = 1; i <= kCurveSteps; ++i) {
+            const double after = parameter(i);
+            // Sharpest at one of the step's ends, or at the curve's own middle between them.
+            const double middle = std::clamp(0.5, before, after);
+            const double bend = std::max(
+                {piece.curvature(before), piece.curvature(middle), piece.curvature(after), 1e-9});
+            const double limit2 = std::min(most2, kAcross * limits.acceleration_mps2 / bend);
+            const double along =
+                std::sqrt(std::max(0.0, limits.acceleration_mps2 * limits.acceleration_mps2 -
+                                            limit2 * bend * limit2 * bend));
+            step(i == kCurveSteps ? to : from + length * i / kCurveSteps, limit2, along);
+            before = after;
+        }
+        return;
+    }
+    const double ramp = 0.5 * most2 / limits.acceleration_mps2;
+    const auto evenly = [&](double begin, double end, int count) {
+        for (int i = 1; i <= count; ++i) {
+            step(i == count ? end : begin + (end - begin) * i / count, most2,
+                 limits.acceleration_mps2);
+        }
+    };
+    if (length < 2.5 * ramp) {
+        evenly(from, to, kShortSteps);
+        return;
+    }
+    evenly(from, from + ramp, kRampSteps);
+    evenly(from + ramp, to - ramp, kCruiseSteps);
+    evenly(to - ramp, to, kRampSteps);
+}
+
+void SpeedTrack::findFastest() {
+    for (Node& node : nodes_) node.fastest2 = node.limit2;
+    for (std::size_t k = 0; k < key_nodes_.size(); ++k) {
+        Node& node = nodes_[key_nodes_[k]];
+        node.fastest2 = std::min(node.fastest2, key_limit2_[k]);
+    }
+    for (std::size_t i = 1; i < nodes_.size(); ++i) {
+        nodes_[i].fastest2 =
+            std::min(nodes_[i].fastest2, nodes_[i - 1].fastest2 + nodes_[i - 1].gain2);
+    }
+    for (std::size_t i = nodes_.size() - 1; i > 0; --i) {
+        nodes_[i - 1].fastest2 =
+            std::min(nodes_[i - 1].fastest2, nodes_[i].fastest2 + nodes_[i - 1].gain2);
+    }
+}
+
+void SpeedTrack::findSlowest(std::size_t stretch) {
+    const std::size_t begin = key_nodes_[stretch];
+    const std::size_t end = key_nodes_[stretch + 1];
+    double speed2 = nodes_[begin].fastest2;
+    for (std::size_t i = begin; i <= end; ++i) {
+        nodes_[i].slowest2 = std::max(0.0, speed2);
+        speed2 -= nodes_[i].gain2;
+    }
+    speed2 = nodes_[end].fastest2;
+    for (std::size_t i = end; i > begin; --i) {
+        nodes_[i].slowest2 = std::max(nodes_[i].slowest2, speed2);
+        speed2 -= nodes_[i - 1].gain2;
+    }
+}
+
+double SpeedTrack::speed2(std::size_t node, double cap2) const {
+    return std::max(std::min(nodes_[node].fastest2, cap2), nodes_[node].slowest2);
+}
+
+double SpeedTrack::timeAtCap(std::size_t stretch, double cap2) const {
+    double time = 0.0;
+    const std::size_t begin = key_nodes_[stretch];
+    // The keys' own slowest speeds belong to the neighbouring stretches.
+    double speed = std::sqrt(nodes_[begin].fastest2);
+    for (std::size_t i = begin; i < key_nodes_[stretch + 1]; ++i) {
+        const bool last = i + 1 == key_nodes_[stretch + 1];
+        const double next = std::sqrt(last ? nodes_[i + 1].fastest2 : speed2(i + 1, cap2));
+        if (speed + next <= 0.0) return kInfinity;
+        time += 2.0 * (nodes_[i + 1].arc_m - nodes_[i].arc_m) / (speed + next);
+        speed = next;
+    }
+    return time;
+}
+
+std::vector<std::size_t> SpeedTrack::settle(double interval_s,
+                                            const std::vector<double>& least_times_s) {
+    std::fill(key_limit2_.begin(), key_limit2_.end(), kInfinity);
+    std::vector<std::size_t> intervals(stretchCount(), 1);
+    constexpr int kRounds = 60;
+    for (int round = 0; round <= kRounds; ++round) {
+        if (round == kRounds) std::fill(key_limit2_.begin(), key_limit2_.end(), 0.0);
+        findFastest();
+        bool settled = true;
+        for (std::size_t s = 0; s < stretchCount(); ++s) {
+            findSlowest(s);
+            const double least = std::max(timeAtCap(s, kInfinity), least_times_s[s]);
+            intervals[s] =
+                static_cast<std::size_t>(std::max(1.0, std::ceil(least / interval_s - 1e-9)));
+            if (key_nodes_[s] == key_nodes_[s + 1]) continue;
+            const double time = interval_s * static_cast<double>(intervals[s]);
+            if (timeAtCap(s, 0.0) >= time * (1.0 - 1e-9)) continue;
+            // Too fast at the ends to take so long: at the mean speed it can.
+            const double mean =
+                (nodes_[key_nodes_[s + 1]].arc_m - nodes_[key_nodes_[s]].arc_m) / time;
+            for (const std::size_t key : {s, s + 1}) {
+                key_limit2_[key] = std::min(key_limit2_[key], mean * mean);
+            }
+            settled = false;
+        }
+        if (settled) break;
+    }
+    return intervals;
+}
+
+double SpeedTrack::capFor(std::size_t stretch, double time_s) const {
+    double most2 = 0.0;
+    for (std::size_t i = key_nodes_[stretch]; i <= key_nodes_[stretch + 1]; ++i) {
+        most2 = std::max(most2, nodes_[i].fastest2);
+    }
+    const double length = nodes_[key_nodes_[stretch + 1]].arc_m - nodes_[key_nodes_[stretch]].arc_m;
+    const double wanted = length / time_s;
+    // The mean speed grows with the cap, nearly as fast: regula falsi (Illinois) on it.
+    const auto excess = [&](double cap) { return length / timeAtCap(stretch, cap * cap) - wanted; };
+    double low = 0.0;
+    double high = std::sqrt(most2);
+    double at_low = excess(low);
+    double at_high = excess(high);
+    if (at_high <= 0.0) return most2;
+    if (at_low >= 0.0) return 0.0;
+    double cap = high;
+    int side = 0;  // of the last step; an end that stays twice counts half
+    for (int i = 0; i < 60; ++i) {
+        cap = (low * at_high - high * at_low) / (at_high - at_low);
+        const double at_cap = excess(cap);
+        if (std::abs(at_cap) <= 1e-10 * wanted) break;
+        if (at_cap > 0.0) {
+            high = cap;
+            at_high = at_cap;
+            if (side == 1) at_low *= 0.5;
+            side = 1;
+        } else {
+            low = cap;
+            at_low = at_cap;
+            if (side == -1) at_high *= 0.5;
+            side = -1;
+        }
+    }
+    return cap * cap;
+}
+
+std::vector<double> SpeedTrack::arcs(std::size_t stretch, double time_s,
+                                     std::size_t intervals) const {
+    const std::size_t begin = key_nodes_[stretch];
+    const std::size_t end = key_nodes_[stretch + 1];
+    if (begin == end || intervals < 2) {
+        return std::vector<double>(intervals - 1, nodes_[begin].arc_m);
+    }
+    const double cap2 = capFor(stretch, time_s);
+    std::vector<double> arcs;
+    arcs.reserve(intervals - 1);
+    double node_time = 0.0;
+    double speed = std::sqrt(nodes_[begin].fastest2);
+    for (std::size_t i = begin; i < end && arcs.size() + 1 < intervals; ++i) {
+        const double next = std::sqrt(i + 1 == end ? nodes_[end].fastest2 : speed2(i + 1, cap2));
+        const double length = nodes_[i + 1].arc_m - nodes_[i].arc_m;
+        const double spent = 2.0 * length / (speed + next);
+        while (arcs.size() + 1 < intervals) {
+            const double since =
+                time_s * static_cast<double>(arcs.size() + 1) / static_cast<double>(intervals) -
+                node_time;
+            if (since > spent) break;
+            arcs.push_back(nodes_[i].arc_m +
+                           since * (speed + 0.5 * (next - speed) * since / spent));
+        }
+        node_time += spent;
+        speed = next;
+    }
+    while (arcs.size() + 1 < intervals) arcs.push_back(nodes_[end].arc_m);  // rounding
+    return arcs;
+}
+
+}  // namespace dollytrack::planning
