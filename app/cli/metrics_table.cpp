@@ -44,6 +44,19 @@ std::string metricsTable(const nlohmann::json& m) {
     text +=
         row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
                                   m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
+    const auto spread = [&](const std::string& name, const std::string& unit,
+                            const std::string& unit_text) {
+        const auto value = [&](const char* what) {
+            return m.value(name + "_" + what + "_" + unit, 0.0);
+        };
+        return fmt::format("{:.3g} {} median, {:.3g} for 95 %, {:.3g} at most", value("median"),
+                           unit_text, value("p95"), value("max"));
+    };
+    text += row("speed", spread("speed", "mps", "m/s"));
+    text += row("acceleration", spread("acceleration", "mps2", "m/s2"));
+    text += row("jerk", spread("jerk", "mps3", "m/s3"));
+    text += row("turning", spread("turn", "dps", "deg/s"));
+    text += row("  its change", spread("turn_acceleration", "dps2", "deg/s2"));
     text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
     text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
                                     m.value("plan_ms", 0.0)));

@@ -5,6 +5,7 @@
 #include "engine/plan/capture.h"
 #include "engine/plan/capture_ledger.h"
 #include "engine/plan/frame_series.h"
+#include "engine/plan/motion_metrics.h"
 #include "engine/plan/roadmap.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
@@ -38,6 +39,7 @@ struct TrajectoryMetrics {
     double corner_collision_rate = 0.0;
     double frame_collision_rate = 0.0;
     double min_clearance_m = 0.0;
+    MotionMetrics motion;
 };
 
 /// How many targets a dense search over all legal poses could capture.

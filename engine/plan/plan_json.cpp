@@ -95,6 +95,8 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"refused_pins", json::array()},
         {"ledger", ledgerJson(scene, plan.ledger)},
     });
+    visitMotionMetrics(motion.motion,
+                       [&](const std::string& name, double value) { result[name] = value; });
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const LedgerRow& row : plan.ledger) {
         if (!row.captured || row.well_captured) continue;

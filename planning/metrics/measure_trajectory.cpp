@@ -35,6 +35,13 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
         const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
         collides[i] = sphere.clearance(position, sphere.radius()) < sphere.radius();
     });
+    // A shaken camera is not always on its path.
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        metrics.min_clearance_m =
+            std::min(metrics.min_clearance_m,
+                     sphere.clearance(frame.pose.position, metrics.min_clearance_m));
+    }
+    metrics.motion = measureMotion(trajectory);
     metrics.frame_collision_rate =
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /
         static_cast<double>(count);

@@ -75,6 +75,14 @@ void drawTrajectory(const Plan& plan, bool measured) {
             "Frames that show next to no surface that no earlier frame saw");
         row("Object pixels", fmt::format("{:.1f} %", 100.0 * metrics.object_pixels),
             "Share of the images on targets");
+        const auto spread = [](const Spread& of, const char* unit) {
+            return fmt::format("{:.2f} {}, {:.2f} at most", of.median, unit, of.max);
+        };
+        const MotionMetrics& motion = metrics.motion;
+        row("Speed", spread(motion.speed_mps, "m/s"), "Median, from frame to frame");
+        row("Turning", spread(motion.turn_dps, "deg/s"), "Median, from frame to frame");
+        row("Acceleration", spread(motion.acceleration_mps2, "m/s2"), "Median over three frames");
+        row("Jerk", spread(motion.jerk_mps3, "m/s3"), "Median over four frames");
         row("Collisions",
             fmt::format("{:.1f} % corners, {:.1f} % frames", 100.0 * metrics.corner_collision_rate,
                         100.0 * metrics.frame_collision_rate),
