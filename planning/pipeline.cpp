@@ -12,6 +12,7 @@
 #include "planning/smoothing/smooth_path.h"
 #include "planning/stage.h"
 #include "planning/targets/observation_points.h"
+#include "planning/timing/shake.h"
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/hand_placed.h"
 #include "planning/viewpoints/key_frames.h"
@@ -80,7 +81,7 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
     Stage<std::tuple<V, PathParams, RoadmapParams>, Paths> paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
-    Stage<std::tuple<V, TimingParams>, Trajectory> timing;
+    Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
     Stage<std::tuple<V>, Metrics> metrics;
 
     // Searches that hold for the inputs beside them.
@@ -241,11 +242,17 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
-            return run("timing", timing, std::tuple(smoothing.version(), params.timing),
-                       job.stage(0.9, 0.91, "timing"), [&] {
-                           return timeTrajectory(*smoothing, placed->viewpoints.position_points,
-                                                 placed->viewpoints.observation_points,
-                                                 params.timing);
+            const JobContext part = job.stage(0.9, 0.91, "timing");
+            return run("timing", timing,
+                       std::tuple(smoothing.version(), params.timing, params.shake), part, [&] {
+                           const Viewpoints& points = placed->viewpoints;
+                           return timeTrajectory(*smoothing, points.position_points,
+                                                 points.observation_points, params.timing)
+                               .and_then([&](Trajectory&& steady) {
+                                   return shakeTrajectory(std::move(steady), points.position_points,
+                                                          *views, sphere, params.shake, params.seed,
+                                                          part);
+                               });
                        });
         })
         .and_then([&] {

@@ -135,6 +135,29 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_frames", p.max_frames, FieldInfo{0, 1e6, "", "Budget of frames; 0: no limit"});
 }
 
+enum class ShakeKind { None, Sinusoidal, Handheld };
+
+/// A sway of the camera on top of its trajectory; see shakeTrajectory().
+struct ShakeParams {
+    ShakeKind shake = ShakeKind::None;
+    double shake_amplitude_m = 0.01;
+    double shake_amplitude_deg = 1.0;
+    double shake_hz = 1.0;
+    bool operator==(const ShakeParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitShakeParams(Params& p, Visitor&& visit) {
+    visit("shake", p.shake,
+          ChoiceInfo{{"none", "sinusoidal", "handheld"},
+                     "Sways the camera along and about its axes, still without any collision"});
+    visit("shake_amplitude_m", p.shake_amplitude_m,
+          FieldInfo{0, 1, "m", "Most that it moves along each axis"});
+    visit("shake_amplitude_deg", p.shake_amplitude_deg,
+          FieldInfo{0, 45, "deg", "Most that it turns about each axis"});
+    visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Its frequency"});
+}
+
 /// Everything that shapes a plan. Field names are unique across the sections.
 struct PlanParams {
     CameraParams camera;
@@ -146,6 +169,7 @@ struct PlanParams {
     PathParams path;
     SmoothingParams smoothing;
     TimingParams timing;
+    ShakeParams shake;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
 };
@@ -171,6 +195,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitSmoothingParams(p.smoothing, visit);
     section("timing");
     visitTimingParams(p.timing, visit);
+    section("shake");
+    visitShakeParams(p.shake, visit);
     section("random");
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }

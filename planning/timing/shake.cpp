@@ -1,0 +1,210 @@
+#include "planning/timing/shake.h"
+
+#include "engine/core/random.h"
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/plan_params.h"
+#include "planning/viewpoints/candidate_judge.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kFade_s = 0.5;         // from none to all of the sway
+constexpr double kShrink = 0.6;         // a try at a smaller sway
+constexpr double kLeastShare = 0.1;     // a smaller sway is none
+constexpr int kGrid = 16;               // of rays, to see whether a key frame keeps its captures
+constexpr std::uint64_t kStream = 977;  // of random numbers
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+class Shaker {
+  public:
+    Shaker(const Trajectory& steady, const std::vector<PositionPoint>& points,
+           const ViewEstimator& views, const SweptSphere& sphere, const ShakeParams& params,
+           int seed)
+        : steady_(steady.frames),
+          interval_s_(steady.frame_interval_s),
+          points_(points),
+          views_(views),
+          sphere_(sphere),
+          params_(params),
+          sways_(steady_.size()),
+          moved_(steady_.size(), 1.0),
+          turned_(steady_.size(), 1.0) {
+        const Sway sway(params, seed);
+        parallelFor(steady_.size(), [&](std::size_t i) { sways_[i] = sway.at(steady_[i].time_s); });
+    }
+
+    /// How much of the sway is left where a path ends or a key frame would lose a capture.
+    void fadeAtKeys() {
+        parallelFor(steady_.size(), [&](std::size_t i) {
+            if (!joined(i) || !joined(i + 1)) {
+                moved_[i] = turned_[i] = 0.0;
+                return;
+            }
+            double share = 1.0;
+            while (share > 0.0 && !keepsCaptures(i, shaken(i, share, share))) {
+                share = share * kShrink < kLeastShare ? 0.0 : share * kShrink;
+            }
+            moved_[i] = turned_[i] = share;
+        });
+        spread(moved_);
+        spread(turned_);
+    }
+
+    /// Shrinks the sway around moves that touch something; false when there was none.
+    bool shrinkAtCollisions() {
+        std::vector<char> touches(steady_.size(), 0);  // the move to this frame
+        parallelFor(steady_.size(), [&](std::size_t i) {
+            // Without any sway the camera keeps to its path, which smoothing has proven.
+            if (!joined(i) || (moved_[i - 1] <= 0.0 && moved_[i] <= 0.0)) return;
+            touches[i] = !sphere_.segment(position(i - 1), position(i)).free;
+        });
+        bool any = false;
+        std::vector<double> shares = moved_;
+        for (std::size_t i = 0; i < touches.size(); ++i) {
+            if (!touches[i]) continue;
+            any = true;
+            for (const std::size_t end : {i - 1, i}) {
+                const double less = moved_[end] * kShrink;
+                shares[end] = std::min(shares[end], less < kLeastShare ? 0.0 : less);
+                // What was checked was another place.
+                if (steady_[end].position_point >= 0) shares[end] = turned_[end] = 0.0;
+            }
+        }
+        if (!any) return false;
+        moved_ = std::move(shares);
+        spread(moved_);
+        spread(turned_);
+        return true;
+    }
+
+    [[nodiscard]] Pose pose(std::size_t i) const { return shaken(i, moved_[i], turned_[i]); }
+
+  private:
+    /// Whether the camera moves to this frame from the one before.
+    [[nodiscard]] bool joined(std::size_t i) const {
+        return i > 0 && i < steady_.size() && steady_[i].path == steady_[i - 1].path;
+    }
+
+    [[nodiscard]] Pose shaken(std::size_t i, double moved, double turned) const {
+        Pose pose = steady_[i].pose;
+        if (moved > 0.0) {
+            pose.position +=
+                pose.rotation * (moved * params_.shake_amplitude_m * sways_[i].head<3>());
+        }
+        if (turned > 0.0) {
+            const Eigen::Vector3d turn = turned * params_.shake_amplitude_deg * std::numbers::pi /
+                                         180.0 * sways_[i].tail<3>();
+            if (turn.norm() > 0.0) {
+                pose.rotation = (pose.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(
+                                                     turn.norm(), turn.normalized())))
+                                    .normalized();
+            }
+        }
+        return pose;
+    }
+
+    [[nodiscard]] Eigen::Vector3d position(std::size_t i) const {
+        return shaken(i, moved_[i], 0.0).position;
+    }
+
+    [[nodiscard]] bool keepsCaptures(std::size_t i, const Pose& pose) const {
+        const int key = steady_[i].position_point;
+        if (key < 0) return true;
+        const PositionPoint& point = points_[static_cast<std::size_t>(key)];
+        if (point.pin >= 0) return false;
+        return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
+            const auto estimate = views_.estimate(pose, id, kGrid);
+            const bool was_well =
+                std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
+            return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);
+        });
+    }
+
+    /// No share may differ from its neighbour's by more than the fade allows.
+    void spread(std::vector<double>& shares) const {
+        const double step = interval_s_ / kFade_s;
+        for (std::size_t i = 1; i < shares.size(); ++i) {
+            if (joined(i)) shares[i] = std::min(shares[i], shares[i - 1] + step);
+        }
+        for (std::size_t i = shares.size(); i-- > 1;) {
+            if (joined(i)) shares[i - 1] = std::min(shares[i - 1], shares[i] + step);
+        }
+    }
+
+    const std::vector<TrajectoryFrame>& steady_;
+    double interval_s_;
+    const std::vector<PositionPoint>& points_;
+    const ViewEstimator& views_;
+    const SweptSphere& sphere_;
+    const ShakeParams& params_;
+    std::vector<Vector6> sways_;
+    std::vector<double> moved_, turned_;  // shares of the sway, 0..1
+};
+
+}  // namespace
+
+Sway::Sway(const ShakeParams& params, int seed) {
+    Random random(static_cast<std::uint64_t>(seed), kStream);
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    for (auto& channel : waves_) {
+        if (params.shake == ShakeKind::Sinusoidal) {
+            // Not one beat for all: the camera would sway along a line.
+            const double hertz = params.shake_hz * random.uniform(0.8, 1.25);
+            channel.push_back({1.0, kTurn * hertz, random.uniform(0.0, kTurn)});
+            continue;
+        }
+        // A hand: slow drift is largest, tremor smallest.
+        constexpr int kWaves = 8;
+        double sum = 0.0;
+        for (int i = 0; i < kWaves; ++i) {
+            const double octaves = -2.0 + 4.0 * (i + random.uniform()) / kWaves;
+            const double share = std::exp2(-0.8 * octaves);
+            channel.push_back(
+                {share, kTurn * params.shake_hz * std::exp2(octaves), random.uniform(0.0, kTurn)});
+            sum += share;
+        }
+        for (Wave& wave : channel) wave.share /= sum;
+    }
+}
+
+Vector6 Sway::at(double time_s) const {
+    Vector6 sway = Vector6::Zero();
+    for (std::size_t channel = 0; channel < waves_.size(); ++channel) {
+        for (const Wave& wave : waves_[channel]) {
+            sway[static_cast<Eigen::Index>(channel)] +=
+                wave.share * std::sin(wave.radians_per_s * time_s + wave.phase);
+        }
+    }
+    return sway;
+}
+
+Result<Trajectory> shakeTrajectory(Trajectory trajectory,
+                                   const std::vector<PositionPoint>& position_points,
+                                   const ViewEstimator& views, const SweptSphere& sphere,
+                                   const ShakeParams& params, int seed, const JobContext& job) {
+    if (params.shake == ShakeKind::None || trajectory.frames.empty()) return trajectory;
+    Shaker shaker(trajectory, position_points, views, sphere, params, seed);
+    shaker.fadeAtKeys();
+    // Ends: each round lowers some share, and one below the least is none.
+    while (!job.cancelled() && shaker.shrinkAtCollisions()) {
+    }
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    std::vector<Pose> poses(trajectory.frames.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i] = shaker.pose(i);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        TrajectoryFrame& frame = trajectory.frames[i];
+        const double distance = (frame.target_in_world - frame.pose.position).norm();
+        frame.pose = poses[i];
+        frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
+    }
+    return trajectory;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,146 @@
+#include "planning/timing/shake.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "engine/plan/plan_json.h"
+#include "planning/pipeline.h"
+#include "planning/visibility/view_estimator.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+using Eigen::Vector3d;
+
+PlanParams shakenBy(ShakeKind kind, double amplitude_m) {
+    PlanParams params;
+    params.shake.shake = kind;
+    params.shake.shake_amplitude_m = amplitude_m;
+    return params;
+}
+
+std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params) {
+    const auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, JobContext{});
+    EXPECT_TRUE(plan.has_value());
+    return *plan;
+}
+
+double furthest(const Trajectory& a, const Trajectory& b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.frames.size(); ++i) {
+        most = std::max(most, (a.frames[i].pose.position - b.frames[i].pose.position).norm());
+    }
+    return most;
+}
+
+}  // namespace
+
+// A sway of 30 cm in a door of 80 cm and between furniture must give way. The check walks the
+// straight moves in millimetres; where the camera keeps to its path, smoothing has proven that.
+TEST(Shake, TouchesNothing) {
+    for (const Scene& scene : {test::twoRoomsWithDoor(0.8), test::furnishedRoom()}) {
+        const RayCaster rays(scene);
+        for (const ShakeKind kind : {ShakeKind::Sinusoidal, ShakeKind::Handheld}) {
+            const auto steady = planOf(scene, PlanParams{});
+            const PlanParams params = shakenBy(kind, 0.3);
+            const auto plan = planOf(scene, params);
+            const auto& frames = plan->trajectory.frames;
+            ASSERT_EQ(frames.size(), steady->trajectory.frames.size());
+            EXPECT_GT(furthest(plan->trajectory, steady->trajectory), 0.1);
+            for (std::size_t i = 1; i < frames.size(); ++i) {
+                if (frames[i].path != frames[i - 1].path) continue;
+                const Vector3d a = frames[i - 1].pose.position;
+                const Vector3d b = frames[i].pose.position;
+                const bool on_path = a == steady->trajectory.frames[i - 1].pose.position &&
+                                     b == steady->trajectory.frames[i].pose.position;
+                if (on_path) continue;
+                const int steps = 1 + static_cast<int>((b - a).norm() / 0.001);
+                for (int s = 0; s <= steps; ++s) {
+                    const Vector3d p = a + (b - a) * s / steps;
+                    ASSERT_GE(rays.closest(p).distance, params.camera.camera_radius_m) << i;
+                }
+            }
+            EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
+        }
+    }
+}
+
+TEST(Shake, CostsNoKeyFrameACapture) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, {});
+    PlanParams params = shakenBy(ShakeKind::Handheld, 0.2);
+    params.shake.shake_amplitude_deg = 12.0;
+    const auto plan = planOf(scene, params);
+    int keys = 0;
+    for (const TrajectoryFrame& frame : plan->trajectory.frames) {
+        if (frame.position_point < 0) continue;
+        ++keys;
+        const PositionPoint& point =
+            plan->position_points[static_cast<std::size_t>(frame.position_point)];
+        for (const int id : point.captured) {
+            EXPECT_TRUE(isCaptured(makeView(views.estimate(frame.pose, id, 72), id, 0))) << id;
+        }
+        for (const int id : point.well_captured) {
+            EXPECT_TRUE(isWellCaptured(makeView(views.estimate(frame.pose, id, 72), id, 0))) << id;
+        }
+    }
+    EXPECT_GT(keys, 1);
+}
+
+TEST(Shake, RepeatsBySeedWhateverTheThreads) {
+    const Scene scene = test::furnishedRoom();
+    const Trajectory steady = planOf(scene, PlanParams{})->trajectory;
+    const auto text = [&](int threads) {
+        setThreadCount(threads);
+        const auto plan = planOf(scene, shakenBy(ShakeKind::Handheld, 0.05));
+        setThreadCount(0);
+        return trajectoryJson(plan->trajectory).dump();
+    };
+    EXPECT_EQ(text(1), text(4));
+    const ShakeParams params = shakenBy(ShakeKind::Handheld, 0.05).shake;
+    EXPECT_NE(Sway(params, 1).at(2.0), Sway(params, 2).at(2.0));
+}
+
+TEST(Shake, SwaysWithinItsAmplitudeAtItsFrequency) {
+    for (const ShakeKind kind : {ShakeKind::Sinusoidal, ShakeKind::Handheld}) {
+        ShakeParams params;
+        params.shake = kind;
+        params.shake_hz = 2.0;
+        const Sway sway(params, 5);
+        for (int channel = 0; channel < 6; ++channel) {
+            int turns = 0;
+            double most = 0.0;
+            double last = sway.at(0.0)[channel];
+            constexpr int kSamples = 60'000;  // of 1 ms
+            for (int i = 1; i <= kSamples; ++i) {
+                const double now = sway.at(i * 0.001)[channel];
+                most = std::max(most, std::abs(now));
+                turns += (now > 0.0) != (last > 0.0) ? 1 : 0;
+                last = now;
+            }
+            EXPECT_LE(most, 1.0 + 1e-12);
+            EXPECT_GT(most, 0.5);
+            if (kind == ShakeKind::Sinusoidal) {  // two crossings a period
+                EXPECT_GE(turns, 2 * 60 * 2.0 * 0.79);
+                EXPECT_LE(turns, 2 * 60 * 2.0 * 1.26);
+            }
+        }
+    }
+}
+
+TEST(Shake, BeginsAndEndsAtRestOnThePath) {
+    const Scene scene = test::furnishedRoom();
+    const auto steady = planOf(scene, PlanParams{});
+    const auto plan = planOf(scene, shakenBy(ShakeKind::Sinusoidal, 0.05));
+    EXPECT_EQ(plan->trajectory.frames.front().pose, steady->trajectory.frames.front().pose);
+    EXPECT_EQ(plan->trajectory.frames.back().pose, steady->trajectory.frames.back().pose);
+}
+
+}  // namespace dollytrack::planning
