@@ -158,6 +158,17 @@ void visitShakeParams(Params& p, Visitor&& visit) {
     visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Its frequency"});
 }
 
+/// The inertial measurements that an export writes beside the poses.
+struct ImuParams {
+    double imu_rate_hz = 200.0;
+    bool operator==(const ImuParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitImuParams(Params& p, Visitor&& visit) {
+    visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
+}
+
 /// Everything that shapes a plan. Field names are unique across the sections.
 struct PlanParams {
     CameraParams camera;
@@ -170,6 +181,7 @@ struct PlanParams {
     SmoothingParams smoothing;
     TimingParams timing;
     ShakeParams shake;
+    ImuParams imu;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
 };
@@ -197,6 +209,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitTimingParams(p.timing, visit);
     section("shake");
     visitShakeParams(p.shake, visit);
+    section("imu");
+    visitImuParams(p.imu, visit);
     section("random");
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }

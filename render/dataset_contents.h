@@ -28,6 +28,7 @@ struct DatasetContents {
     CameraParams camera;
     ModalitySet modalities;            // whose images are in the dataset
     std::vector<DatasetFrame> frames;  // by index
+    double imu_rate_hz = 200.0;
 
     /// What other files show or refer to: the colour pictures, else the first there are.
     [[nodiscard]] const Modality& pictureModality() const {

@@ -75,6 +75,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
                                    camera.hfov_deg, camera.near_m)},
         {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
                                           rules.min_visible_px, rules.min_box_share)},
+        {"the rate of inertial measurements", fmt::format("{:a}", settings.imu_rate_hz)},
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},

@@ -29,6 +29,7 @@ struct DatasetSettings {
     bool overwrite = false;               // allows a folder that holds other files; they stay
     bool resume = false;                  // continues what an export left in the folder
     CaptureRules rules;
+    double imu_rate_hz = 200.0;  // samples a second in imu.csv
 };
 
 /// Whether an export with these settings could begin, as far as can be said without the scene:

@@ -42,6 +42,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     Result<ModalitySet> modalities = chooseModalities(settings.modalities);
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
+    order.contents.imu_rate_hz = settings.imu_rate_hz;
     DatasetCard& card = order.card;
     Result<FormatSet> formats = chooseFormats(settings.formats);
     if (!formats) return tl::unexpected(formats.error());

@@ -114,6 +114,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                     arguments.scene.path);
     }
 
+    settings.imu_rate_hz = planned->params.imu.imu_rate_hz;
     render::DatasetOrigin origin;
     origin.product_version = DOLLYTRACK_VERSION;
     origin.seed = static_cast<std::uint64_t>(planned->params.seed);

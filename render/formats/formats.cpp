@@ -3,6 +3,7 @@
 #include "render/choice.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/coco.h"
+#include "render/formats/imu_csv.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,7 @@ using Files = Result<std::vector<DatasetFile>>;
 
 constexpr std::array<const char*, 1> kCocoFiles = {"annotations.json"};
 constexpr std::array<const char*, 1> kCameraJsonFiles = {"camera.json"};
+constexpr std::array<const char*, 1> kImuFiles = {"imu.csv"};
 
 Files writeCoco(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kCocoFiles[0], cocoText(contents)}};
@@ -61,11 +63,25 @@ Json cameraJsonConvention() {
             {"format", "3D-FRONT: y up, metres, fov horizontal degrees"}};
 }
 
-constexpr std::array<Format, 2> kFormats = {{
+Files writeImu(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kImuFiles[0], imuCsvText(contents)}};
+}
+
+Json imuConvention() {
+    return {{"file", kImuFiles[0]},
+            {"format",
+             "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2, at rest "
+             "9.80665 against gravity) in the camera's axes; free of noise and bias; the frames of "
+             "each continuous motion joined by a twice continuously differentiable spline"}};
+}
+
+constexpr std::array<Format, 3> kFormats = {{
     {"coco", "COCO instances: boxes and masks of the targets, in annotations.json", true,
      kCocoFiles, writeCoco, cocoConvention},
     {"camera_json", "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
      false, kCameraJsonFiles, writeCameraJson, cameraJsonConvention},
+    {"imu", "inertial measurements along the motion, in imu.csv", false, kImuFiles, writeImu,
+     imuConvention},
 }};
 
 }  // namespace
