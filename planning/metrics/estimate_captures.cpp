@@ -10,7 +10,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kCoarseGrid = 7;
-constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of two orders
+constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of three orders
 constexpr int kExactGrid = 72;   // denser than this adds nothing that decides
 
 /// A cheap look, without rays, at whether a frame could capture the object.
@@ -26,8 +26,8 @@ bool mayCapture(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside.sizes().prod() >= 0.5 * extent->sizes().prod();
 }
 
-/// The frames that are worth a look by every pixel, by two orders: most visible, and most visible
-/// among those that show the object large.
+/// The frames that are worth a look by every pixel, by three orders: most visible, most visible
+/// among those that show the object large, and of these the safest.
 std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
     std::vector<int> frames;
     const auto take = [&](auto&& better) {
@@ -44,6 +44,15 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
         return v.box_share < 0.9 * CaptureRules{}.min_box_share;
     });
     take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
+    // Among many alike the most visible may all be a little too small: also those that pass both
+    // conditions by the widest margin.
+    const auto margin = [](const ObjectView& v) {
+        const CaptureRules rules;
+        return std::tuple(-std::min(v.visible_fraction / rules.min_visible_fraction,
+                                    v.box_share / rules.min_box_share),
+                          v.frame);
+    };
+    take([&](const ObjectView& a, const ObjectView& b) { return margin(a) < margin(b); });
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
