@@ -4,6 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/free_space/surface_map.h"
 #include "planning/linking/link_groups.h"
 #include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
@@ -68,7 +69,8 @@ struct Pipeline::Stages {
     std::shared_ptr<const Scene> scene;
     V scene_version = 0;
     Stage<std::tuple<>, RayCaster> rays;
-    Stage<std::tuple<double, double>, FreeSpace> free_space;
+    Stage<std::tuple<double>, SurfaceMap> surfaces;
+    Stage<std::tuple<unsigned, double>, FreeSpace> free_space;
     Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double>, AllowedRegion>
         region;
     Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
@@ -121,13 +123,17 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
     return run("rays", rays, std::tuple<>(), job.stage(0.0, 0.1, "rays"),
                [&]() -> Result<RayCaster> { return RayCaster(*scene); })
         .and_then([&] {
-            const JobContext part = job.stage(0.1, 0.4, "free space");
-            return run(
-                "free_space", free_space,
-                std::tuple(params.camera.camera_radius_m, params.free_space.octree_resolution_m),
-                part, [&] {
-                    return FreeSpace::build(*scene, *rays, params.camera, params.free_space, part);
-                });
+            const JobContext part = job.stage(0.1, 0.2, "surfaces");
+            return run("surfaces", surfaces, std::tuple(params.free_space.octree_resolution_m),
+                       part, [&] { return SurfaceMap::build(*scene, params.free_space, part); });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.2, 0.4, "free space");
+            return run("free_space", free_space,
+                       std::tuple(surfaces.version(), params.camera.camera_radius_m), part, [&] {
+                           return FreeSpace::buildOver(surfaces.share(), *scene, *rays,
+                                                       params.camera, part);
+                       });
         })
         .and_then([&] {
             const FreeSpaceParams& limits = params.free_space;
@@ -290,8 +296,9 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.refused_pins = placed->refused;
     plan.stages = times;
     for (const StageTime& stage : times) {
-        const bool maps = stage.name == "rays" || stage.name == "free_space" ||
-                          stage.name == "region" || stage.name == "views";
+        const bool maps = stage.name == "rays" || stage.name == "surfaces" ||
+                          stage.name == "free_space" || stage.name == "region" ||
+                          stage.name == "views";
         if (maps) plan.map_ms += stage.milliseconds;
         if (!maps && stage.name != "metrics") plan.plan_ms += stage.milliseconds;
     }

@@ -1,15 +1,11 @@
 #include "planning/free_space/free_space.h"
 
-#include "engine/core/log.h"
 #include "engine/jobs/parallel.h"
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
-#include "planning/free_space/enclosure.h"
-#include "planning/free_space/floor_plan.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
-#include "planning/free_space/sight.h"
-#include "planning/free_space/voxelize.h"
+#include "planning/free_space/surface_map.h"
 
 #include <octomap/OcTree.h>
 
@@ -23,8 +19,6 @@
 namespace dollytrack::planning {
 namespace {
 
-// 130 million cells take about 0.8 GB while the map is built.
-constexpr std::size_t kMaxCells = std::size_t{1} << 27U;
 constexpr std::size_t kMaxSampleCells = std::size_t{1} << 19U;
 // Rules stricter than needed find little; below this share of the air the next rule is tried.
 constexpr double kEnoughAir = 0.15;
@@ -45,46 +39,42 @@ std::string inMetres(double value) {
 }  // namespace
 
 struct FreeSpace::Impl {
+    std::shared_ptr<const SurfaceMap> surfaces;
     VoxelGrid grid;
     std::vector<std::uint8_t> cells;  // state and leaf level
-    std::vector<std::uint16_t> squared_gaps;
-    std::array<double, 6> gap_beyond_m = {};
     FoundRooms found;
     std::vector<float> gap_m;  // by squared gap
     std::vector<Room> rooms;
     std::vector<std::vector<Eigen::Vector3f>> room_cells;
+    std::once_flag octree_asked;  // by pictures and files, never by planning
     OctreePtr octree;
     Eigen::AlignedBox3d bounds;
     std::once_flag leaks_asked;  // by the report alone, never by planning
     LeakReport leaks;
 
     Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays,
-                                     const CameraParams& camera, const SurfaceCells& surfaces,
-                                     std::vector<std::uint8_t>& inside, const JobContext& job);
-    void setStates(const std::vector<std::uint8_t>& surfaces, std::vector<std::uint8_t>& inside);
+                                     const CameraParams& camera, EnclosureRule& rule,
+                                     const JobContext& job) const;
+    void setStates(const std::vector<std::uint8_t>& inside);
     void describeRooms();
     void collectCells(std::size_t room);
     void makeGapTable();
 };
 
-/// The rooms by the strictest rule that finds any worth the name.
+/// The rooms by the strictest rule that finds any worth the name; sets `rule`.
 Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayCaster& rays,
-                                                  const CameraParams& camera,
-                                                  const SurfaceCells& surfaces,
-                                                  std::vector<std::uint8_t>& inside,
-                                                  const JobContext& job) {
-    const std::vector<std::uint8_t> sight = lookAround(grid, surfaces.cells, job);
-    if (job.cancelled()) return cancelled();
-    const FloorPlan plan = drawFloorPlan(grid, surfaces.cells);
+                                                  const CameraParams& camera, EnclosureRule& rule,
+                                                  const JobContext& job) const {
     FoundRooms best;
     std::int64_t best_cells = 0;
-    double stage = 0.3;
-    for (const EnclosureRule rule : kRules) {
-        std::vector<std::uint8_t> tried = findInside(grid, surfaces.cells, sight, plan, rule);
+    double stage = 0.0;
+    for (const EnclosureRule tried : kRules) {
+        const std::vector<std::uint8_t>& inside = surfaces->inside(tried);
         if (job.cancelled()) return cancelled();
         job.report(stage += 0.1);
-        FoundRooms tried_rooms = findRooms(scene, rays, grid, surfaces.cells, squared_gaps, tried,
-                                           camera.camera_radius_m, job);
+        FoundRooms tried_rooms =
+            findRooms(scene, rays, surfaces->grid(), surfaces->surfaces().cells, surfaces->gaps(),
+                      inside, camera.camera_radius_m, job);
         if (job.cancelled()) return cancelled();
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
@@ -94,24 +84,28 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
             kEnoughAir * static_cast<double>(cells_found) > static_cast<double>(best_cells)) {
             best = std::move(tried_rooms);
             best_cells = cells_found;
-            inside = std::move(tried);
+            rule = tried;
         }
-        std::int64_t air = 0;
-        for (std::size_t i = 0; i < grid.size(); ++i) air += surfaces.cells[i] == 0 ? 1 : 0;
-        if (static_cast<double>(best_cells) >= kEnoughAir * static_cast<double>(air)) break;
+        if (static_cast<double>(best_cells) >=
+            kEnoughAir * static_cast<double>(surfaces->airCells())) {
+            break;
+        }
     }
     return best;
 }
 
 /// Free is the air inside that is connected with a room.
-void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
-                                std::vector<std::uint8_t>& inside) {
+void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& inside) {
+    std::vector<std::uint8_t> open(grid.size());
+    const std::vector<std::uint8_t>& surface = surfaces->surfaces().cells;
+    cells.resize(grid.size());
     parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            inside[i] = inside[i] != 0 && found.hollow[i] == 0 ? 1 : 0;
+            open[i] = inside[i] != 0 && found.hollow[i] == 0 ? 1 : 0;
+            cells[i] = surface[i] != 0 ? kOccupiedCell : kUnknownCell;
         }
     });
-    const CellComponents air = findComponents(grid, inside, 1);
+    const CellComponents air = findComponents(grid, open, 1);
     std::vector<std::uint8_t> has_room(air.cells.size(), 0);
     for (const CellRun& run : air.runs) {
         const auto component = static_cast<std::size_t>(run.component);
@@ -121,12 +115,6 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& surfaces,
         has_room[component] = std::any_of(row, row + (run.x_end - run.x_begin),
                                           [](std::uint8_t room) { return room != kNoRoom; });
     }
-    cells.assign(grid.size(), kUnknownCell);
-    parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (surfaces[i] != 0) cells[i] = kOccupiedCell;
-        }
-    });
     for (const CellRun& run : air.runs) {
         if (has_room[static_cast<std::size_t>(run.component)] == 0) continue;
         std::fill_n(
@@ -195,63 +183,40 @@ FreeSpace& FreeSpace::operator=(FreeSpace&&) noexcept = default;
 Result<FreeSpace> FreeSpace::build(const Scene& scene, const RayCaster& rays,
                                    const CameraParams& camera, const FreeSpaceParams& params,
                                    const JobContext& job) {
-    if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {
-        return fail(ErrorCode::BadInput, "give a cell size from 0.01 to 0.5 m",
-                    "octree_resolution_m");
-    }
+    auto surfaces = SurfaceMap::build(scene, params, job.stage(0.0, 0.4, "surfaces"));
+    if (!surfaces) return tl::unexpected(std::move(surfaces.error()));
+    return buildOver(std::make_shared<const SurfaceMap>(std::move(*surfaces)), scene, rays, camera,
+                     job.stage(0.4, 1.0, "rooms"));
+}
+
+Result<FreeSpace> FreeSpace::buildOver(std::shared_ptr<const SurfaceMap> surfaces,
+                                       const Scene& scene, const RayCaster& rays,
+                                       const CameraParams& camera, const JobContext& job) {
     if (!(camera.camera_radius_m >= 0.01 && camera.camera_radius_m <= 1.0)) {
         return fail(ErrorCode::BadInput, "give a radius from 0.01 to 1 m", "camera_radius_m");
     }
-    const Eigen::AlignedBox3d& room = scene.room_bounds;
-    if (!room.min().allFinite() || !room.max().allFinite() || room.isEmpty() ||
-        room.sizes().maxCoeff() > 1e4) {
-        return fail(ErrorCode::BadInput,
-                    "the scene has no usable bounds to look for rooms in; check its units",
-                    scene.name);
-    }
     auto impl = std::make_unique<Impl>();
-    VoxelGrid& grid = impl->grid;
-    grid = makeVoxelGrid(room, params.octree_resolution_m, kMaxCells);
-    if (!fitsOctree(grid)) {
-        return fail(ErrorCode::BadInput,
-                    "the room lies too far from the origin for its map; move it to within " +
-                        inMetres(32000 * grid.resolution_m) + " or raise octree_resolution_m",
-                    scene.name);
-    }
-    if (grid.resolution_m > params.octree_resolution_m) {
-        log::warn("planning", "the scene is too large for cells of " +
-                                  inMetres(params.octree_resolution_m) + ": it is mapped with " +
-                                  inMetres(grid.resolution_m) +
-                                  "; set octree_resolution_m, or check the scene's units");
-    }
-
-    const SurfaceCells surfaces = voxelize(scene, grid, job);
-    if (job.cancelled()) return cancelled();
-    job.report(0.15);
-    impl->squared_gaps = squaredGaps(grid, surfaces.cells, job);
-    impl->gap_beyond_m = surfaces.gap_beyond_m;
-    if (job.cancelled()) return cancelled();
-    job.report(0.3);
-
-    std::vector<std::uint8_t> inside;
-    Result<FoundRooms> found = impl->findBestRooms(scene, rays, camera, surfaces, inside, job);
+    impl->surfaces = std::move(surfaces);
+    impl->grid = impl->surfaces->grid();
+    EnclosureRule rule = EnclosureRule::Walls;
+    Result<FoundRooms> found = impl->findBestRooms(scene, rays, camera, rule, job);
     if (!found) return tl::unexpected(found.error());
     if (found->rooms.empty()) {
         return fail(ErrorCode::BadInput,
                     "no room of the scene has space for a camera of radius " +
                         inMetres(camera.camera_radius_m) + " at cells of " +
-                        inMetres(grid.resolution_m) +
+                        inMetres(impl->grid.resolution_m) +
                         "; lower camera_radius_m or octree_resolution_m, or check the units",
                     scene.name);
     }
     impl->found = std::move(*found);
-    impl->setStates(surfaces.cells, inside);
+    impl->setStates(impl->surfaces->inside(rule));
     impl->describeRooms();
     if (job.cancelled()) return cancelled();
     job.report(0.8);
 
-    impl->octree = buildOctree(grid, impl->cells);
-    impl->bounds = grid.box();
+    markLeaves(impl->grid, impl->cells);
+    impl->bounds = impl->grid.box();
     impl->makeGapTable();
     job.report(1.0);
     return FreeSpace(std::move(impl));
@@ -281,12 +246,12 @@ double FreeSpace::clearanceLowerBound(const Eigen::Vector3d& point) const {
     if (!grid.find(point, cell)) return 0.0;
     const std::size_t i = grid.indexOf(cell[0], cell[1], cell[2]);
     if ((impl_->cells[i] & kCellStateMask) != kFreeCell) return 0.0;
-    double clearance = impl_->gap_m[impl_->squared_gaps[i]];
+    double clearance = impl_->gap_m[impl_->surfaces->gaps()[i]];
     // Surfaces outside the map lie beyond one of its sides.
+    const std::array<double, 6>& gap_beyond_m = impl_->surfaces->surfaces().gap_beyond_m;
     for (unsigned k = 0; k < 3; ++k) {
-        clearance =
-            std::min({clearance, point[k] - impl_->bounds.min()[k] + impl_->gap_beyond_m[2 * k],
-                      impl_->bounds.max()[k] - point[k] + impl_->gap_beyond_m[2 * k + 1]});
+        clearance = std::min({clearance, point[k] - impl_->bounds.min()[k] + gap_beyond_m[2 * k],
+                              impl_->bounds.max()[k] - point[k] + gap_beyond_m[2 * k + 1]});
     }
     return clearance;
 }
@@ -325,11 +290,13 @@ const std::vector<Eigen::Vector3f>& FreeSpace::cells(int component) const {
 }
 
 const octomap::OcTree& FreeSpace::octree() const {
+    std::call_once(impl_->octree_asked,
+                   [&] { impl_->octree = growOctree(impl_->grid, impl_->cells); });
     return *impl_->octree;
 }
 
 void FreeSpace::visitLeaves(const std::function<void(const FreeSpaceLeaf&)>& visit) const {
-    const octomap::OcTree& tree = *impl_->octree;
+    const octomap::OcTree& tree = octree();
     for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
         FreeSpaceLeaf seen;
         seen.center = {leaf.getX(), leaf.getY(), leaf.getZ()};

@@ -20,6 +20,8 @@ class OcTree;
 
 namespace dollytrack::planning {
 
+class SurfaceMap;
+
 /// Free is air that belongs to a room; outside the building and inside furniture is unknown.
 enum class CellState { Free, Occupied, Unknown };
 
@@ -53,6 +55,11 @@ class FreeSpace {
                                    const CameraParams& camera, const FreeSpaceParams& params,
                                    const JobContext& job = {});
 
+    /// The same from surfaces that were mapped before, which another camera may share.
+    static Result<FreeSpace> buildOver(std::shared_ptr<const SurfaceMap> surfaces,
+                                       const Scene& scene, const RayCaster& rays,
+                                       const CameraParams& camera, const JobContext& job = {});
+
     ~FreeSpace();
     FreeSpace(FreeSpace&&) noexcept;
     FreeSpace& operator=(FreeSpace&&) noexcept;
@@ -82,7 +89,8 @@ class FreeSpace {
     /// than half a million cells.
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const;
 
-    /// Free leaves have the lowest occupancy, occupied ones the highest; unknown has no node.
+    /// Free leaves have the lowest occupancy, occupied ones the highest; unknown has no node. Grown
+    /// when first asked for.
     [[nodiscard]] const octomap::OcTree& octree() const;
 
     /// Calls `visit` for every free and occupied leaf.

@@ -36,8 +36,27 @@ Level finestLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells)
     Level level;
     for (unsigned k = 0; k < 3; ++k) level.first[k] = grid.first[k] + kKeyOffset;
     level.count = grid.count;
-    level.states = cells;
+    level.states.resize(cells.size());
+    parallelRanges(cells.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) level.states[i] = cells[i] & kCellStateMask;
+    });
     return level;
+}
+
+/// Equal states stay, others become mixed.
+constexpr std::uint8_t joined(std::uint8_t a, std::uint8_t b) {
+    return a == b ? a : kMixed;
+}
+
+/// The states of a fine row joined in pairs as the coarse cubes hold them; outside is unknown.
+void joinPairs(const std::uint8_t* fine, int fine_first, int fine_count, int coarse_first,
+               std::vector<std::uint8_t>& coarse) {
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+        const int x = 2 * (coarse_first + static_cast<int>(i)) - fine_first;
+        const std::uint8_t a = x >= 0 && x < fine_count ? fine[x] : kUnknownCell;
+        const std::uint8_t b = x + 1 >= 0 && x + 1 < fine_count ? fine[x + 1] : kUnknownCell;
+        coarse[i] = joined(a, b);
+    }
 }
 
 Level coarser(const Level& fine) {
@@ -50,24 +69,41 @@ Level coarser(const Level& fine) {
     }
     level.states.resize(size);
     const auto [nx, ny, nz] = level.count;
-    parallelFor(static_cast<std::size_t>(nz), [&, nx = nx, ny = ny](std::size_t z) {
-        std::size_t index = z * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nx);
+    const auto width = static_cast<std::size_t>(nx);
+    parallelFor(static_cast<std::size_t>(nz), [&, ny = ny](std::size_t z) {
+        const std::vector<std::uint8_t> unknown(width, kUnknownCell);
+        std::vector<std::uint8_t> pairs(width);
         for (int y = 0; y < ny; ++y) {
-            for (int x = 0; x < nx; ++x, ++index) {
-                std::uint8_t state = kMixed;
-                for (int child = 0; child < 8; ++child) {
-                    const std::uint8_t part =
-                        fine.at({2 * (level.first[0] + x) + (child & 1),
-                                 2 * (level.first[1] + y) + (child >> 1 & 1),
-                                 2 * (level.first[2] + static_cast<int>(z)) + (child >> 2 & 1)});
-                    if (child == 0) state = part;
-                    if (part != state) state = kMixed;
+            std::uint8_t* row =
+                level.states.data() +
+                (z * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y)) * width;
+            for (int part = 0; part < 4; ++part) {
+                const int fine_y = 2 * (level.first[1] + y) + (part & 1) - fine.first[1];
+                const int fine_z =
+                    2 * (level.first[2] + static_cast<int>(z)) + (part >> 1) - fine.first[2];
+                const bool within =
+                    fine_y >= 0 && fine_y < fine.count[1] && fine_z >= 0 && fine_z < fine.count[2];
+                if (within) {
+                    joinPairs(fine.states.data() + (static_cast<std::size_t>(fine_z) *
+                                                        static_cast<std::size_t>(fine.count[1]) +
+                                                    static_cast<std::size_t>(fine_y)) *
+                                                       static_cast<std::size_t>(fine.count[0]),
+                              fine.first[0], fine.count[0], level.first[0], pairs);
                 }
-                level.states[index] = state;
+                const std::vector<std::uint8_t>& from = within ? pairs : unknown;
+                for (std::size_t x = 0; x < width; ++x) {
+                    row[x] = part == 0 ? from[x] : joined(row[x], from[x]);
+                }
             }
         }
     });
     return level;
+}
+
+std::vector<Level> allLevels(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells) {
+    std::vector<Level> levels = {finestLevel(grid, cells)};
+    while (levels.size() <= kRootLevel) levels.push_back(coarser(levels.back()));
+    return levels;
 }
 
 /// An OctoMap tree that grows from its root: OctoMap's own calls insert cell by cell.
@@ -102,32 +138,6 @@ class GrownTree : public octomap::OcTree {
     }
 };
 
-/// Writes into every cell the level of the largest uniform cube around it.
-void writeLevels(const VoxelGrid& grid, const std::vector<Level>& levels,
-                 std::vector<std::uint8_t>& cells) {
-    parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
-        for (int y = 0; y < grid.count[1]; ++y) {
-            const std::size_t row = grid.rowOf(y, static_cast<int>(z));
-            int level = 0;
-            for (int x = 0; x < grid.count[0]; ++x) {
-                const Cube key = {grid.first[0] + x + kKeyOffset, grid.first[1] + y + kKeyOffset,
-                                  grid.first[2] + static_cast<int>(z) + kKeyOffset};
-                const auto uniform = [&](int n) {
-                    return levels[static_cast<std::size_t>(n)].at(
-                               {key[0] >> n, key[1] >> n, key[2] >> n}) != kMixed;
-                };
-                // The leaf of the cell before goes on until its cube ends.
-                if (x == 0 || (key[0] & ((1 << level) - 1)) == 0) {
-                    level = 0;
-                    while (level < kRootLevel && uniform(level + 1)) ++level;
-                }
-                std::uint8_t& cell = cells[row + static_cast<std::size_t>(x)];
-                cell = static_cast<std::uint8_t>(cell | level << kCellLevelShift);
-            }
-        }
-    });
-}
-
 }  // namespace
 
 void OctreeDeleter::operator()(octomap::OcTree* tree) const {
@@ -141,12 +151,36 @@ bool fitsOctree(const VoxelGrid& grid) {
     return true;
 }
 
-OctreePtr buildOctree(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
-    std::vector<Level> levels = {finestLevel(grid, cells)};
-    while (levels.size() <= kRootLevel) levels.push_back(coarser(levels.back()));
+void markLeaves(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
+    const std::vector<Level> levels = allLevels(grid, cells);
+    parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
+        for (int y = 0; y < grid.count[1]; ++y) {
+            const std::size_t row = grid.rowOf(y, static_cast<int>(z));
+            for (int x = 0; x < grid.count[0];) {
+                const Cube key = {grid.first[0] + x + kKeyOffset, grid.first[1] + y + kKeyOffset,
+                                  grid.first[2] + static_cast<int>(z) + kKeyOffset};
+                int level = 0;
+                while (level < kRootLevel && levels[static_cast<std::size_t>(level) + 1].at(
+                                                 {key[0] >> (level + 1), key[1] >> (level + 1),
+                                                  key[2] >> (level + 1)}) != kMixed) {
+                    ++level;
+                }
+                // The leaf goes on until its cube ends.
+                const int next = (((key[0] >> level) + 1) << level) - key[0] + x;
+                const int end = std::min(next, grid.count[0]);
+                for (; x < end; ++x) {
+                    std::uint8_t& cell = cells[row + static_cast<std::size_t>(x)];
+                    cell = static_cast<std::uint8_t>((cell & kCellStateMask) |
+                                                     level << kCellLevelShift);
+                }
+            }
+        }
+    });
+}
+
+OctreePtr growOctree(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells) {
     auto tree = std::make_unique<GrownTree>(grid.resolution_m);
-    tree->grow(levels);
-    writeLevels(grid, levels, cells);
+    tree->grow(allLevels(grid, cells));
     return OctreePtr(tree.release());
 }
 

@@ -26,10 +26,13 @@ constexpr std::uint8_t kOccupiedCell = 2;
 constexpr std::uint8_t kCellStateMask = 3;
 constexpr int kCellLevelShift = 2;
 
-/// Builds the tree from the states of the grid's cells, with a leaf for each largest cube of equal
-/// state; free has the lowest occupancy, occupied the highest, unknown has no node. Writes the
-/// leaf's level into every cell.
-OctreePtr buildOctree(const VoxelGrid& grid, std::vector<std::uint8_t>& cells);
+/// Writes the level of the octree's leaf around it into every cell: leaves are the largest cubes of
+/// equal state.
+void markLeaves(const VoxelGrid& grid, std::vector<std::uint8_t>& cells);
+
+/// The tree with those leaves; free has the lowest occupancy, occupied the highest, unknown has no
+/// node.
+OctreePtr growOctree(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells);
 
 /// Whether the grid lies within the reach of an octree's 16-bit keys.
 bool fitsOctree(const VoxelGrid& grid);

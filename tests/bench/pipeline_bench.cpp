@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cstdlib>
 
 namespace dollytrack {
@@ -40,6 +41,49 @@ void planFromScratch(benchmark::State& state) {
     }
 }
 BENCHMARK(planFromScratch)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Milliseconds from a change to the new trajectory, as the editor waits for it: `change` alters
+/// the parameters by a step that alternates.
+template <class Change>
+void replanAfter(benchmark::State& state, Change&& change) {
+    const auto scene = benchScene();
+    if (!scene) return state.SkipWithError("the scene cannot be loaded");
+    planning::Pipeline pipeline(scene);
+    planning::PlanParams p;
+    if (!pipeline.run(p, JobContext{})) return state.SkipWithError("planning failed");
+    bool odd = true;
+    for (auto _ : state) {
+        change(p, odd);
+        odd = !odd;
+        const auto begin = std::chrono::steady_clock::now();
+        std::chrono::duration<double> until_trajectory{};
+        const auto plan = pipeline.run(p, {}, JobContext{}, [&](const auto&) {
+            until_trajectory = std::chrono::steady_clock::now() - begin;
+        });
+        if (!plan) return state.SkipWithError("planning failed");
+        state.SetIterationTime(until_trajectory.count());
+    }
+}
+
+void replanFromRadius(benchmark::State& state) {
+    replanAfter(state, [](planning::PlanParams& p, bool odd) {
+        p.camera.camera_radius_m = odd ? 0.12 : 0.15;
+    });
+}
+BENCHMARK(replanFromRadius)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+void replanFromResolution(benchmark::State& state) {
+    replanAfter(state, [](planning::PlanParams& p, bool odd) {
+        p.free_space.octree_resolution_m = odd ? 0.045 : 0.05;
+    });
+}
+BENCHMARK(replanFromResolution)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+void replanFromFieldOfView(benchmark::State& state) {
+    replanAfter(state,
+                [](planning::PlanParams& p, bool odd) { p.camera.hfov_deg = odd ? 62.0 : 60.0; });
+}
+BENCHMARK(replanFromFieldOfView)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 /// What dragging a slider of the smoothing costs.
 void replanFromSmoothing(benchmark::State& state) {

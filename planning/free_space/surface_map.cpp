@@ -1,0 +1,114 @@
+#include "planning/free_space/surface_map.h"
+
+#include "engine/core/log.h"
+#include "planning/free_space/distance_field.h"
+#include "planning/free_space/floor_plan.h"
+#include "planning/free_space/octree.h"
+#include "planning/free_space/sight.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <string>
+
+namespace dollytrack::planning {
+namespace {
+
+// 130 million cells take about 0.9 GB while the map is built.
+constexpr std::size_t kMaxCells = std::size_t{1} << 27U;
+constexpr std::size_t kRules = 3;
+
+tl::unexpected<Error> cancelled() {
+    return fail(ErrorCode::Cancelled, "mapping the free space was cancelled");
+}
+
+std::string inMetres(double value) {
+    std::array<char, 32> text = {};
+    std::snprintf(text.data(), text.size(), "%.3g m", value);
+    return text.data();
+}
+
+}  // namespace
+
+struct SurfaceMap::Impl {
+    VoxelGrid grid;
+    SurfaceCells surfaces;
+    std::vector<std::uint16_t> gaps;
+    std::vector<std::uint8_t> sight;
+    FloorPlan plan;
+    std::int64_t air = 0;
+    std::array<std::once_flag, kRules> asked;
+    std::array<std::vector<std::uint8_t>, kRules> inside;
+};
+
+SurfaceMap::SurfaceMap(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SurfaceMap::~SurfaceMap() = default;
+SurfaceMap::SurfaceMap(SurfaceMap&&) noexcept = default;
+SurfaceMap& SurfaceMap::operator=(SurfaceMap&&) noexcept = default;
+
+Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& params,
+                                     const JobContext& job) {
+    if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {
+        return fail(ErrorCode::BadInput, "give a cell size from 0.01 to 0.5 m",
+                    "octree_resolution_m");
+    }
+    const Eigen::AlignedBox3d& room = scene.room_bounds;
+    if (!room.min().allFinite() || !room.max().allFinite() || room.isEmpty() ||
+        room.sizes().maxCoeff() > 1e4) {
+        return fail(ErrorCode::BadInput,
+                    "the scene has no usable bounds to look for rooms in; check its units",
+                    scene.name);
+    }
+    auto impl = std::make_unique<Impl>();
+    impl->grid = makeVoxelGrid(room, params.octree_resolution_m, kMaxCells);
+    const VoxelGrid& grid = impl->grid;
+    if (!fitsOctree(grid)) {
+        return fail(ErrorCode::BadInput,
+                    "the room lies too far from the origin for its map; move it to within " +
+                        inMetres(32000 * grid.resolution_m) + " or raise octree_resolution_m",
+                    scene.name);
+    }
+    if (grid.resolution_m > params.octree_resolution_m) {
+        log::warn("planning", "the scene is too large for cells of " +
+                                  inMetres(params.octree_resolution_m) + ": it is mapped with " +
+                                  inMetres(grid.resolution_m) +
+                                  "; set octree_resolution_m, or check the scene's units");
+    }
+
+    impl->surfaces = voxelize(scene, grid, job);
+    if (job.cancelled()) return cancelled();
+    job.report(0.4);
+    impl->gaps = squaredGaps(grid, impl->surfaces.cells, job);
+    if (job.cancelled()) return cancelled();
+    job.report(0.7);
+    impl->sight = lookAround(grid, impl->surfaces.cells, job);
+    if (job.cancelled()) return cancelled();
+    impl->plan = drawFloorPlan(grid, impl->surfaces.cells);
+    impl->air = std::ranges::count(impl->surfaces.cells, std::uint8_t{0});
+    job.report(1.0);
+    return SurfaceMap(std::move(impl));
+}
+
+const VoxelGrid& SurfaceMap::grid() const {
+    return impl_->grid;
+}
+const SurfaceCells& SurfaceMap::surfaces() const {
+    return impl_->surfaces;
+}
+const std::vector<std::uint16_t>& SurfaceMap::gaps() const {
+    return impl_->gaps;
+}
+std::int64_t SurfaceMap::airCells() const {
+    return impl_->air;
+}
+
+const std::vector<std::uint8_t>& SurfaceMap::inside(EnclosureRule rule) const {
+    const auto index = static_cast<std::size_t>(rule);
+    std::call_once(impl_->asked.at(index), [&] {
+        impl_->inside[index] =
+            findInside(impl_->grid, impl_->surfaces.cells, impl_->sight, impl_->plan, rule);
+    });
+    return impl_->inside[index];
+}
+
+}  // namespace dollytrack::planning
