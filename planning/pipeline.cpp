@@ -274,7 +274,9 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     }
                     FrameSeries series =
                         measureFrames(*timing, estimate->frame_views, estimate->captures, *rays);
-                    return measureTrajectory(*views, *smoothing, *timing, sphere, part)
+                    return measureTrajectory(*views, *smoothing, *timing,
+                                             params.shake.shake != ShakeKind::None, sphere, *rays,
+                                             part)
                         .map([&](const TrajectoryMetrics& measured) {
                             return Metrics{std::move(*estimate), measured, std::move(series)};
                         });

@@ -40,7 +40,15 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("collisions",
                 fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
                             percent(m, "frame_collision_rate")));
-    text += row("smallest clearance", fmt::format("{:.3f} m", m.value("min_clearance_m", 0.0)));
+    std::string tightest = fmt::format("{:.3f} m", m.value("min_clearance_m", 0.0));
+    if (m.contains("min_clearance_at")) {
+        const nlohmann::json& at = m["min_clearance_at"];
+        tightest += fmt::format(" to {}, near frame {} at ({:.2f}, {:.2f}, {:.2f})",
+                                at["object"].get<std::string>(), at["frame"].get<int>(),
+                                at["position"][0].get<double>(), at["position"][1].get<double>(),
+                                at["position"][2].get<double>());
+    }
+    text += row("smallest clearance", tightest);
     text +=
         row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
                                   m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));

@@ -30,6 +30,14 @@ struct StageTime {
     bool reused = false;  // nothing it depends on had changed since the last run
 };
 
+/// Where the camera's centre comes nearest to a surface.
+struct TightestPlace {
+    double clearance_m = 0.0;                            // from centre to surface
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of the camera's centre, world, m
+    int object_id = 0;                                   // the surface's; 0: no trajectory
+    int frame = 0;                                       // the nearest one
+};
+
 /// The metrics that are not about objects. Rates are 0..1.
 struct TrajectoryMetrics {
     double path_length_m = 0.0;
@@ -38,7 +46,7 @@ struct TrajectoryMetrics {
     double object_pixels = 0.0;  // mean share of the image on targets
     double corner_collision_rate = 0.0;
     double frame_collision_rate = 0.0;
-    double min_clearance_m = 0.0;
+    TightestPlace tightest;
     MotionMetrics motion;
 };
 

@@ -82,7 +82,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"object_pixels", motion.object_pixels},
         {"corner_collision_rate", motion.corner_collision_rate},
         {"frame_collision_rate", motion.frame_collision_rate},
-        {"min_clearance_m", motion.min_clearance_m},
+        {"min_clearance_m", motion.tightest.clearance_m},
         {"path_length_m", motion.path_length_m},
         {"frames", plan.trajectory.frames.size()},
         {"frame_interval_s", plan.trajectory.frame_interval_s},
@@ -95,6 +95,11 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"refused_pins", json::array()},
         {"ledger", ledgerJson(scene, plan.ledger)},
     });
+    if (motion.tightest.object_id != 0) {
+        result["min_clearance_at"] = {{"position", vectorJson(motion.tightest.position)},
+                                      {"object", scene.object(motion.tightest.object_id).name},
+                                      {"frame", motion.tightest.frame}};
+    }
     visitMotionMetrics(motion.motion,
                        [&](const std::string& name, double value) { result[name] = value; });
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;

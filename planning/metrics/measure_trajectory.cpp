@@ -2,31 +2,29 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/metrics/shown_surface.h"
+#include "planning/metrics/tightest_place.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dollytrack::planning {
 
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const std::vector<SmoothPath>& paths,
-                                            const Trajectory& trajectory, const SweptSphere& sphere,
+                                            const Trajectory& trajectory, bool shaken,
+                                            const SweptSphere& sphere, const RayCaster& rays,
                                             const JobContext& job) {
     TrajectoryMetrics metrics;
-    metrics.min_clearance_m = std::numeric_limits<double>::infinity();
     int corners = 0;
     int collisions = 0;
     for (const SmoothPath& path : paths) {
         metrics.path_length_m += path.length_m;
-        metrics.min_clearance_m = std::min(metrics.min_clearance_m, path.min_clearance_m);
         corners += static_cast<int>(
             std::count_if(path.pieces.begin(), path.pieces.end(),
                           [](const SmoothPath::Piece& piece) { return piece.curved; }));
         collisions += path.corner_collisions;
     }
     if (corners > 0) metrics.corner_collision_rate = static_cast<double>(collisions) / corners;
-    if (!std::isfinite(metrics.min_clearance_m)) metrics.min_clearance_m = 0.0;
 
     const std::size_t count = trajectory.frames.size();
     if (count == 0) return metrics;
@@ -35,12 +33,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
         const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
         collides[i] = sphere.clearance(position, sphere.radius()) < sphere.radius();
     });
-    // A shaken camera is not always on its path.
-    for (const TrajectoryFrame& frame : trajectory.frames) {
-        metrics.min_clearance_m =
-            std::min(metrics.min_clearance_m,
-                     sphere.clearance(frame.pose.position, metrics.min_clearance_m));
-    }
+    metrics.tightest = findTightestPlace(paths, trajectory, shaken, rays);
     metrics.motion = measureMotion(trajectory);
     metrics.frame_collision_rate =
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /

@@ -13,6 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kShrink = 0.6;
+constexpr int kHalvings = 4;            // between a set-back that is safe and one that is not
 constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother than a stop
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
@@ -49,15 +50,19 @@ class Smoother {
         double wish = std::min({set_back_, 0.5 * in.norm(), 0.5 * out.norm()});
         corner.shortened = wish < set_back_;
         if (turn > kReversal) return corner;
-        for (; wish >= kLeastSetBack; wish *= kShrink) {
-            const Curve curve = curveAt(i, wish);
-            if (keepsCaptures(i, curve.middle()) &&
-                around_.sphere.bezier(curve.start, curve.corner, curve.end).free) {
-                corner.set_back_m = wish;
-                return corner;
-            }
+        double refused = 0.0;  // the least one that was
+        while (wish >= kLeastSetBack && !allows(i, wish)) {
             corner.shortened = true;
+            refused = wish;
+            wish *= kShrink;
         }
+        if (wish < kLeastSetBack) return corner;
+        // As much as there is room for, to a few per cent.
+        for (int halving = 0; refused > 0.0 && halving < kHalvings; ++halving) {
+            const double between = 0.5 * (wish + refused);
+            (allows(i, between) ? wish : refused) = between;
+        }
+        corner.set_back_m = wish;
         return corner;
     }
 
@@ -113,6 +118,13 @@ class Smoother {
     [[nodiscard]] Curve curveAt(std::size_t i, double set_back) const {
         return {at(i) + set_back * (at(i - 1) - at(i)).normalized(), at(i),
                 at(i) + set_back * (at(i + 1) - at(i)).normalized()};
+    }
+
+    /// The sweep, the cheaper question, comes first.
+    [[nodiscard]] bool allows(std::size_t i, double set_back) const {
+        const Curve curve = curveAt(i, set_back);
+        return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
+               keepsCaptures(i, curve.middle());
     }
 
     [[nodiscard]] bool keepsCaptures(std::size_t i, const Eigen::Vector3d& position) const {

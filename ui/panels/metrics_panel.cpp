@@ -68,8 +68,11 @@ void drawTrajectory(const Plan& plan, bool measured) {
         clearance = std::min(clearance, path.min_clearance_m);
     }
     row("Path", fmt::format("{:.1f} m", length));
-    row("Clearance", fmt::format("{:.3f} m at the least", clearance),
-        "From the camera's centre to the nearest surface");
+    const std::string where =
+        measured ? fmt::format("{:.3f} m, near frame {}", metrics.tightest.clearance_m,
+                               metrics.tightest.frame)
+                 : fmt::format("{:.3f} m at the least", clearance);
+    row("Clearance", where, "The least from the camera's centre to a surface, all along the way");
     if (measured) {
         row("Repeats", fmt::format("{:.1f} %", 100.0 * metrics.repeat_rate),
             "Frames that show next to no surface that no earlier frame saw");

@@ -1,0 +1,89 @@
+#include "tests/planning/slow_checker.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace dollytrack::planning::test_support {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Traits =
+    CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>>;
+
+constexpr double kStep = 0.002;     // m
+constexpr double kRounding = 2e-5;  // m; the planner's distances are floats
+
+Kernel::Point_3 pointOf(const Eigen::Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+/// de Casteljau, by the definition of the curve.
+Eigen::Vector3d onCurve(const SmoothPath::Piece& piece, double t) {
+    const Eigen::Vector3d a = (1 - t) * piece.start + t * piece.control;
+    const Eigen::Vector3d b = (1 - t) * piece.control + t * piece.end;
+    return (1 - t) * a + t * b;
+}
+
+}  // namespace
+
+struct SlowChecker::Impl {
+    Triangles triangles;
+    CGAL::AABB_tree<Traits> tree;
+};
+
+SlowChecker::SlowChecker(const Scene& scene) : impl_(std::make_unique<Impl>()) {
+    for (const Triangle& corners : scene.triangles) {
+        const auto at = [&](unsigned k) {
+            return pointOf(scene.positions[corners[k]].cast<double>());
+        };
+        const Kernel::Triangle_3 triangle(at(0), at(1), at(2));
+        // CGAL has no distance to a triangle without area; its sides belong to others as a rule.
+        if (!triangle.is_degenerate()) impl_->triangles.push_back(triangle);
+    }
+    impl_->tree.insert(impl_->triangles.begin(), impl_->triangles.end());
+    impl_->tree.accelerate_distance_queries();
+}
+SlowChecker::~SlowChecker() = default;
+
+double SlowChecker::distance(const Eigen::Vector3d& position) const {
+    return std::sqrt(impl_->tree.squared_distance(pointOf(position)));
+}
+
+SlowChecker::Found SlowChecker::check(const Plan& plan, double radius_m, bool shaken) const {
+    Found found;
+    found.clearance_m = std::numeric_limits<double>::infinity();
+    const auto look = [&](const Eigen::Vector3d& position) {
+        const double here = distance(position);
+        ++found.places;
+        found.touching += here < radius_m - kRounding ? 1 : 0;
+        if (here >= found.clearance_m) return;
+        found.clearance_m = here;
+        found.position = position;
+    };
+    for (const SmoothPath& path : plan.smooth_paths) {
+        for (const SmoothPath::Piece& piece : path.pieces) {
+            const double most =
+                (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
+            const int steps = static_cast<int>(most / kStep) + 1;
+            for (int i = 0; i <= steps; ++i) look(onCurve(piece, static_cast<double>(i) / steps));
+        }
+    }
+    const auto& frames = plan.trajectory.frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        look(frames[i].pose.position);
+        // A shaken camera leaves its path; from frame to frame it goes straight.
+        if (shaken && i + 1 < frames.size() && frames[i].path == frames[i + 1].path) {
+            look(0.5 * (frames[i].pose.position + frames[i + 1].pose.position));
+        }
+    }
+    return found;
+}
+
+}  // namespace dollytrack::planning::test_support

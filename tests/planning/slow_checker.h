@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/plan/plan.h"
+#include "engine/scene/scene.h"
+
+#include <memory>
+
+namespace dollytrack::planning::test_support {
+
+/// Measures trajectories against a scene's triangles slowly, and with nothing of the planner's: by
+/// CGAL's distances in doubles, from the definition of the curves, every 2 mm and at every frame.
+class SlowChecker {
+  public:
+    explicit SlowChecker(const Scene& scene);
+    ~SlowChecker();
+
+    struct Found {
+        double clearance_m = 0.0;  // the least met
+        Eigen::Vector3d position = Eigen::Vector3d::Zero();
+        int touching = 0;  // places where the sphere reaches into a surface by more than rounding
+        long places = 0;   // looked at
+    };
+    [[nodiscard]] Found check(const Plan& plan, double radius_m, bool shaken) const;
+
+    /// Distance to the nearest triangle, m.
+    [[nodiscard]] double distance(const Eigen::Vector3d& position) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack::planning::test_support
