@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
 constexpr double kReach = 1.5;   // longest single move, m
 constexpr double kRewire = 2.0;  // factor of the shrinking rewiring radius, m
-// Once there, this share of the work spent so far (and at least this many samples) goes into
-// shortening the way.
-constexpr int kImproveAtLeast = 60;
 
 struct Node {
     Eigen::Vector3d position;
@@ -42,17 +40,13 @@ class Tree {
     bool add(const Eigen::Vector3d& point) {
         const double n = static_cast<double>(nodes_.size()) + 1.0;
         const double radius = std::min(kReach, kRewire * std::cbrt(std::log(n) / n));
-        std::vector<int> near = within(point, radius);
-        near.push_back(nearest(point));
-        int parent = -1;
-        double least = std::numeric_limits<double>::infinity();
-        for (const int i : near) {
-            const double cost = at(i).cost + (at(i).position - point).norm();
-            if (cost >= least || !problem_.is_move_free(at(i).position, point)) continue;
-            least = cost;
-            parent = i;
-        }
-        if (parent < 0) return false;
+        const std::vector<int> near = cheapestFirst(point, radius);
+        // Moves are dear and sums are cheap: the first free one is the best.
+        const auto first_free = std::ranges::find_if(
+            near, [&](int i) { return problem_.is_move_free(at(i).position, point); });
+        if (first_free == near.end()) return false;
+        const int parent = *first_free;
+        const double least = costThrough(parent, point);
         const int self = static_cast<int>(nodes_.size());
         nodes_.push_back({point, parent, least, parent});
         for (const int i : near) {
@@ -70,6 +64,23 @@ class Tree {
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
   private:
+    [[nodiscard]] double costThrough(int i, const Eigen::Vector3d& point) const {
+        return at(i).cost + (at(i).position - point).norm();
+    }
+
+    /// Nodes around a point and the nearest one, by the cost of the way over them.
+    [[nodiscard]] std::vector<int> cheapestFirst(const Eigen::Vector3d& point,
+                                                 double radius) const {
+        std::vector<int> near = within(point, radius);
+        if (near.empty()) near.push_back(nearest(point));
+        std::vector<std::pair<double, int>> costs;
+        costs.reserve(near.size());
+        for (const int i : near) costs.emplace_back(costThrough(i, point), i);
+        std::ranges::sort(costs);
+        std::ranges::transform(costs, near.begin(), &std::pair<double, int>::second);
+        return near;
+    }
+
     [[nodiscard]] std::vector<int> within(const Eigen::Vector3d& point, double radius) const {
         std::vector<int> result;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -113,12 +124,15 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         if (!problem.is_move_free(tree.at(node).position, problem.goal)) return;
         best_cost = tree.at(node).cost + rest;
         best_end = node;
+        if (problem.on_shorter) problem.on_shorter(best_cost);
     };
     tryGoal(0);
     int stop = problem.max_iterations;
     for (int i = 0; i < stop; ++i) {
         if (problem.is_cancelled && problem.is_cancelled()) break;
         const Eigen::Vector3d wish = problem.sample(random);
+        // No way over such a place is shorter than what there is.
+        if ((wish - problem.start).norm() + (wish - problem.goal).norm() >= best_cost) continue;
         const Eigen::Vector3d& from = tree.at(tree.nearest(wish)).position;
         const double distance = (wish - from).norm();
         if (distance < 1e-6) continue;
@@ -127,7 +141,8 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         const bool was_found = best_end >= 0;
         tryGoal(tree.last());
         if (!was_found && best_end >= 0) {
-            stop = std::min(stop, i + std::max(kImproveAtLeast, i / 2));
+            // What is left, not what is done, is compared: a limit may be the largest number.
+            stop = i + std::min(stop - i, std::max(problem.improve_at_least, i / 2));
         }
     }
     RrtStarResult result;

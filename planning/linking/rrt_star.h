@@ -16,8 +16,12 @@ struct RrtStarProblem {
     std::function<Eigen::Vector3d(Random&)> sample;  // places that may or may not be free
     std::function<bool(const Eigen::Vector3d&)> is_free;
     std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)> is_move_free;
-    std::function<bool()> is_cancelled = {};  // ends the search early
+    std::function<bool()> is_cancelled = {};      // ends the search early
+    std::function<void(double)> on_shorter = {};  // a way of that length, m, was found
     int max_iterations = 1500;
+    // Once there, half the work spent so far, and at least this many samples, go into shortening
+    // the way.
+    int improve_at_least = 60;
 };
 
 struct RrtStarResult {
@@ -28,7 +32,8 @@ struct RrtStarResult {
 };
 
 /// RRT* (Karaman and Frazzoli, 2011): grows a tree from the start, rewires it around each new
-/// node, and stops some time after it reached the goal.
+/// node, and stops some time after it reached the goal. Once there, only places that can shorten
+/// the way are tried (Gammell et al., Informed RRT*, 2014, by rejection).
 RrtStarResult rrtStar(const RrtStarProblem& problem, Random random);
 
 }  // namespace dollytrack::planning
