@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -64,6 +67,28 @@ bool standsFor(const std::vector<ObjectRef>& objects, const std::vector<ObjectRe
            });
 }
 
+// What is written and read back, or turned and turned back, differs in the last digits.
+constexpr double kSameLength_m = 1e-6;
+constexpr double kSameAngle = 1e-6;
+
+/// What was done to a view, for people.
+std::string_view changeOf(const Pose& before, const Pose& after) {
+    const bool moved = (before.position - after.position).norm() > kSameLength_m;
+    const bool turned = before.rotation.angularDistance(after.rotation) > kSameAngle;
+    if (moved && turned) return "Move and turn";
+    return turned ? "Turn" : "Move";
+}
+
+/// The same of a box. One side drawn out moves the centre as well.
+std::string_view changeOf(const OrientedBox& before, const OrientedBox& after) {
+    const bool moved = (before.center - after.center).norm() > kSameLength_m;
+    const bool resized = (before.half_size - after.half_size).norm() > kSameLength_m;
+    const bool turned = std::abs(before.yaw - after.yaw) > kSameAngle;
+    if (resized) return turned ? "Resize and turn" : "Resize";
+    if (moved && turned) return "Move and turn";
+    return turned ? "Turn" : "Move";
+}
+
 }  // namespace
 
 std::string setParameter(ProjectState& state, const OperationContext& context,
@@ -114,7 +139,9 @@ std::string pin(ProjectState& state, const OperationContext& context,
         return standsFor(removed.objects, objects, context.scene);
     });
     if (found != pinned.end() && !fields.has("name")) {
-        found->pose = fields.pose(found->pose);
+        const Pose before = std::exchange(found->pose, fields.pose(found->pose));
+        return fmt::format("{} the pinned view of {}", changeOf(before, found->pose),
+                           inWords(objects));
     } else {
         const std::string name = freeName(pinned, fields, inWords(objects));
         pinned.push_back({name, fields.pose({}), objects});
@@ -133,8 +160,8 @@ std::string movePoint(ProjectState& state, const OperationContext&, const Operat
     std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
-    found->pose = fields.pose(found->pose);
-    return fmt::format("{} {}", fields.has("position") ? "Move" : "Turn", found->name);
+    const Pose before = std::exchange(found->pose, fields.pose(found->pose));
+    return fmt::format("{} {}", changeOf(before, found->pose), found->name);
 }
 
 std::string unpin(ProjectState& state, const OperationContext&, const OperationReader& fields) {
@@ -187,8 +214,8 @@ std::string addNoGo(ProjectState& state, const OperationContext&, const Operatio
 std::string moveNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     const auto found = findNamed(state.edits.plan.no_go, fields.field("name"), "no-go box");
     if (!fields.good()) return {};
-    found->box = fields.box(found->box);
-    return "Move " + found->name;
+    const OrientedBox before = std::exchange(found->box, fields.box(found->box));
+    return fmt::format("{} {}", changeOf(before, found->box), found->name);
 }
 
 std::string renameNoGo(ProjectState& state, const OperationContext&,

@@ -314,6 +314,45 @@ TEST(Operation, PointsAndBoxesAreNamedMovedAndRemoved) {
     EXPECT_EQ(editing.state, ProjectState{});
 }
 
+// The gizmo and the fields of numbers hand over the whole box or view: what differs counts.
+TEST(Operation, NamesWhatWasDoneToABoxOrAView) {
+    Editing editing;
+    ASSERT_TRUE(editing.apply({
+        {{"op", "add_no_go"}, {"center", {1, 1, 1}}, {"size", {1, 2, 3}}},
+        {{"op", "add_point"}, {"position", {1, 1, 1}}, {"yaw_deg", 90}},
+    }));
+    const auto nameOf = [&](const json& operation) {
+        const auto names = editing.apply(json::array({operation}));
+        return names ? names->front() : describe(names.error());
+    };
+    const auto box = [&](const json& center, const json& size, double yaw_deg) {
+        return nameOf({{"op", "move_no_go"},
+                       {"name", "no-go box"},
+                       {"center", center},
+                       {"size", size},
+                       {"yaw_deg", yaw_deg}});
+    };
+    EXPECT_EQ(box({2, 1, 1}, {1, 2, 3}, 0), "Move no-go box");
+    EXPECT_EQ(box({2, 1, 1}, {1, 2, 3}, 40), "Turn no-go box");
+    EXPECT_EQ(box({2, 1.5, 1}, {1, 3, 3}, 40), "Resize no-go box");
+    EXPECT_EQ(box({2, 1, 1}, {1, 3, 3}, 10), "Move and turn no-go box");
+    const auto view = [&](const json& position, double yaw_deg) {
+        return nameOf({{"op", "move_point"},
+                       {"point", "view"},
+                       {"position", position},
+                       {"yaw_deg", yaw_deg}});
+    };
+    EXPECT_EQ(view({1, 2, 1}, 90), "Move view");
+    EXPECT_EQ(view({1, 2, 1}, 45), "Turn view");
+    EXPECT_EQ(view({1, 1, 1}, 0), "Move and turn view");
+    const json pin = {{"op", "pin"}, {"objects", {"mug"}}, {"position", {1, 1, 1}}};
+    json there = pin;
+    there["yaw_deg"] = 10;
+    EXPECT_EQ(nameOf(there), "Pin the view of mug");
+    there["position"] = {1, 2, 1};
+    EXPECT_EQ(nameOf(there), "Move the pinned view of mug");
+}
+
 TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
     Editing editing;
     ASSERT_TRUE(editing.apply(
