@@ -114,15 +114,16 @@ void Questions::drawChangedFile() {
     ui::MessageBox box;
     box.title = changed_file_.filename().string() + " was changed by another program";
     box.text =
-        "It does not hold what was opened or saved here last. Overwriting it loses what the other "
-        "program wrote.";
+        "It does not hold what was opened or saved here last. Reloading it loses what was changed "
+        "here since, overwriting it what the other program wrote.";
     // Enter presses the first, which loses nothing.
-    box.buttons = {"Save as…", "Overwrite", "Cancel"};
+    box.buttons = {"Save as…", "Reload", "Overwrite", "Cancel"};
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     const std::filesystem::path file = std::exchange(changed_file_, {});
     if (pressed == 0) doors_.save_as();
-    if (pressed == 1) workspace_.save(file, Workspace::IfChanged::Overwrite);
+    if (pressed == 1) workspace_.open(file);
+    if (pressed == 2) workspace_.save(file, Workspace::IfChanged::Overwrite);
 }
 
 void Questions::drawUnsaved() {

@@ -97,6 +97,20 @@ class Files(Task):
         self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
         self.assertEqual(json.loads(mine.read_text())["parameters"]["viewpoints"]["fill"], 0.5)
 
+    def test_reload_what_another_program_saved(self):
+        theirs = self.changed_by_both()
+        self.try_to_save()
+        self.dismiss("reload")
+        state = self.editor.wait(lambda state: state["edits"], "the other program's edits")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.6)
+        self.assertEqual(state["edits"]["changes"][0]["object"]["name"], "sofa")
+        self.assertFalse(state["unsaved"])
+        self.assertEqual(self.project.read_bytes(), theirs)
+        self.set_parameter("fill", "0.5")
+        self.editor.key("ctrl+s")  # what was reloaded is known
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+
     def test_overwrite_what_another_program_saved(self):
         self.changed_by_both()
         self.try_to_save()
