@@ -3,6 +3,7 @@
 #include "app/editor/process_mark.h"
 #include "app/editor/settings.h"
 #include "engine/core/log.h"
+#include "engine/document/history_json.h"
 
 #include <algorithm>
 #include <array>
@@ -85,21 +86,23 @@ bool Autosave::isDue(const CommandStack::State& state) {
     return std::chrono::steady_clock::now() - last_ >= (failing_ ? kRetry : kInterval);
 }
 
-void Autosave::store(const CommandStack::State& state, io::ProjectFile snapshot,
+void Autosave::store(const CommandStack::History& history, io::ProjectFile snapshot,
                      const Origin& origin) {
     last_ = std::chrono::steady_clock::now();
-    stored_ = state;
+    stored_ = history.steps[history.position].state;
     ++count_;
     snapshot.result = nullptr;  // planning makes it again, and the copy stays small
     snapshot.others[kSection] = {{"project", origin.project.string()},
                                  {"project_sha256", origin.sha256}};
-    writer_.start([snapshot = std::move(snapshot), file = file_, old = restored_from_,
+    writer_.start([snapshot = std::move(snapshot), history, file = file_, old = restored_from_,
                    outbox = written_](const JobContext&) {
         std::error_code ignored;
         std::filesystem::create_directories(file.parent_path(), ignored);
         Status status;
         try {
-            status = io::saveProject(snapshot, file);
+            io::ProjectFile whole = snapshot;
+            whole.others[kSection]["history"] = historyJson(history);
+            status = io::saveProject(whole, file);
         } catch (const std::exception& failure) {
             status = fail(ErrorCode::Failed, failure.what(), file.string());
         }
@@ -134,13 +137,15 @@ void Autosave::forget(const LostWork& work) {
 
 Autosave::Origin Autosave::takeOrigin(nlohmann::json& others) {
     if (!others.is_object() || !others.contains(kSection)) return {};
-    const nlohmann::json notes = others[kSection];
+    nlohmann::json notes = others[kSection];
     others.erase(kSection);
     const auto text = [&](const char* name) {
         const bool there = notes.is_object() && notes.contains(name) && notes[name].is_string();
         return there ? notes[name].get<std::string>() : std::string();
     };
-    return {text("project"), text("project_sha256")};
+    Origin origin{text("project"), text("project_sha256")};
+    if (notes.is_object() && notes.contains("history")) origin.history = notes["history"];
+    return origin;
 }
 
 }  // namespace dollytrack::editor

@@ -29,6 +29,7 @@ class Autosave {
     struct Origin {
         std::filesystem::path project;  // empty: never saved
         std::string sha256;             // of that file when the work on it began
+        nlohmann::json history = {};    // as history_json.h has it; null in copies that had none
     };
 
     /// `wake` is called when lost work was found.
@@ -38,7 +39,9 @@ class Autosave {
     /// Once a frame while there is unsaved work: whether it is time to hand over a copy of this
     /// state, because it is new or the last one could not be written.
     [[nodiscard]] bool isDue(const CommandStack::State& state);
-    void store(const CommandStack::State& state, io::ProjectFile snapshot, const Origin& origin);
+    /// `origin` without its history, which is written from `history`.
+    void store(const CommandStack::History& history, io::ProjectFile snapshot,
+               const Origin& origin);
     /// Copies handed over so far.
     [[nodiscard]] int count() const { return count_; }
     /// Work is open that was restored from this copy (empty: other work): it goes when the first

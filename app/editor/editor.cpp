@@ -200,7 +200,7 @@ void Editor::autosave() {
     if (!workspace_.unsaved()) {
         autosave_.discard();
     } else if (autosave_.isDue(state)) {
-        autosave_.store(state, workspace_.snapshot(false),
+        autosave_.store(workspace_.history().history(), workspace_.snapshot(false),
                         {workspace_.path(), workspace_.fileContent()});
     }
 }

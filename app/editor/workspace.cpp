@@ -1,8 +1,8 @@
 #include "app/editor/workspace.h"
 
-#include "app/editor/autosave.h"
 #include "engine/core/log.h"
 #include "engine/document/edits_json.h"
+#include "engine/document/history_json.h"
 #include "engine/document/operation.h"
 #include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
@@ -49,6 +49,7 @@ void Workspace::load(const std::filesystem::path& path,
             outcome.scene_is_missing = content && sceneIsGone(*content);
             outcome.opened = std::move(content).and_then(
                 [&](ProjectContent&& read) { return openProject(std::move(read), job); });
+            if (outcome.opened && restored) takeHistory(outcome);
         } catch (const std::exception& error) {
             outcome.opened = fail(ErrorCode::Failed,
                                   std::string("The scene cannot be loaded: ") + error.what() + ".",
@@ -73,7 +74,19 @@ void Workspace::close() {
     newly_opened_ = true;
 }
 
-void Workspace::install(OpenedProject opened) {
+void Workspace::takeHistory(LoadOutcome& outcome) {
+    outcome.origin = Autosave::takeOrigin(outcome.opened->others);
+    Result<CommandStack::History> history = historyFromJson(outcome.origin.history);
+    if (history) {
+        outcome.history = std::move(*history);
+    } else {
+        outcome.opened->warnings.push_back(
+            "The work is back, but its undo history was not kept: what was done before cannot be "
+            "undone step by step.");
+    }
+}
+
+void Workspace::install(OpenedProject opened, std::optional<CommandStack::History> history) {
     close();
     for (const std::string& warning : opened.warnings) log::warn("project", warning);
     for (const std::string& warning : opened.imported->report.warnings) {
@@ -86,7 +99,14 @@ void Workspace::install(OpenedProject opened) {
         text.pop_back();
         notices_.push_back({false, "Please note", text});
     }
-    stack_.reset(opened.state);
+    if (history) {
+        // What the sections of the project say counts where the two should differ.
+        history->steps[history->position].state =
+            std::make_shared<const ProjectState>(opened.state);
+        stack_.restore(std::move(*history));
+    } else {
+        stack_.reset(opened.state);
+    }
     if (!opened.project.empty()) known_files_->remember(opened.project, opened.file_sha256);
     file_has_plan_ = opened.file_has_plan;
     opened_ = std::move(opened);
@@ -104,11 +124,10 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     if (outcome.opened) {
         if (outcome.restored) {
             // The file may have been saved since by somebody else: known is what the work is of.
-            Autosave::Origin origin = Autosave::takeOrigin(outcome.opened->others);
-            outcome.opened->project = std::move(origin.project);
-            outcome.opened->file_sha256 = std::move(origin.sha256);
+            outcome.opened->project = std::move(outcome.origin.project);
+            outcome.opened->file_sha256 = std::move(outcome.origin.sha256);
         }
-        install(std::move(*outcome.opened));
+        install(std::move(*outcome.opened), std::move(outcome.history));
         if (!outcome.restored) return;
         restored_from_ = outcome.path;
         stack_.markUnsaved();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/autosave.h"
 #include "app/editor/known_files.h"
 #include "app/editor/live_planner.h"
 #include "app/editor/project_loader.h"
@@ -110,6 +111,8 @@ class Workspace {
         Result<OpenedProject> opened;
         bool restored = false;
         bool scene_is_missing = false;
+        Autosave::Origin origin = {};                       // of what is restored
+        std::optional<CommandStack::History> history = {};  // the same; none: it was not kept
     };
     struct SaveOutcome {
         std::uint64_t serial = 0;
@@ -125,7 +128,8 @@ class Workspace {
     void load(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead, bool restored);
     void replan();
-    void install(OpenedProject opened);
+    void install(OpenedProject opened, std::optional<CommandStack::History> history);
+    static void takeHistory(LoadOutcome& outcome);
     void finishOpening(LoadOutcome outcome);
     void finishSaving(SaveOutcome outcome);
     void updateLight();

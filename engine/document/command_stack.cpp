@@ -7,9 +7,9 @@ CommandStack::CommandStack(ProjectState initial) {
 }
 
 void CommandStack::reset(ProjectState initial) {
-    steps_.clear();
-    steps_.push_back({"Open", std::make_shared<const ProjectState>(std::move(initial))});
-    position_ = 0;
+    history_.steps.clear();
+    history_.steps.push_back({"Open", std::make_shared<const ProjectState>(std::move(initial))});
+    history_.position = 0;
     merge_key_.clear();
     saved_ = state();
 }
@@ -18,46 +18,52 @@ void CommandStack::push(std::string name, ProjectState next, std::string merge_k
     if (next == *state()) return;
     auto shared = std::make_shared<const ProjectState>(std::move(next));
     const bool merges = !merge_key.empty() && merge_key == merge_key_ && !canRedo() && canUndo();
-    steps_.resize(position_ + 1);
+    history_.steps.resize(history_.position + 1);
     merge_key_ = std::move(merge_key);
     if (!merges) {
-        steps_.push_back({std::move(name), std::move(shared)});
-        ++position_;
+        history_.steps.push_back({std::move(name), std::move(shared)});
+        ++history_.position;
         return;
     }
-    steps_.back() = {std::move(name), std::move(shared)};
+    history_.steps.back() = {std::move(name), std::move(shared)};
     // Dragged back to where it began: nothing was done.
-    if (*steps_[position_ - 1].state == *state()) {
-        steps_.pop_back();
-        --position_;
+    if (*history_.steps[history_.position - 1].state == *state()) {
+        history_.steps.pop_back();
+        --history_.position;
         merge_key_.clear();
     }
 }
 
+void CommandStack::restore(History history) {
+    history_ = std::move(history);
+    merge_key_.clear();
+    saved_.reset();
+}
+
 std::string CommandStack::undoName() const {
-    return canUndo() ? steps_[position_].name : std::string();
+    return canUndo() ? history_.steps[history_.position].name : std::string();
 }
 
 std::string CommandStack::redoName() const {
-    return canRedo() ? steps_[position_ + 1].name : std::string();
+    return canRedo() ? history_.steps[history_.position + 1].name : std::string();
 }
 
 const CommandStack::State& CommandStack::undo() {
-    return goTo(canUndo() ? position_ - 1 : position_);
+    return goTo(canUndo() ? history_.position - 1 : history_.position);
 }
 
 const CommandStack::State& CommandStack::redo() {
-    return goTo(canRedo() ? position_ + 1 : position_);
+    return goTo(canRedo() ? history_.position + 1 : history_.position);
 }
 
 std::vector<std::string> CommandStack::names() const {
     std::vector<std::string> names;
-    for (const Step& step : steps_) names.push_back(step.name);
+    for (const Step& step : history_.steps) names.push_back(step.name);
     return names;
 }
 
 const CommandStack::State& CommandStack::goTo(std::size_t position) {
-    if (position < steps_.size()) position_ = position;
+    if (position < history_.steps.size()) history_.position = position;
     merge_key_.clear();
     return state();
 }

@@ -15,6 +15,15 @@ namespace dollytrack {
 class CommandStack {
   public:
     using State = std::shared_ptr<const ProjectState>;
+    struct Step {
+        std::string name;
+        State state;
+    };
+    /// All steps, the first that of the initial state, and where in them one is. Cheap to copy.
+    struct History {
+        std::vector<Step> steps;
+        std::size_t position = 0;
+    };
 
     explicit CommandStack(ProjectState initial = {});
 
@@ -24,9 +33,9 @@ class CommandStack {
     void push(std::string name, ProjectState next, std::string merge_key = {});
     void endMerge() { merge_key_.clear(); }
 
-    [[nodiscard]] const State& state() const { return steps_[position_].state; }
-    [[nodiscard]] bool canUndo() const { return position_ > 0; }
-    [[nodiscard]] bool canRedo() const { return position_ + 1 < steps_.size(); }
+    [[nodiscard]] const State& state() const { return history_.steps[history_.position].state; }
+    [[nodiscard]] bool canUndo() const { return history_.position > 0; }
+    [[nodiscard]] bool canRedo() const { return history_.position + 1 < history_.steps.size(); }
     [[nodiscard]] std::string undoName() const;  // empty when there is nothing to undo
     [[nodiscard]] std::string redoName() const;
 
@@ -37,7 +46,7 @@ class CommandStack {
     /// For a history panel: names of all steps, the first that of the initial state; where we are
     /// in it; and going anywhere in it.
     [[nodiscard]] std::vector<std::string> names() const;
-    [[nodiscard]] std::size_t position() const { return position_; }
+    [[nodiscard]] std::size_t position() const { return history_.position; }
     const State& goTo(std::size_t position);
 
     /// Remembers that this state is on disk; isSaved() compares states, so that undoing back to
@@ -52,13 +61,13 @@ class CommandStack {
     /// Forgets all steps and begins with another project's state, which counts as saved.
     void reset(ProjectState initial);
 
+    [[nodiscard]] const History& history() const { return history_; }
+    /// Takes up where an earlier program was: at least one step, the position in it. No state
+    /// counts as saved.
+    void restore(History history);
+
   private:
-    struct Step {
-        std::string name;
-        State state;
-    };
-    std::vector<Step> steps_;
-    std::size_t position_ = 0;
+    History history_;
     std::string merge_key_;
     State saved_;
 };

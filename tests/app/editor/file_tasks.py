@@ -215,7 +215,8 @@ class Files(Task):
         self.fail("there is no copy with " + text)
 
     def test_get_the_work_back_after_a_crash(self):
-        self.start_room()
+        planned = self.start_room()["plan"]
+        self.set_parameter("fill", "0.45")
         self.select_row(SOFA)
         self.editor.point("viewport")
         self.editor.key("x")
@@ -229,6 +230,33 @@ class Files(Task):
         self.assertEqual(state["edits"]["changes"], before["edits"]["changes"])
         self.assertEqual(state["plan"], before["plan"])
         self.assertTrue(state["unsaved"])
+        self.assertEqual(state["history"], before["history"], "undo survives as well")
+        self.assertEqual(len(state["history"]), 3)
+        self.editor.point("viewport")
+        self.editor.key("ctrl+z")
+        self.editor.key("ctrl+z")
+        state = self.editor.idle()
+        self.assertEqual(state["plan"], planned)
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.6)
+        self.editor.key("ctrl+shift+z")
+        self.assertEqual(self.editor.idle()["parameters"]["viewpoints"]["fill"], 0.45)
+
+    def test_a_copy_whose_history_is_damaged_says_so(self):
+        self.start_room()
+        self.set_parameter("fill", "0.45")
+        self.wait_copy('"fill": 0.45')
+        self.editor.kill()
+        for copy in (self.folder / "home" / "state" / "dollytrack" / "autosave").glob("*.dolly"):
+            content = json.loads(copy.read_text())
+            content["autosave"]["history"]["steps"][1]["changes"] = 7
+            copy.write_text(json.dumps(content))
+        self.start()
+        self.editor.click("message.restore")
+        self.editor.wait(lambda state: state["open"], "the lost work")
+        self.assertIn("undo history was not kept", self.notice())
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+        self.assertEqual(len(state["history"]), 1)
 
     def test_a_copy_that_cannot_be_written_is_tried_again(self):
         copies = self.folder / "home" / "state" / "dollytrack" / "autosave"

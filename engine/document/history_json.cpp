@@ -1,0 +1,67 @@
+#include "engine/document/history_json.h"
+
+#include "engine/document/edits_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace dollytrack {
+namespace {
+
+nlohmann::json stateJson(const ProjectState& state) {
+    return {{"parameters", state.parameters}, {"edits", editsJson(state.edits)}};
+}
+
+tl::unexpected<Error> badStep(std::size_t step, const std::string& why) {
+    return fail(ErrorCode::BadInput, "The undo history cannot be read: " + why + ".",
+                "history.steps[" + std::to_string(step) + "]");
+}
+
+}  // namespace
+
+nlohmann::json historyJson(const CommandStack::History& history, std::size_t most) {
+    const std::size_t count = history.steps.size();
+    const std::size_t newest = count > most ? count - most : 0;
+    const std::size_t first = std::min(history.position, newest);
+    nlohmann::json steps = nlohmann::json::array();
+    nlohmann::json before = nlohmann::json::object();
+    for (std::size_t i = first; i < count; ++i) {
+        nlohmann::json now = stateJson(*history.steps[i].state);
+        steps.push_back(
+            {{"name", history.steps[i].name}, {"changes", nlohmann::json::diff(before, now)}});
+        before = std::move(now);
+    }
+    return {{"position", history.position - first}, {"steps", std::move(steps)}};
+}
+
+Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
+    CommandStack::History history;
+    nlohmann::json state = nlohmann::json::object();
+    try {
+        for (const nlohmann::json& step : json.at("steps")) {
+            state = state.patch(step.at("changes"));
+            ProjectState read;
+            read.parameters = state.at("parameters");
+            if (!read.parameters.is_object()) {
+                return badStep(history.steps.size(), "its parameters are no object");
+            }
+            Result<Edits> edits = editsFromJson(state.at("edits"));
+            if (!edits) return badStep(history.steps.size(), describe(edits.error()));
+            read.edits = std::move(*edits);
+            history.steps.push_back({step.at("name").get<std::string>(),
+                                     std::make_shared<const ProjectState>(std::move(read))});
+        }
+        history.position = json.at("position").get<std::size_t>();
+    } catch (const nlohmann::json::exception& error) {
+        return badStep(history.steps.size(), error.what());
+    }
+    if (history.position >= history.steps.size()) {
+        return badStep(history.position, "there is no such step");
+    }
+    return history;
+}
+
+}  // namespace dollytrack
