@@ -1,6 +1,5 @@
 #include "app/editor/autosave.h"
 
-#include "app/editor/process_mark.h"
 #include "app/editor/settings.h"
 #include "engine/core/log.h"
 #include "engine/document/history_json.h"
@@ -36,7 +35,8 @@ std::vector<LostWork> findLost() {
     std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder(), error)) {
-        if (entry.path().extension() != ".dolly" || processRuns(entry.path().stem().string())) {
+        if (entry.path().extension() != ".dolly" ||
+            OwnerMark::isHeld(folder(), entry.path().stem().string())) {
             continue;
         }
         const Result<io::ProjectFile> file = io::loadProject(entry.path());
@@ -51,6 +51,7 @@ std::vector<LostWork> findLost() {
         work.when = localTime(written);
         found.emplace_back(written, std::move(work));
     }
+    OwnerMark::tidy(folder());
     std::ranges::sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<LostWork> lost;
     for (auto& [written, work] : found) lost.push_back(std::move(work));
@@ -60,7 +61,9 @@ std::vector<LostWork> findLost() {
 }  // namespace
 
 Autosave::Autosave(std::function<void()> wake)
-    : file_(folder() / (processMark() + ".dolly")), finder_(std::move(wake)) {}
+    : mark_(std::make_shared<OwnerMark>(folder())),
+      file_(folder() / (mark_->text() + ".dolly")),
+      finder_(std::move(wake)) {}
 
 Autosave::~Autosave() {
     writer_.finish();
@@ -95,9 +98,10 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
     snapshot.others[kSection] = {{"project", origin.project.string()},
                                  {"project_sha256", origin.sha256}};
     writer_.start([snapshot = std::move(snapshot), history, file = file_, old = restored_from_,
-                   outbox = written_](const JobContext&) {
+                   mark = mark_, outbox = written_](const JobContext&) {
         std::error_code ignored;
         std::filesystem::create_directories(file.parent_path(), ignored);
+        mark->hold();
         Status status;
         try {
             io::ProjectFile whole = snapshot;

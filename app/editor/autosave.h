@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/owner_mark.h"
 #include "engine/document/command_stack.h"
 #include "engine/io/project_file.h"
 #include "engine/jobs/background_worker.h"
@@ -69,6 +70,7 @@ class Autosave {
     };
     void hearOfCopies();
 
+    std::shared_ptr<OwnerMark> mark_;
     std::filesystem::path file_;
     std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;

@@ -110,6 +110,13 @@ Questions::Doors Editor::doors() {
         scene_wanted_to_restore_ = restores;
         askForFile("locate scene");
     };
+    doors.continue_exports = [this](const std::vector<int>& jobs) {
+        for (const int job : jobs) exports_->resume(job);
+        focus_tab_ = "Export";
+    };
+    doors.forget_exports = [this](const std::vector<int>& jobs) {
+        for (const int job : jobs) exports_->remove(job);
+    };
     doors.unfinished_exports = [this] { return exports_ ? exports_->unfinished() : 0; };
     return doors;
 }
@@ -124,6 +131,10 @@ void Editor::drawDialogs() {
     }
     if (std::vector<LostWork> lost = autosave_.takeLostWork(); !lost.empty()) {
         questions_.offer(std::move(lost));
+    }
+    if (std::vector<int> jobs = exports_ ? exports_->takeFound() : std::vector<int>();
+        !jobs.empty()) {
+        questions_.offerExports(std::move(jobs));
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();

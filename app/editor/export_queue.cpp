@@ -1,9 +1,9 @@
 #include "app/editor/export_queue.h"
 
 #include "app/editor/child_process.h"
+#include "app/editor/export_note.h"
 #include "app/editor/export_places.h"
 #include "app/editor/export_progress.h"
-#include "app/editor/process_mark.h"
 #include "engine/core/log.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <regex>
+#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -27,6 +27,8 @@ constexpr auto kLook = std::chrono::milliseconds(50);
 // To finish the frame at hand and say goodbye.
 constexpr auto kPatience = std::chrono::seconds(10);
 constexpr auto kPatienceAtExit = std::chrono::seconds(2);
+// Between two notes of how far a job is.
+constexpr auto kNoteInterval = std::chrono::seconds(2);
 
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
@@ -49,30 +51,6 @@ std::vector<std::string> commandFor(const fs::path& program, const fs::path& pro
     if (request.overwrite) command.emplace_back("--overwrite");
     if (job.resumes) command.emplace_back("--resume");
     return command;
-}
-
-/// Two editors share the folder.
-fs::path snapshotFile(const fs::path& folder, int id) {
-    return folder / fmt::format("export-{}-{}.dolly", processMark(), id);
-}
-
-/// Snapshots of editors that were killed.
-void removeLeftOvers(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> left_over;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        // "export-<process>-<its start>-<job>.dolly"; what has another name is not ours.
-        const std::string name = entry.path().filename().string();
-        std::smatch parts;
-        static const std::regex kName("export-([0-9]+-[0-9]+)-[0-9]+\\.dolly(\\.tmp\\.[0-9]+)?");
-        if (!std::regex_match(name, parts, kName)) continue;
-        if (!processRuns(parts[1].str())) left_over.push_back(entry.path());
-    }
-    for (const fs::path& file : left_over) fs::remove(file, error);
-    if (!left_over.empty()) {
-        log::info("export", fmt::format("removed {} snapshots of exports that were cut off",
-                                        left_over.size()));
-    }
 }
 
 bool isProgram(const fs::path& path) {
@@ -99,6 +77,7 @@ ExportQueue::ExportQueue(fs::path snapshot_folder, fs::path program,
     : snapshot_folder_(std::move(snapshot_folder)),
       program_(std::move(program)),
       on_change_(std::move(on_change)),
+      mark_(snapshot_folder_),
       thread_([this] { loop(); }) {}
 
 ExportQueue::~ExportQueue() {
@@ -108,10 +87,20 @@ ExportQueue::~ExportQueue() {
     }
     something_to_do_.notify_all();
     thread_.join();
-    std::error_code error;
+    // What is not done can be gone on with by the next editor.
     for (const Entry& entry : entries_) {
-        if (entry.project != nullptr) fs::remove(entry.project_file, error);
+        if (entry.job.state == ui::ExportState::Done || !entry.stored) removeFiles(entry);
     }
+}
+
+void ExportQueue::removeFiles(const Entry& entry) const {
+    std::error_code ignored;
+    if (entry.ownsSnapshot()) fs::remove(entry.project_file, ignored);
+    fs::remove(exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json"), ignored);
+}
+
+ExportNote ExportQueue::Entry::noteOf() const {
+    return {job.request, project_file, ownsSnapshot(), job.frames_done, job.frames};
 }
 
 int ExportQueue::add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project) {
@@ -135,7 +124,7 @@ int ExportQueue::addEntry(Entry entry) {
         id = ++last_id_;
         entry.job.id = id;
         if (entry.project != nullptr) {
-            entry.project_file = snapshotFile(snapshot_folder_, id);
+            entry.project_file = exportFile(snapshot_folder_, mark_.text(), id, ".dolly");
         }
         entries_.push_back(std::move(entry));
     }
@@ -171,7 +160,7 @@ void ExportQueue::resume(int id) {
     update(id, [](Entry& entry) {
         ui::ExportJob& job = entry.job;
         if (job.state != ui::ExportState::Cancelled && job.state != ui::ExportState::Failed) return;
-        // One that never ran begins as it was asked to.
+        // One that never wrote a frame begins as it was asked to.
         job.resumes = job.frames_done > 0;
         job.state = ui::ExportState::Waiting;
         job.error = {};
@@ -182,7 +171,6 @@ void ExportQueue::resume(int id) {
 }
 
 void ExportQueue::remove(int id) {
-    fs::path snapshot;
     {
         const std::lock_guard lock(mutex_);
         Entry* entry = find(id);
@@ -193,11 +181,9 @@ void ExportQueue::remove(int id) {
             entry->job.state = ui::ExportState::Stopping;
             return;
         }
-        if (entry->project != nullptr) snapshot = entry->project_file;
+        removeFiles(*entry);
         entries_.remove_if([&](const Entry& one) { return one.job.id == id; });
     }
-    std::error_code error;
-    if (!snapshot.empty()) fs::remove(snapshot, error);
     changed();
 }
 
@@ -215,6 +201,11 @@ std::vector<ui::ExportJob> ExportQueue::jobs() const {
     std::vector<ui::ExportJob> jobs;
     for (const Entry& entry : entries_) jobs.push_back(entry.job);
     return jobs;
+}
+
+std::vector<int> ExportQueue::takeFound() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(found_, {});
 }
 
 bool ExportQueue::busy() const {
@@ -257,13 +248,18 @@ void ExportQueue::update(int id, const std::function<void(Entry&)>& change) {
 /// All programs are started from this thread, which lives as long as the queue: the system ends
 /// them when it ends.
 void ExportQueue::loop() {
-    removeLeftOvers(snapshot_folder_);
+    adoptLeftJobs();
     while (true) {
+        storeNewJobs();
         int id = 0;
         {
             std::unique_lock lock(mutex_);
-            something_to_do_.wait(lock, [this] { return stopping_ || nextWaiting() != nullptr; });
+            something_to_do_.wait(lock, [this] {
+                return stopping_ || nextWaiting() != nullptr ||
+                       std::ranges::any_of(entries_, std::logical_not(), &Entry::stored);
+            });
             if (stopping_) return;
+            if (nextWaiting() == nullptr) continue;
             ui::ExportJob& job = nextWaiting()->job;
             job.state = ui::ExportState::Running;
             job.stage = "starting";
@@ -275,7 +271,88 @@ void ExportQueue::loop() {
         runEntry(id);
         bool gone = false;
         update(id, [&](Entry& entry) { gone = entry.remove_asked; });
+        storeNote(id);
         if (gone) remove(id);
+    }
+}
+
+/// Takes over what editors left that no longer run.
+void ExportQueue::adoptLeftJobs() {
+    const FolderLock alone(snapshot_folder_);
+    for (const fs::path& left : findLeftNotes(snapshot_folder_)) {
+        mark_.hold();
+        const Result<ExportNote> note = readNote(left);
+        std::error_code error;
+        if (!note) {
+            log::warn("export", describe(note.error()));
+            fs::remove(left, error);
+            continue;
+        }
+        Entry entry;
+        {
+            const std::lock_guard lock(mutex_);
+            entry.job.id = ++last_id_;
+        }
+        fs::rename(left, exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json"), error);
+        if (error) continue;
+        entry.project_file = note->project_file;
+        if (note->snapshot) {
+            entry.project_file = exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".dolly");
+            fs::rename(note->project_file, entry.project_file, error);
+        }
+        entry.adopted_snapshot = note->snapshot;
+        entry.snapshot_written = true;
+        entry.stored = true;
+        entry.job.request = note->request;
+        entry.job.state = ui::ExportState::Cancelled;
+        entry.job.frames_done = note->frames_done;
+        entry.job.frames = note->frames;
+        const int id = entry.job.id;
+        {
+            const std::lock_guard lock(mutex_);
+            found_.push_back(id);
+            entries_.push_back(std::move(entry));
+        }
+        storeNote(id);  // with the snapshot's new name
+    }
+    OwnerMark::tidy(snapshot_folder_);
+    changed();
+}
+
+/// So that a job which waits survives a crash as well. What cannot be written is no reason to
+/// refuse the job: it is said when its turn comes.
+void ExportQueue::storeNewJobs() {
+    while (true) {
+        int id = 0;
+        {
+            const std::lock_guard lock(mutex_);
+            const auto at = std::ranges::find(entries_, false, &Entry::stored);
+            if (at == entries_.end()) return;
+            at->stored = true;
+            id = at->job.id;
+        }
+        mark_.hold();
+        if (writeSnapshot(id)) storeNote(id);
+    }
+}
+
+void ExportQueue::storeNote(int id) {
+    noted_at_ = Clock::now();
+    ExportNote note;
+    bool done = false;
+    {
+        const std::lock_guard lock(mutex_);
+        const Entry* entry = find(id);
+        if (entry == nullptr) return;
+        note = entry->noteOf();
+        done = entry->job.state == ui::ExportState::Done;
+    }
+    const fs::path file = exportFile(snapshot_folder_, mark_.text(), id, ".json");
+    std::error_code ignored;
+    if (done) {
+        fs::remove(file, ignored);
+    } else if (const Status written = writeNote(file, note); !written) {
+        log::debug("export", describe(written.error()));
     }
 }
 
@@ -329,8 +406,19 @@ void ExportQueue::follow(int id, ChildProcess& process) {
         });
         return true;
     };
+    int noted = 0;
     while (!process.end()) {
         listen(kLook);
+        storeNewJobs();
+        int done = 0;
+        {
+            const std::lock_guard lock(mutex_);
+            done = find(id)->job.frames_done;
+        }
+        if (done != noted && (noted == 0 || Clock::now() - noted_at_ > kNoteInterval)) {
+            noted = done;
+            storeNote(id);
+        }
         bool stop = false;
         {
             const std::lock_guard lock(mutex_);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/editor/owner_mark.h"
 #include "engine/core/result.h"
 #include "engine/io/project_file.h"
 #include "ui/export_job.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <filesystem>
 #include <functional>
@@ -17,6 +19,7 @@
 namespace dollytrack::editor {
 
 class ChildProcess;
+struct ExportNote;
 
 /// The command line program that exports: beside this one, else in PATH.
 [[nodiscard]] Result<std::filesystem::path> findExportProgram();
@@ -26,9 +29,9 @@ class ChildProcess;
 /// run. All functions return at once, but the destructor, which stops what runs.
 class ExportQueue {
   public:
-    /// Snapshots are kept in `snapshot_folder` until their job is removed; those that an editor
-    /// left there which no longer runs are removed now. `on_change` is called from a thread of the
-    /// queue when there is news.
+    /// Snapshots and notes are kept in `snapshot_folder` until their job is done or removed. Jobs
+    /// that an editor left there which no longer runs join the queue as cancelled ones. `on_change`
+    /// is called from a thread of the queue when there is news.
     ExportQueue(std::filesystem::path snapshot_folder, std::filesystem::path program,
                 std::function<void()> on_change = {});
     ~ExportQueue();
@@ -54,6 +57,8 @@ class ExportQueue {
     void move(int id, int by);
 
     [[nodiscard]] std::vector<ui::ExportJob> jobs() const;
+    /// Numbers of the jobs that another editor left; once.
+    [[nodiscard]] std::vector<int> takeFound();
     [[nodiscard]] bool busy() const;
     /// How many run or wait.
     [[nodiscard]] int unfinished() const;
@@ -64,6 +69,11 @@ class ExportQueue {
         std::shared_ptr<const io::ProjectFile> project;  // null: it is a file already
         std::filesystem::path project_file;
         bool snapshot_written = false;
+        bool stored = false;            // its note was written, or could not be
+        bool adopted_snapshot = false;  // another editor wrote it
+
+        [[nodiscard]] bool ownsSnapshot() const { return project != nullptr || adopted_snapshot; }
+        [[nodiscard]] ExportNote noteOf() const;
         bool cancel_asked = false;
         bool remove_asked = false;
     };
@@ -73,6 +83,10 @@ class ExportQueue {
     Entry* nextWaiting();
     void changed() const;
     void loop();
+    void adoptLeftJobs();
+    void storeNewJobs();
+    void storeNote(int id);
+    void removeFiles(const Entry& entry) const;
     void runEntry(int id);
     Status writeSnapshot(int id);
     void follow(int id, ChildProcess& process);
@@ -84,7 +98,10 @@ class ExportQueue {
     std::function<void()> on_change_;
     mutable std::mutex mutex_;
     std::condition_variable something_to_do_;
+    OwnerMark mark_;
+    std::chrono::steady_clock::time_point noted_at_;
     std::list<Entry> entries_;
+    std::vector<int> found_;
     int last_id_ = 0;
     bool held_ = false;
     bool stopping_ = false;

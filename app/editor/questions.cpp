@@ -20,6 +20,10 @@ void Questions::offer(std::vector<LostWork> lost) {
     lost_ = std::move(lost);
 }
 
+void Questions::offerExports(std::vector<int> jobs) {
+    found_exports_ = std::move(jobs);
+}
+
 void Questions::afterUnsaved(std::function<void()> then, const std::string& what_next) {
     if (!workspace_.unsaved()) return then();
     after_unsaved_ = std::move(then);
@@ -33,7 +37,8 @@ void Questions::afterExports(std::function<void()> then) {
 }
 
 bool Questions::waiting() const {
-    return notice_ || !lost_.empty() || !changed_file_.empty() || after_unsaved_ || after_exports_;
+    return notice_ || !lost_.empty() || !changed_file_.empty() || after_unsaved_ ||
+           after_exports_ || !found_exports_.empty() || doubt_;
 }
 
 bool Questions::pending(Kind kind) const {
@@ -48,6 +53,10 @@ bool Questions::pending(Kind kind) const {
             return after_unsaved_ && !saving_;
         case Kind::Exports:
             return after_exports_ != nullptr;
+        case Kind::FoundExports:
+            return !found_exports_.empty();
+        case Kind::Doubt:
+            return doubt_.has_value();
         case Kind::Notice:
             return notice_.has_value();
     }
@@ -62,8 +71,8 @@ void Questions::draw(bool choosing_file) {
     // One that is being read is not pushed aside by another.
     if (!pending(shown_)) {
         shown_ = Kind::None;
-        for (const Kind kind :
-             {Kind::LostWork, Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Notice}) {
+        for (const Kind kind : {Kind::LostWork, Kind::ChangedFile, Kind::Unsaved, Kind::Exports,
+                                Kind::Doubt, Kind::FoundExports, Kind::Notice}) {
             if (shown_ == Kind::None && pending(kind)) shown_ = kind;
         }
     }
@@ -76,6 +85,10 @@ void Questions::draw(bool choosing_file) {
             return drawUnsaved();
         case Kind::Exports:
             return drawExports();
+        case Kind::FoundExports:
+            return drawFoundExports();
+        case Kind::Doubt:
+            return drawDoubt();
         case Kind::Notice:
             return drawNotice();
         case Kind::None:
@@ -153,8 +166,8 @@ void Questions::drawExports() {
                     ? "An export is not finished"
                     : fmt::format("{} exports are not finished", stopped_exports_);
     box.text = fmt::format(
-        "Leaving stops {} after the frame at hand. Finished frames stay in the folder: "
-        "\"dollytrack export PROJECT --out FOLDER --resume\" goes on from there.",
+        "Leaving stops {} after the frame at hand. Finished frames stay, and the next start of "
+        "the editor offers to go on from there.",
         stopped_exports_ == 1 ? "it" : "them");
     box.buttons = {"Keep exporting", "Stop and quit"};
     box.escape = 0;
@@ -162,6 +175,35 @@ void Questions::drawExports() {
     if (pressed < 0) return;
     const std::function<void()> then = std::exchange(after_exports_, nullptr);
     if (pressed == 1) then();
+}
+
+void Questions::drawFoundExports() {
+    const std::size_t count = found_exports_.size();
+    ui::MessageBox box;
+    box.title = count == 1 ? "An export was not finished"
+                           : fmt::format("{} exports were not finished", count);
+    box.text =
+        "The editor ended before. What is finished stays, and the queue under Export has the "
+        "rest.";
+    box.buttons = {"Continue", "Later", "Take out of the queue"};
+    box.escape = 1;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::vector<int> jobs = std::exchange(found_exports_, {});
+    if (pressed == 0) doors_.continue_exports(jobs);
+    if (pressed == 2) doors_.forget_exports(jobs);
+}
+
+void Questions::drawDoubt() {
+    ui::MessageBox box;
+    box.title = doubt_->title;
+    box.text = doubt_->text;
+    box.buttons = {doubt_->yes, "Cancel"};
+    box.escape = 1;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const Doubt answered = *std::exchange(doubt_, std::nullopt);
+    if (pressed == 0) answered.then();
 }
 
 void Questions::drawNotice() {
@@ -185,6 +227,8 @@ void Questions::addTo(nlohmann::json& state) const {
     dialogs["lost_work"] = pending(Kind::LostWork);
     dialogs["changed_file"] = pending(Kind::ChangedFile);
     dialogs["exports"] = pending(Kind::Exports);
+    dialogs["found_exports"] = pending(Kind::FoundExports);
+    dialogs["doubt"] = pending(Kind::Doubt);
 }
 
 }  // namespace dollytrack::editor

@@ -23,6 +23,8 @@ class Questions {
         std::function<void(const LostWork&)> restore;
         std::function<void(const std::filesystem::path& project, bool restores)> find_scene;
         std::function<int()> unfinished_exports;
+        std::function<void(const std::vector<int>& jobs)> continue_exports;
+        std::function<void(const std::vector<int>& jobs)> forget_exports;
     };
 
     Questions(Workspace& workspace, Doors doors);
@@ -36,6 +38,16 @@ class Questions {
     void afterUnsaved(std::function<void()> then, const std::string& what_next);
     /// The same for exports that would be stopped.
     void afterExports(std::function<void()> then);
+    /// Asks whether to go on with exports that an earlier editor left.
+    void offerExports(std::vector<int> jobs);
+    /// Asks before something that may not be what was meant; `then` when the answer is `yes`.
+    struct Doubt {
+        std::string title;
+        std::string text;
+        std::string yes;
+        std::function<void()> then;
+    };
+    void ask(Doubt doubt) { doubt_ = std::move(doubt); }
     /// Another project is open: what was asked about the one before no longer matters.
     void forgetProject() { changed_file_.clear(); }
 
@@ -47,13 +59,15 @@ class Questions {
     void addTo(nlohmann::json& state) const;
 
   private:
-    enum class Kind { None, LostWork, ChangedFile, Unsaved, Exports, Notice };
+    enum class Kind { None, LostWork, ChangedFile, Unsaved, Exports, FoundExports, Doubt, Notice };
     [[nodiscard]] bool pending(Kind kind) const;
     void answerUnsaved(bool choosing_file);
     void drawLostWork();
     void drawChangedFile();
     void drawUnsaved();
     void drawExports();
+    void drawFoundExports();
+    void drawDoubt();
     void drawNotice();
 
     Workspace& workspace_;
@@ -66,6 +80,8 @@ class Questions {
     std::string what_next_;
     bool saving_ = false;  // as answer to the question after_unsaved_ waits for
     std::function<void()> after_exports_;
+    std::vector<int> found_exports_;
+    std::optional<Doubt> doubt_;
     int stopped_exports_ = 0;  // of which after_exports_ is asked
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "ui/export_job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// What an editor leaves of an export on the disk, so that the next one can offer to go on with it.
+struct ExportNote {
+    ui::ExportRequest request;
+    std::filesystem::path project_file;
+    bool snapshot = false;  // the project file is ours, and goes with the note
+    int frames_done = 0;
+    int frames = 0;  // 0: not known yet
+
+    bool operator==(const ExportNote&) const = default;
+};
+
+/// "export-<mark>-<job>", of the snapshot (.dolly) and of the note (.json).
+[[nodiscard]] std::filesystem::path exportFile(const std::filesystem::path& folder,
+                                               const std::string& mark, int job,
+                                               const char* ending);
+
+/// Written whole or not at all. Error: CannotWrite.
+Status writeNote(const std::filesystem::path& file, const ExportNote& note);
+/// Error: BadInput.
+Result<ExportNote> readNote(const std::filesystem::path& file);
+
+/// Notes of editors that no longer run, oldest first. Snapshots without a note are removed.
+[[nodiscard]] std::vector<std::filesystem::path> findLeftNotes(const std::filesystem::path& folder);
+
+}  // namespace dollytrack::editor
