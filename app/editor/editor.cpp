@@ -34,6 +34,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       autosave_(&Window::wake),
       drawing_(std::move(drawing), &Window::wake),
       layers_(&Window::wake),
+      export_folder_(&Window::wake),
       sheet_(&Window::wake),
       files_(&Window::wake),
       sent_scene_(drawing_),

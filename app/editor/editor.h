@@ -2,6 +2,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/export_queue.h"
+#include "app/editor/folder_check.h"
 #include "app/editor/gizmo_session.h"
 #include "app/editor/layer_builder.h"
 #include "app/editor/panel_states.h"
@@ -81,6 +82,7 @@ class Editor {
     void drawEdits();
     void drawExport();
     void drawParameters();
+    void setParameter(const std::string& name);  // to what the draft has
     void drawMetrics();
     void drawSelection();
     void drawTimeline();
@@ -89,7 +91,9 @@ class Editor {
     // editor_export.cpp
     void makeExportQueue();
     void drawSheet();
-    [[nodiscard]] ui::ExportView exportView() const;
+    void queueExport(const ui::ExportView& view);
+    [[nodiscard]] ui::ExportView exportView();
+    [[nodiscard]] std::filesystem::path exportFolder() const;
     [[nodiscard]] nlohmann::json exportsJson() const;
 
     // editor_viewport.cpp
@@ -150,6 +154,7 @@ class Editor {
     std::unique_ptr<ExportQueue> exports_;  // null where the export program is missing
     std::string why_no_export_;
     std::string why_no_folders_;
+    FolderCheck export_folder_;
     PictureFile sheet_;
     ui::FileBrowser files_;
 

@@ -3,7 +3,9 @@
 #include "engine/core/log.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
+#include "ui/widgets/path_line.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -24,7 +26,52 @@ std::vector<ui::ExportChoice> formatChoices() {
     return choices;
 }
 
+/// Tells the panel what was found.
+void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& view) {
+    using Kind = FolderFinding::Kind;
+    view.folder_warns = true;
+    switch (found.kind) {
+        case Kind::Unknown:
+        case Kind::Free:
+            break;
+        case Kind::New:
+            view.folder_warns = false;
+            view.folder_says = "It will be made.";
+            break;
+        case Kind::NewInNew:
+            view.folder_says = fmt::format("It will be made, and all of its path after {}.",
+                                           found.around.string());
+            break;
+        case Kind::Dataset:
+            view.folder_says = "The dataset that is there will be replaced.";
+            break;
+        case Kind::Unfinished:
+            view.folder_says = "The unfinished export that is there will be replaced.";
+            break;
+        case Kind::OtherFiles:
+            if (other_files_may_stay) {
+                view.folder_says = "Other files are there; they stay.";
+            } else {
+                view.why_not_folder =
+                    "Other files are there: choose another folder, or tick that they may be.";
+            }
+            break;
+        case Kind::NoFolder:
+            view.why_not_folder = found.around.empty()
+                                      ? "That is a file, not a folder."
+                                      : found.around.string() + " is a file, not a folder.";
+            break;
+    }
+}
+
 }  // namespace
+
+std::filesystem::path Editor::exportFolder() const {
+    const std::string& text = panels_.export_draft.folder;
+    std::error_code ignored;
+    return text.empty() ? std::filesystem::path()
+                        : ui::typedPath(text, std::filesystem::current_path(ignored));
+}
 
 void Editor::makeExportQueue() {
     const Result<std::filesystem::path> program = findExportProgram();
@@ -36,8 +83,16 @@ void Editor::makeExportQueue() {
     why_no_folders_ = whyNoFolders();
 }
 
-ui::ExportView Editor::exportView() const {
+ui::ExportView Editor::exportView() {
     ui::ExportView view;
+    const ui::ExportDraft& draft = panels_.export_draft;
+    if (workspace_.isOpen() && parameters_.read(workspace_.state().parameters)) {
+        view.parameters = &parameters_.fields();
+        view.standard = &parameters_.standard();
+    }
+    if (!draft.folder.empty()) {
+        say(export_folder_.of(exportFolder()), draft.overwrite, view);
+    }
     view.project = workspace_.path().empty() && workspace_.isOpen()
                        ? workspace_.sceneFile().stem().string()
                        : workspace_.path().stem().string();
@@ -76,13 +131,12 @@ ui::ExportView Editor::exportView() const {
 void Editor::drawExport() {
     const ui::ExportView view = exportView();
     const ui::ExportActions actions = ui::drawExportPanel(view, panels_.export_draft);
+    if (!actions.edited.empty()) setParameter(actions.edited);
+    if (actions.finished) workspace_.endMerge();
     if (actions.choose_folder) askForFile("export folder");
     if (actions.add_files) askForFile("export projects");
     if (!exports_) return;
-    if (actions.add_current && view.why_not.empty()) {
-        exports_->add(ui::requestOf(view, panels_.export_draft),
-                      std::make_shared<const io::ProjectFile>(workspace_.snapshot()));
-    }
+    if (actions.add_current && view.why_not.empty()) queueExport(view);
     if (actions.toggle_hold) exports_->hold(!exports_->held());
     if (actions.cancel != 0) exports_->cancel(actions.cancel);
     if (actions.resume != 0) exports_->resume(actions.resume);
@@ -100,13 +154,30 @@ void Editor::drawExport() {
     }
 }
 
+void Editor::queueExport(const ui::ExportView& view) {
+    ui::ExportRequest request = ui::requestOf(view, panels_.export_draft);
+    request.folder = exportFolder();
+    auto add = [this, request,
+                project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())] {
+        exports_->add(request, project);
+    };
+    const FolderFinding& found = export_folder_.of(request.folder);
+    if (found.kind != FolderFinding::Kind::NewInNew) return add();
+    // More likely a slip of the finger than a wish.
+    questions_.ask(
+        {"Make the whole path?",
+         fmt::format("Of {}\nonly {} is there.", request.folder.string(), found.around.string()),
+         "Make it and export", add});
+}
+
 void Editor::answerExportFile(const ui::FileAnswer& answer) {
     if (answer.id == "export folder") panels_.export_draft.folder = answer.path.string();
     if (answer.id == "export projects" && exports_) {
         ui::ExportRequest request = ui::requestOf(exportView(), panels_.export_draft);
         request.name = answer.path.stem().string();
         request.range = "::";  // the other project has frames of its own
-        request.folder = folderBeside(request.folder, answer.path, exports_->jobs());
+        const std::filesystem::path beside = request.folder.empty() ? answer.path : exportFolder();
+        request.folder = folderBeside(beside, answer.path, exports_->jobs());
         exports_->addFile(std::move(request), answer.path);
     }
 }

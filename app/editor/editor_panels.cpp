@@ -117,6 +117,13 @@ void Editor::drawEdits() {
     }
 }
 
+void Editor::setParameter(const std::string& name) {
+    FieldList& fields = parameters_.fields();
+    const auto field = std::ranges::find(fields, name, &Field::name);
+    workspace_.setParameters(toJson(fields), fmt::format("Set {} to {}", name, field->valueText()),
+                             "set " + name);
+}
+
 void Editor::drawParameters() {
     if (!workspace_.isOpen()) {
         ImGui::TextDisabled("No scene is open.");
@@ -133,10 +140,7 @@ void Editor::drawParameters() {
         parameters_.reset();
         workspace_.setParameters(toJson(fields), "Reset all parameters", "");
     } else if (!actions.edited.empty()) {
-        const auto field = std::ranges::find(fields, actions.edited, &Field::name);
-        workspace_.setParameters(toJson(fields),
-                                 fmt::format("Set {} to {}", actions.edited, field->valueText()),
-                                 "set " + actions.edited);
+        setParameter(actions.edited);
     }
     if (actions.finished) workspace_.endMerge();
 }

@@ -2,6 +2,7 @@
 
 #include "tests/ui/screen.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 namespace dollytrack::ui {
@@ -28,6 +29,8 @@ struct Export {
     }
     void draw() {
         const ExportActions now = drawExportPanel(view, draft);
+        if (!now.edited.empty()) actions.edited = now.edited;
+        actions.finished = actions.finished || now.finished;
         const auto keep = [](int& kept, int asked) { kept = asked != 0 ? asked : kept; };
         actions.add_current = actions.add_current || now.add_current;
         actions.choose_folder = actions.choose_folder || now.choose_folder;
@@ -89,6 +92,65 @@ TEST(ExportPanel, FitsItsFramesToAShorterTrajectory) {
     panel.draft.last = -1;
     panel.draft.first = 0;
     EXPECT_EQ(requestOf(panel.view, panel.draft).range, "::");
+}
+
+// What is typed beyond the end is not changed behind one's back.
+TEST(ExportPanel, SaysWhenTheRangeHasFramesThatAreNotThere) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_EQ(screen.names().find("range_note"), std::string::npos);
+    screen.typeInto("export.last", "150");
+    EXPECT_NE(screen.names().find("range_note"), std::string::npos);
+    EXPECT_EQ(panel.draft.last, 150);
+    EXPECT_EQ(frameCountOf(panel.view, panel.draft), 100);
+    EXPECT_TRUE(screen.enabled("export.add"));
+    panel.view.frame_count = 200;  // a new plan has them
+    screen.frame(2);
+    EXPECT_EQ(screen.names().find("range_note"), std::string::npos);
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "0:151:1");
+    screen.typeInto("export.first", "300");
+    EXPECT_NE(screen.names().find("range_note"), std::string::npos);
+    EXPECT_FALSE(screen.enabled("export.add")) << "not one frame of it is there";
+}
+
+TEST(ExportPanel, SetsTheSizeOfTheImage) {
+    Export panel;
+    int width = 640;
+    int height = 480;
+    FieldList fields = {
+        {"camera", "width_px", Field::Integer{{16, 8192, "px", "Width"}, &width}},
+        {"camera", "height_px", Field::Integer{{16, 8192, "px", "Height"}, &height}}};
+    int standard_width = 640;
+    int standard_height = 480;
+    const FieldList standard = {
+        {"camera", "width_px", Field::Integer{{16, 8192, "px", "Width"}, &standard_width}},
+        {"camera", "height_px", Field::Integer{{16, 8192, "px", "Height"}, &standard_height}}};
+    panel.view.parameters = &fields;
+    panel.view.standard = &standard;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    screen.doubleClick("export.height_px");
+    screen.press(GLFW_KEY_A, true);
+    screen.type("360");
+    screen.press(GLFW_KEY_ENTER);
+    screen.frame(2);
+    EXPECT_EQ(height, 360);
+    EXPECT_EQ(width, 640);
+    EXPECT_EQ(panel.actions.edited, "height_px");
+    EXPECT_TRUE(panel.actions.finished);
+}
+
+TEST(ExportPanel, WritesNowhereThatItCannot) {
+    Export panel;
+    panel.view.folder_says = "It will be made.";
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_TRUE(screen.enabled("export.add"));
+    panel.view.why_not_folder = "That is a file, not a folder.";
+    screen.frame(2);
+    EXPECT_FALSE(screen.enabled("export.add"));
+    // Other projects get folders of their own, whether or not one is chosen here.
+    panel.draft.folder.clear();
+    screen.frame(2);
+    EXPECT_TRUE(screen.enabled("export.add_files"));
 }
 
 TEST(ExportPanel, CannotExportNothing) {

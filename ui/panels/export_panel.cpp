@@ -3,6 +3,7 @@
 #include "ui/panels/export_jobs.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
+#include "ui/widgets/field_editor.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
@@ -47,7 +48,7 @@ std::vector<std::string> chosen(const std::vector<ExportChoice>& all,
     return names;
 }
 
-void drawFolder(ExportDraft& draft, ExportActions& actions) {
+void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     formLabel("Folder", "Where the dataset is written; it is made if it is not there");
     const char* label = "Choose…";
     const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -57,6 +58,44 @@ void drawFolder(ExportDraft& draft, ExportActions& actions) {
     tooltip(draft.folder);
     ImGui::SameLine();
     if (button(label, "export.choose_folder")) actions.choose_folder = true;
+    if (!view.why_not_folder.empty()) {
+        paragraph(view.why_not_folder, palette().bad);
+    } else if (!view.folder_says.empty()) {
+        paragraph(view.folder_says, view.folder_warns ? palette().warning : palette().text_dim);
+    }
+}
+
+/// The camera's, as among the parameters: the plan follows it.
+void drawImageSize(const ExportView& view, ExportActions& actions) {
+    if (view.parameters == nullptr) return;
+    formLabel("Image, px", "Width and height; parameters of the camera, so the plan follows them");
+    const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
+    const float half = (ImGui::GetContentRegionAvail().x - cross) / 2;
+    for (const char* name : {"width_px", "height_px"}) {
+        const auto field = std::ranges::find(*view.parameters, name, &Field::name);
+        const auto standard = std::ranges::find(*view.standard, name, &Field::name);
+        if (field == view.parameters->end() || standard == view.standard->end()) continue;
+        if (field->name == "height_px") {
+            ImGui::SameLine(0, 0);
+            ImGui::TextUnformatted(" \u00d7 ");
+            ImGui::SameLine(0, 0);
+        }
+        ImGui::SetNextItemWidth(half);
+        const FieldEdit edit = drawFieldValue(*field, *standard, std::string("export.") + name);
+        if (edit.changed) actions.edited = name;
+        actions.finished = actions.finished || edit.finished;
+    }
+}
+
+/// What of the range is not there, or nothing.
+std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
+    const int last = view.frame_count - 1;
+    if (view.frame_count == 0 || draft.current_only) return {};
+    if (draft.first > last) return fmt::format("The trajectory ends with frame {}.", last);
+    if (draft.last <= last && draft.first >= 0) return {};
+    const Frames frames = framesOf(view, draft);
+    return fmt::format("There are frames 0 to {}: {} to {} are exported.", last, frames.begin,
+                       frames.end - 1);
 }
 
 void drawFrames(const ExportView& view, ExportDraft& draft) {
@@ -65,25 +104,28 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     nameItem("export.current_only");
     if (draft.current_only) return;
     const int most = std::max(view.frame_count - 1, 0);
-    const Frames frames = framesOf(view, draft);
-    int first = frames.begin;
-    int last = frames.end - 1;
-    formLabel("From – to", "Both are exported");
+    int first = draft.first;
+    int last = draft.last < 0 ? most : draft.last;
+    formLabel("From – to", fmt::format("Both are exported; there are frames 0 to {}", most));
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     ImGui::SetNextItemWidth(half);
-    if (ImGui::DragInt("##first", &first, 0.5F, 0, most, "%d", ImGuiSliderFlags_AlwaysClamp)) {
-        draft.first = first;
-        if (draft.last >= 0) draft.last = std::max(draft.last, first);
+    if (ImGui::DragInt("##first", &first, 0.5F, 0, most)) {
+        draft.first = std::max(first, 0);
+        if (draft.last >= 0) draft.last = std::max(draft.last, draft.first);
     }
     nameItem("export.first");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::DragInt("##last", &last, 0.5F, 0, most, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+    if (ImGui::DragInt("##last", &last, 0.5F, 0, most)) {
         // To the end stays to the end when a new plan has more frames.
-        draft.last = last == most ? -1 : last;
-        draft.first = std::min(draft.first, last);
+        draft.last = last == most ? -1 : std::max(last, 0);
+        draft.first = std::min(draft.first, std::max(last, 0));
     }
     nameItem("export.last");
+    if (const std::string note = rangeNote(view, draft); !note.empty()) {
+        paragraph(note, palette().warning);
+        nameItem("export.range_note");
+    }
     formLabel("Every", "1: all of them; 5: every fifth");
     ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1),
                    draft.step == 1 ? "frame" : "%d frames", ImGuiSliderFlags_AlwaysClamp);
@@ -132,6 +174,8 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     if (!view.why_not.empty()) return view.why_not;
     if (view.frame_count == 0) return "The trajectory has no frames.";
     if (draft.folder.empty()) return "Choose a folder first.";
+    if (!view.why_not_folder.empty()) return view.why_not_folder;
+    if (!draft.current_only && draft.first >= view.frame_count) return rangeNote(view, draft);
     // To the program, no name means all.
     if (!view.modalities.empty() && chosen(view.modalities, draft.left_out_modalities).empty()) {
         return "Choose at least one modality.";
@@ -144,7 +188,8 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
 
 void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     if (!beginForm("place")) return;
-    drawFolder(draft, actions);
+    drawFolder(view, draft, actions);
+    drawImageSize(view, actions);
     drawFrames(view, draft);
     endForm();
 }
@@ -173,9 +218,12 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     }
     flowTo("Add projects…");
     if (button("Add projects…", "export.add_files",
-               {draft.folder.empty() ? "Choose a folder first." : "",
-                "Queue other .dolly files with these settings; each gets a folder beside this "
-                "one"})) {
+               {{},
+                draft.folder.empty()
+                    ? "Queue other .dolly files with these settings; each gets a folder beside "
+                      "its project"
+                    : "Queue other .dolly files with these settings; each gets a folder beside "
+                      "this one"})) {
         actions.add_files = true;
     }
     const auto running = std::ranges::find_if(view.jobs, &ExportJob::active);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
+#include "engine/core/field_list.h"
 #include "ui/export_job.h"
 
 #include <string>
@@ -21,7 +22,12 @@ struct ExportView {
     int frame_count = 0;  // of its trajectory
     int current_frame = 0;
     CameraParams camera;
-    double bytes_per_frame = 0.0;  // an estimate; 0: unknown
+    FieldList* parameters = nullptr;      // of the project, to set the image's size; null: none
+    const FieldList* standard = nullptr;  // the same, as they are by default
+    std::string folder_says;              // what the folder holds; empty: not known, or nothing
+    bool folder_warns = false;            // of something that one may not expect
+    std::string why_not_folder;           // why nothing can be written there
+    double bytes_per_frame = 0.0;         // an estimate; 0: unknown
     std::vector<ExportChoice> modalities;
     std::vector<ExportChoice> formats;
     std::vector<ExportJob> jobs;  // in the queue's order
@@ -55,6 +61,8 @@ struct ExportDraft {
 /// What the user asked for; jobs by their number, 0: none.
 struct ExportActions {
     bool choose_folder = false;
+    std::string edited;        // name of the parameter that was changed
+    bool finished = false;     // with the mouse let go: one step of undo
     bool add_current = false;  // with requestOf(view, state)
     bool add_files = false;    // other projects, with the same settings
     bool toggle_hold = false;

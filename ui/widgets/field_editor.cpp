@@ -128,6 +128,15 @@ std::string readableName(const Field& field) {
     return name;
 }
 
+FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path) {
+    ImGui::PushID(field.name.c_str());
+    const FieldEdit result =
+        std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
+    if (!result.says && ImGui::IsItemHovered()) explainField(field, standard);
+    ImGui::PopID();
+    return result;
+}
+
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path) {
     FieldEdit result;
     ImGui::PushID(field.name.c_str());
@@ -144,8 +153,7 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
     const bool differs = field.valueText() != standard.valueText();
     const float reset_width = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
-    result = std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
-    if (!result.says && ImGui::IsItemHovered()) explainField(field, standard);
+    result = drawFieldValue(field, standard, path);
     if (differs) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("\u21ba", {reset_width, 0})) {

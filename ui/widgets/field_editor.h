@@ -12,6 +12,9 @@ namespace dollytrack::ui {
 /// text and the range. `path` names the widgets: "parameters.fill". Inside a table of two columns.
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path);
 
+/// Its widget alone, with the width set by SetNextItemWidth().
+FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
+
 /// "corner_distance_m" as people read it: "corner distance".
 [[nodiscard]] std::string readableName(const Field& field);
 

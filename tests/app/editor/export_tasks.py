@@ -117,6 +117,61 @@ class Exporting(Task):
         self.by_command_line(same)
         self.assertEqual(self.hashes(out), self.hashes(same))
 
+    def test_an_export_that_a_crash_cut_off_is_offered_again(self):
+        self.start_project("--max-frames", "60")
+        out = self.folder / "dataset"
+        self.queue(out)
+        self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 3, "three frames")
+        self.editor.kill()
+        self.start()
+        self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question")
+        self.dismiss("later")
+        job = self.editor.idle()["exports"][0]
+        self.assertEqual((job["state"], job["frames"]), (CANCELLED, 60))
+        self.editor.kill()
+        self.start()
+        self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question again")
+        self.dismiss("continue")
+        job = self.editor.wait(lambda now: now["exports"], "the queue")["exports"][0]
+        self.assertEqual(self.finished(job["id"])["frames_done"], 60)
+        same = self.folder / "same"
+        self.by_command_line(same)
+        self.assertEqual(self.hashes(out), self.hashes(same))
+        self.editor.kill()
+        self.start()
+        self.assertFalse(self.editor.idle()["exports"], "it is done")
+
+    def test_a_mistyped_folder_is_asked_about(self):
+        self.start_project(*SMALL)
+        out = self.folder / "datsets" / "room"
+        self.editor.key("ctrl+e")
+        self.editor.click("export.folder")
+        self.editor.type(str(out))
+        self.editor.key("enter")
+        self.press_in_panel("export.add")
+        self.editor.wait(lambda now: now["dialogs"]["doubt"], "the question")
+        self.dismiss("cancel")
+        self.assertFalse(self.editor.idle()["exports"])
+        self.assertFalse(out.parent.exists())
+        self.press_in_panel("export.add")
+        self.dismiss("make_it_and_export")
+        job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
+        self.finished(job["id"])
+        self.assertTrue((out / "dataset.json").exists())
+
+    def test_set_the_size_of_the_image_where_one_exports(self):
+        self.start_project(*SMALL)
+        self.editor.key("ctrl+e")
+        self.editor.item("export.width_px")
+        self.editor.type_value("export.width_px", "200")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"]["camera"]["width_px"], 200)
+        self.assertEqual(state["history"][-1], "Set width_px to 200")
+        out = self.folder / "dataset"
+        self.finished(self.queue(out))
+        picture = cv2.imread(str(next((out / "rgb").glob("*.png"))))
+        self.assertEqual(picture.shape[:2], (120, 200))
+
     def test_queue_two_projects(self):
         self.start_project(*SMALL)
         other = self.folder / "other.dolly"
