@@ -76,8 +76,7 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
-            pictures_.save(answer.path, std::move(*picture_to_save_),
-                           workspace_.shown().params.camera);
+            pictures_.save(answer.path, std::move(*picture_to_save_));
         }
         picture_to_save_.reset();
     } else {

@@ -23,7 +23,7 @@ Pixels gray16(const std::vector<std::uint16_t>& values) {
     return {io::PngFormat::Gray16, {first, first + 2 * values.size()}};
 }
 
-Pixels pixelsOf(const ui::PreviewImage& image, const CameraParams& camera) {
+Pixels pixelsOf(const ui::PreviewImage& image) {
     const render::FrameRecord& record = image.record;
     switch (image.modality) {
         case ui::Modality::Rgb:
@@ -37,9 +37,8 @@ Pixels pixelsOf(const ui::PreviewImage& image, const CameraParams& camera) {
         case ui::Modality::Normal:
             break;
     }
-    render::View view;
-    view.intrinsics = makeIntrinsics(camera);
-    const std::vector<std::uint8_t> rgba = ui::falseColor(record, view, image.modality);
+    // With the camera it was drawn by: the project's may have been changed since.
+    const std::vector<std::uint8_t> rgba = ui::falseColor(record, image.view, image.modality);
     Pixels pixels;
     for (std::size_t i = 0; i < rgba.size(); ++i) {
         if (i % 4 != 3) pixels.bytes.push_back(rgba[i]);
@@ -47,9 +46,8 @@ Pixels pixelsOf(const ui::PreviewImage& image, const CameraParams& camera) {
     return pixels;
 }
 
-Status write(const std::filesystem::path& file, const ui::PreviewImage& image,
-             const CameraParams& camera) {
-    const Pixels pixels = pixelsOf(image, camera);
+Status write(const std::filesystem::path& file, const ui::PreviewImage& image) {
+    const Pixels pixels = pixelsOf(image);
     return io::encodePng(image.record.width, image.record.height, pixels.format, pixels.bytes)
         .and_then([&](const std::vector<std::uint8_t>& png) -> Status {
             return io::writeWhole(file, std::span<const std::uint8_t>(png));
@@ -64,11 +62,10 @@ PictureSaver::~PictureSaver() {
     writer_.finish();
 }
 
-void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage image,
-                        const CameraParams& camera) {
+void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage image) {
     {
         const std::lock_guard lock(desk_->mutex);
-        desk_->orders.push_back({file, std::move(image), camera});
+        desk_->orders.push_back({file, std::move(image)});
     }
     // The worker drops a piece of work that waits for a newer one: so each takes all orders.
     writer_.start([desk = desk_](const JobContext&) {
@@ -80,7 +77,7 @@ void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage imag
             }
             if (orders.empty()) return;
             for (const Order& order : orders) {
-                const Status written = write(order.file, order.image, order.camera);
+                const Status written = write(order.file, order.image);
                 if (written) {
                     log::info("editor", "saved " + order.file.string());
                 } else {

@@ -22,8 +22,7 @@ class PictureSaver {
     /// Waits until all is written.
     ~PictureSaver();
 
-    void save(const std::filesystem::path& file, ui::PreviewImage image,
-              const CameraParams& camera);
+    void save(const std::filesystem::path& file, ui::PreviewImage image);
     /// The next picture that could not be written.
     [[nodiscard]] std::optional<Error> takeError();
 
@@ -31,7 +30,6 @@ class PictureSaver {
     struct Order {
         std::filesystem::path file;
         ui::PreviewImage image;
-        CameraParams camera;
     };
     /// Shared with the worker.
     struct Desk {

@@ -303,6 +303,7 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     image.texture = picture.get();
     image.modality = request.modality;
     image.frame = request.frame;
+    image.view = request.view;
     image.serial = ++serial;
     const std::lock_guard lock(mutex);
     std::swap(previews.drawn, previews.finished);

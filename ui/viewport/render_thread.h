@@ -55,6 +55,7 @@ struct PreviewImage {
     unsigned texture = 0;
     Modality modality = Modality::Rgb;
     int frame = -1;
+    render::View view;  // with which it was drawn
     render::FrameRecord record;
     std::uint64_t serial = 0;
 };
