@@ -35,20 +35,6 @@ double rounded(double value) {
     return std::round(value * 1000.0) / 1000.0;
 }
 
-const char* nameOf(log::Level level) {
-    switch (level) {
-        case log::Level::Debug:
-            return "debug";
-        case log::Level::Info:
-            return "info";
-        case log::Level::Warning:
-            return "warning";
-        case log::Level::Error:
-            break;
-    }
-    return "error";
-}
-
 const char* nameOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::Usage:
@@ -118,7 +104,7 @@ JobContext ProgressLines::context(std::shared_ptr<const std::atomic<bool>> cance
 log::Sink ProgressLines::logSink() {
     return [](const log::Record& record) {
         writeLine({{"log",
-                    {{"level", nameOf(record.level)},
+                    {{"level", log::name(record.level)},
                      {"subsystem", record.subsystem},
                      {"message", record.message},
                      {"repeats", record.repeats}}}});

@@ -115,7 +115,7 @@ bool Editor::frame() {
     play();
     if (!files_.isOpen() && !panels_.palette.open && !panels_.help.open && !sheet_.isOpen() &&
         !questions_.waiting()) {
-        commands_.runShortcuts();
+        commands_.runShortcuts(&Window::signOfKey);
         runKeypad();
     }
     drawMenus();

@@ -44,14 +44,16 @@ void passOn(const json& record, ui::ExportJob& job) {
     const std::string message = textIn(record, "message");
     if (message.empty()) return;
     const std::string text = job.request.name + ": " + message;
-    if (level == "error") {
+    if (level == log::name(log::Level::Error)) {
         log::error("export", text);
-    } else if (level == "warning") {
+    } else if (level == log::name(log::Level::Warning)) {
         log::warn("export", text);
     } else {
         log::info("export", text);
     }
-    if (level == "error" || level == "warning") remember(message, job);
+    if (level == log::name(log::Level::Error) || level == log::name(log::Level::Warning)) {
+        remember(message, job);
+    }
 }
 
 ErrorCode codeNamed(const std::string& name) {

@@ -179,6 +179,11 @@ Result<std::unique_ptr<gl::Context>> Window::sharedContext() {
     return std::unique_ptr<gl::Context>(std::make_unique<SharedContext>(sharer_));
 }
 
+std::string Window::signOfKey(int key) {
+    const char* name = glfwGetKeyName(key, 0);
+    return name != nullptr ? name : "";
+}
+
 void Window::wake() {
     woken = true;
     glfwPostEmptyEvent();

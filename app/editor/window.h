@@ -39,6 +39,9 @@ class Window {
     /// Makes run() draw soon. From any thread.
     static void wake();
 
+    /// What a key (of GLFW's numbers) writes on the user's keyboard; empty where that is not known.
+    [[nodiscard]] static std::string signOfKey(int key);
+
     /// Keeps drawing for a while without events: while something moves by itself.
     void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
 

@@ -73,6 +73,20 @@ void write(Level level, std::string_view subsystem, std::string_view message) {
 
 }  // namespace
 
+const char* name(Level level) {
+    switch (level) {
+        case Level::Debug:
+            return "debug";
+        case Level::Info:
+            return "info";
+        case Level::Warning:
+            return "warning";
+        case Level::Error:
+            break;
+    }
+    return "error";
+}
+
 void debug(std::string_view subsystem, std::string_view message) {
     write(Level::Debug, subsystem, message);
 }

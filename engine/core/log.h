@@ -8,6 +8,9 @@ namespace dollytrack::log {
 
 enum class Level { Debug, Info, Warning, Error };
 
+/// "debug", "info", "warning", "error".
+[[nodiscard]] const char* name(Level level);
+
 struct Record {
     Level level = Level::Info;
     std::string subsystem;  // "import", "planning"

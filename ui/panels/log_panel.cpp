@@ -16,20 +16,6 @@
 namespace dollytrack::ui {
 namespace {
 
-const char* levelName(log::Level level) {
-    switch (level) {
-        case log::Level::Debug:
-            return "debug";
-        case log::Level::Info:
-            return "info";
-        case log::Level::Warning:
-            return "warning";
-        case log::Level::Error:
-            return "error";
-    }
-    return "";
-}
-
 ImVec4 levelColor(log::Level level) {
     if (level == log::Level::Error) return palette().bad;
     if (level == log::Level::Warning) return palette().warning;
@@ -44,7 +30,7 @@ bool matches(const log::Record& record, const LogPanelState& state) {
 
 std::string asText(const log::Record& record) {
     std::string text =
-        std::string(levelName(record.level)) + " " + record.subsystem + ": " + record.message;
+        std::string(log::name(record.level)) + " " + record.subsystem + ": " + record.message;
     if (record.repeats > 1) text += " (" + std::to_string(record.repeats) + " times)";
     return text;
 }
@@ -116,7 +102,7 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const log::Record& record = *rows[static_cast<std::size_t>(i)];
-            ImGui::TextColored(levelColor(record.level), "%-7s", levelName(record.level));
+            ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
             ImGui::SameLine(scaled(70));
             ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());
             ImGui::SameLine(scaled(150));

@@ -50,20 +50,15 @@ std::string keyName(int key) {
     }
 }
 
-/// Whether a key writes this sign on the user's keyboard, wherever it is there.
-bool writes(int key, char sign) {
-    const char* name = glfwGetKeyName(key, 0);
-    return name != nullptr && name[0] == sign && name[1] == '\0';
-}
-
 /// Larger and smaller are on keys of many places: + and - of the number pad, + beside Enter.
-bool pressedElsewhere(int key) {
+bool pressedElsewhere(int key, const CommandTable::KeySigns& signs) {
     if (key != GLFW_KEY_EQUAL && key != GLFW_KEY_MINUS) return false;
     const bool larger = key == GLFW_KEY_EQUAL;
     if (ImGui::IsKeyPressed(larger ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT, false)) return true;
+    if (!signs) return false;
     for (int other = GLFW_KEY_APOSTROPHE; other <= GLFW_KEY_GRAVE_ACCENT; ++other) {
         if (other == GLFW_KEY_EQUAL || other == GLFW_KEY_MINUS) continue;
-        if (ImGui::IsKeyPressed(other, false) && writes(other, larger ? '+' : '-')) return true;
+        if (ImGui::IsKeyPressed(other, false) && signs(other) == (larger ? "+" : "-")) return true;
     }
     return false;
 }
@@ -85,7 +80,7 @@ const Command* CommandTable::find(std::string_view id) const {
     return at == commands_.end() ? nullptr : &*at;
 }
 
-std::string CommandTable::runShortcuts() const {
+std::string CommandTable::runShortcuts(const KeySigns& signs) const {
     const ImGuiIO& io = ImGui::GetIO();
     for (const Command& command : commands_) {
         const Shortcut& keys = command.shortcut;
@@ -95,7 +90,7 @@ std::string CommandTable::runShortcuts() const {
         if (keys.key == 0) continue;
         if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) continue;
         const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
-        if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key))) continue;
+        if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) continue;
         // On many keyboards + is Shift and =.
         if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) continue;
         // While typing only what no text holds is a command.

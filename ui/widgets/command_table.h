@@ -36,9 +36,12 @@ class CommandTable {
     [[nodiscard]] const std::vector<Command>& all() const { return commands_; }
     [[nodiscard]] const Command* find(std::string_view id) const;
 
+    /// What a key writes on the user's keyboard, "+" say; empty: not one sign, or not known.
+    using KeySigns = std::function<std::string(int key)>;
+
     /// Runs the command whose keys were pressed this frame, unless a text field has the keyboard.
     /// Returns its id; empty when there was none.
-    std::string runShortcuts() const;
+    std::string runShortcuts(const KeySigns& signs = {}) const;
 
     /// A menu's entry; separators are the caller's.
     void drawMenuItem(std::string_view id) const;

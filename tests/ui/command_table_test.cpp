@@ -1,0 +1,54 @@
+#include "ui/widgets/command_table.h"
+
+#include "tests/ui/screen.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace dollytrack::ui {
+namespace {
+
+/// A table that is asked for its keys once a frame, as the window does.
+class CommandTableTest : public testing::Test {
+  protected:
+    CommandTableTest() {
+        const auto count = [this](const char* id) { return [this, id] { ++ran[id]; }; };
+        commands.add({"larger", "View", "Larger", {GLFW_KEY_EQUAL, true}, count("larger")});
+        commands.add({"smaller", "View", "Smaller", {GLFW_KEY_MINUS, true}, count("smaller")});
+        commands.add({"open", "File", "Open", {GLFW_KEY_O, true}, count("open")});
+    }
+    std::map<std::string, int> ran;
+    CommandTable commands;
+    CommandTable::KeySigns signs;
+    test::Screen screen{[this] { commands.runShortcuts(signs); }, 400, 300};
+};
+
+TEST_F(CommandTableTest, RunsWhatItsKeysSay) {
+    screen.press(GLFW_KEY_O, true);
+    screen.press(GLFW_KEY_O);
+    EXPECT_EQ(ran["open"], 1);
+    screen.press(GLFW_KEY_EQUAL, true);
+    screen.press(GLFW_KEY_EQUAL, true, true);  // where + is Shift and =
+    screen.press(GLFW_KEY_KP_ADD, true);
+    EXPECT_EQ(ran["larger"], 3);
+}
+
+// On a German keyboard + is the key right of Ü, where an American one has ].
+TEST_F(CommandTableTest, FindsPlusAndMinusWhereTheKeyboardHasThem) {
+    screen.press(GLFW_KEY_RIGHT_BRACKET, true);
+    EXPECT_EQ(ran["larger"], 0) << "nobody has said that it writes +";
+    signs = [](int key) -> std::string {
+        if (key == GLFW_KEY_RIGHT_BRACKET) return "+";
+        return key == GLFW_KEY_SLASH ? "-" : "";
+    };
+    screen.press(GLFW_KEY_RIGHT_BRACKET, true);
+    screen.press(GLFW_KEY_SLASH, true);
+    screen.press(GLFW_KEY_SLASH);
+    EXPECT_EQ(ran["larger"], 1);
+    EXPECT_EQ(ran["smaller"], 1);
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
