@@ -10,7 +10,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kCoarseGrid = 7;
-constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of three orders
+constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of the orders
 constexpr int kExactGrid = 72;   // denser than this adds nothing that decides
 
 /// A cheap look, without rays, at whether a frame could capture the object.
@@ -27,8 +27,8 @@ bool mayCapture(const ViewEstimator& views, const Pose& pose, int object_id) {
 }
 
 /// The frames that are worth a look by every pixel, by three orders: most visible, most visible
-/// among those that show the object large, and of these the safest.
-std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
+/// among those that show the object large, and of these the safest; then the safest key frames.
+std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
     std::vector<int> frames;
     const auto take = [&](auto&& better) {
         const auto count = std::min<std::size_t>(kExactFrames, coarse.size());
@@ -52,7 +52,16 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse) {
                                     v.box_share / rules.min_box_share),
                           v.frame);
     };
-    take([&](const ObjectView& a, const ObjectView& b) { return margin(a) < margin(b); });
+    const auto safer = [&](const ObjectView& a, const ObjectView& b) {
+        return margin(a) < margin(b);
+    };
+    take(safer);
+    // One of them was chosen for this object, and what it was chosen for shows at a close look
+    // only, where things stand one before the other.
+    std::erase_if(coarse, [&](const ObjectView& v) {
+        return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
+    });
+    take(safer);
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
@@ -76,7 +85,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
             coarse.push_back(
                 makeView(views.estimate(pose, id, kCoarseGrid), id, static_cast<int>(f)));
         }
-        for (const int frame : bestFrames(coarse)) {
+        for (const int frame : bestFrames(coarse, trajectory)) {
             const Pose& pose = trajectory.frames[static_cast<std::size_t>(frame)].pose;
             exact[i].push_back(makeView(views.estimate(pose, id, kExactGrid), id, frame));
         }

@@ -16,6 +16,14 @@ constexpr int kGlance = 4;
 constexpr int kEnoughRays = 6;      // fewer on the target say nothing
 constexpr double kHopeless = 0.45;  // well below what counts as captured
 
+/// See Judged::nearness.
+double nearnessOf(const ViewEstimator::Estimate& estimate) {
+    const CaptureRules rules;
+    return std::min(1.0,
+                    estimate.visible_fraction / (rules.min_visible_fraction + kFractionMargin)) +
+           std::min(1.0, estimate.box_share / (rules.min_box_share * kAreaMargin));
+}
+
 }  // namespace
 
 bool isSafelyCaptured(const ViewEstimator::Estimate& estimate) {
@@ -78,13 +86,17 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     bool cropped = false;
     bool too_small = false;
     judged.all_well = true;
+    judged.nearness = 2.0;
     bool all_captured = true;
     for (const int id : point_.objects) {
-        const auto estimate = around_.views.estimate(pose, id, static_cast<int>(look));
+        const int grid = static_cast<int>(look);
+        const auto estimate = look == Look::Fine ? around_.views.estimateClosely(pose, id, grid)
+                                                 : around_.views.estimate(pose, id, grid);
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);
         judged.all_well &= well;
         all_captured &= captured;
+        judged.nearness = std::min(judged.nearness, nearnessOf(estimate));
         if (estimate.visible_fraction < worst) {
             worst = estimate.visible_fraction;
             occluder = estimate.occluder;

@@ -15,6 +15,8 @@ struct Judged {
     double quality = -1.0;  // below 0: not legal
     int order = 0;          // among candidates of equal quality the first is taken
     bool all_well = false;  // every object is captured well, with a margin
+    double nearness = 0.0;  // 0..2, of the worst object: how much of what capturing it well asks
+                            // for is reached, by its visible fraction and by its box
 };
 
 /// How carefully a candidate is looked at: rays along each side of each object's extent.

@@ -11,6 +11,8 @@
 namespace dollytrack::planning {
 namespace {
 
+constexpr int kGlance = 6;
+constexpr double kWorthALook = 0.6;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
 constexpr double kRidesAlong = 0.6;
@@ -31,7 +33,9 @@ std::vector<ShownObject> shownFrom(const ViewEstimator& views, const Pose& pose)
     std::vector<ShownObject> shown;
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
-        const auto estimate = views.estimate(pose, object.id, kGrid);
+        // A coarse look spares the closer one where it is clear that little shows.
+        if (views.estimate(pose, object.id, kGlance).visible_fraction < kWorthALook) continue;
+        const auto estimate = views.estimateClosely(pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) shown.push_back({object.id, estimate.box_share});
     }
     return shown;

@@ -54,8 +54,8 @@ class SearchMemo {
 };
 
 /// Sets P (paper, eq. 1 and 3.2.1): for each observation point the best legal place in the cone
-/// around its direction; where the cone has none that captures well, all around it, then anywhere
-/// in free space. Members that their group's view does not capture well get a view of their own.
+/// around its direction; where the cone has none that captures well, where searchView() goes on.
+/// Members that their group's view does not capture well get a view of their own.
 /// What is searched for one observation point does not depend on the others, so that excluding
 /// an object leaves their places alone. Error: Cancelled.
 Result<Viewpoints> searchViewpoints(const Surroundings& around,

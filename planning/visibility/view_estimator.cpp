@@ -169,6 +169,16 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     return result;
 }
 
+ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int object_id, int grid,
+                                                       int least_rays) const {
+    constexpr double kDensest = 72.0;
+    const Estimate first = estimate(pose, object_id, grid);
+    const int rays = first.rays_on_silhouette;
+    if (rays == 0 || rays >= least_rays) return first;
+    const double wanted = grid * std::sqrt(static_cast<double>(least_rays) / rays);
+    return estimate(pose, object_id, static_cast<int>(std::min(wanted, kDensest)));
+}
+
 ObjectView makeView(const ViewEstimator::Estimate& estimate, int object_id, int frame) {
     return {object_id,
             frame,

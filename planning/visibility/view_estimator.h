@@ -35,6 +35,11 @@ class ViewEstimator {
     /// extent in the image; never denser than the pixels.
     [[nodiscard]] Estimate estimate(const Pose& pose, int object_id, int grid) const;
 
+    /// The same; where the silhouette is but a small part of its extent, as of a thin thing seen
+    /// aslant, with as many cells more as `least_rays` on it ask for.
+    [[nodiscard]] Estimate estimateClosely(const Pose& pose, int object_id, int grid,
+                                           int least_rays = 200) const;
+
     /// Extent of the object's silhouette on the unbounded image, px; nothing when part of it is
     /// behind the near plane. At most a few per cent too large.
     [[nodiscard]] std::optional<Eigen::AlignedBox2d> extent(const Pose& pose, int object_id) const;

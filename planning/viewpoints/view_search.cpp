@@ -1,0 +1,243 @@
+#include "planning/viewpoints/view_search.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/plan_params.h"
+#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kExactGrid = 72;       // decides about objects that can be captured only just
+constexpr std::size_t kRefined = 5;  // candidates looked at again with the fine grid
+constexpr int kConeDirections = 20;
+constexpr int kAroundDirections = 64;
+constexpr int kRandomPlaces = 160;
+constexpr int kHardDirections = 200;
+constexpr int kEnoughGood = 12;
+// Where sampling found nothing, places breed: the best few, and others beside them.
+constexpr std::size_t kParents = 8;
+constexpr int kGenerations = 10;
+constexpr int kChildren = 48;
+constexpr double kFirstSpread = 0.3;  // of the distance to the target
+constexpr double kShrinking = 0.75;   // of the spread, from one generation to the next
+constexpr double kHope = 1.1;         // of nearness a spread: with less they cannot get there
+constexpr double kWorthAnotherSearch = 0.4;  // of nearness missing
+constexpr double kApart = 0.25;              // of the spread: nearer parents are too much alike
+// The range of fill that the paper searches.
+constexpr double kLeastFill = 0.35;
+constexpr double kMostFill = 0.85;
+
+class Search {
+  public:
+    Search(const Surroundings& around, const ObservationPoint& point, const ViewpointParams& params,
+           Random random)
+        : around_(around),
+          point_(point),
+          params_(params),
+          judge_(around, point, params.fill),
+          random_(random) {}
+
+    FoundView run() {
+        const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
+        tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
+                      {1.0, 0.8, 1.25});
+        // A group whose cone holds no good view is split; only single objects are worth more
+        // search.
+        if (!refineBest() && point_.objects.size() == 1) {
+            tryDirections(directionsAllAround(point_.direction, kAroundDirections),
+                          {1.0, 0.75, 0.55});
+            if (!refineBest()) {
+                for (const Eigen::Vector3d& place :
+                     randomPlaces(around_.free_space, around_.sphere, around_.views,
+                                  judge_.subject(), 0.08, 1.3, kRandomPlaces, random_)) {
+                    tryPlace(place);
+                }
+                if (!refineBest()) searchHard();
+            }
+        }
+        return finish();
+    }
+
+  private:
+    void tryDirections(const std::vector<Eigen::Vector3d>& directions,
+                       const std::vector<double>& shares_of_wish) {
+        const double wish = judge_.wishedFill();
+        for (const Eigen::Vector3d& direction : directions) {
+            // Directions come with the best first: among so many good views there is a best one.
+            const auto good = std::count_if(pending_.begin(), pending_.end(),
+                                            [](const Judged& judged) { return judged.all_well; });
+            if (good >= kEnoughGood) break;
+            for (const double share : shares_of_wish) {
+                const double fill =
+                    std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
+                const double distance =
+                    distanceForFill(around_.views, judge_.subject(), direction, fill);
+                // With a band of heights most directions lead out of it: keep to it instead.
+                tryPlace(around_.sphere.inBand(judge_.subject().center + direction * distance));
+            }
+        }
+    }
+
+    void tryPlace(const Eigen::Vector3d& place) {
+        Judged judged = judge_.judge(place, Look::Coarse);
+        candidates_.push_back(judged.candidate);
+        if (judged.quality < 0.0) return;
+        judged.order = static_cast<int>(pending_.size());
+        if (point_.objects.size() == 1) promising_.push_back(judged);
+        pending_.push_back(std::move(judged));
+    }
+
+    /// Looks again, finer, at the best of what is new; true when the best found captures all well.
+    bool refineBest() {
+        const auto count = std::min(kRefined, pending_.size());
+        std::partial_sort(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(count),
+                          pending_.end(), [](const Judged& a, const Judged& b) {
+                              return std::pair(a.quality, b.order) > std::pair(b.quality, a.order);
+                          });
+        for (std::size_t i = 0; i < count; ++i) {
+            Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
+            if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);
+        }
+        pending_.clear();
+        return best_ && best_->all_well;
+    }
+
+    /// The places nearest to a view that captures well, none too near to a better one.
+    void chooseParents(double spread) {
+        std::stable_sort(
+            promising_.begin(), promising_.end(), [](const Judged& a, const Judged& b) {
+                return std::pair(a.nearness, a.quality) > std::pair(b.nearness, b.quality);
+            });
+        std::vector<Judged> parents;
+        for (Judged& one : promising_) {
+            if (parents.size() == kParents) break;
+            const double apart = kApart * spread * distanceOf(one);
+            if (std::all_of(parents.begin(), parents.end(), [&](const Judged& other) {
+                    return (one.candidate.position - other.candidate.position).norm() >= apart;
+                })) {
+                parents.push_back(std::move(one));
+            }
+        }
+        promising_ = std::move(parents);
+    }
+
+    /// Searches on beside the best places found, ever closer to them. Many an object shows from a
+    /// small region only, between two things or just above one, that no sample meets.
+    void breed() {
+        double spread = kFirstSpread;
+        for (int generation = 0; generation < kGenerations; ++generation) {
+            chooseParents(spread);
+            // What the places nearby can add shrinks with them.
+            if (promising_.empty() || missing() > kHope * spread) return;
+            const std::vector<Judged> parents = promising_;
+            for (int i = 0; i < kChildren; ++i) {
+                const Judged& parent = parents[static_cast<std::size_t>(i) % parents.size()];
+                const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
+                Judged child = judge_.judge(
+                    parent.candidate.position + spread * distanceOf(parent) * offset, Look::Closer);
+                if (child.quality >= 0.0) promising_.push_back(std::move(child));
+            }
+            chooseParents(spread);
+            for (Judged& one : promising_) {
+                if (!one.all_well) break;
+                // A place that does not stand a finer look breeds on by what that says.
+                one = judge_.judge(one.candidate.position, Look::Fine);
+                if (one.all_well) {
+                    best_ = std::move(one);
+                    return;
+                }
+            }
+            spread *= kShrinking;
+        }
+    }
+
+    /// How far the best place found is from capturing all well.
+    [[nodiscard]] double missing() const { return 2.0 - promising_.front().nearness; }
+
+    void searchHard() {
+        breed();
+        if (best_ && best_->all_well) return;
+        if (promising_.empty() || missing() > kWorthAnotherSearch) return;
+        tryDirections(directionsAllAround(point_.direction, kHardDirections), {1.3, 0.9, 0.6});
+        if (refineBest()) return;
+        breed();
+        if (best_ && best_->all_well) return;
+        takeJustCaptured();
+    }
+
+    /// By every pixel and without the margins: better captured only just than not.
+    void takeJustCaptured() {
+        chooseParents(0.0);
+        const int id = point_.objects.front();
+        for (std::size_t i = 0; i < std::min(kRefined, promising_.size()); ++i) {
+            const Eigen::Vector3d& place = promising_[i].candidate.position;
+            const Pose pose = lookAt(place, judge_.subject().center);
+            if (isWellCaptured(makeView(around_.views.estimate(pose, id, kExactGrid), id, 0))) {
+                best_ = std::move(promising_[i]);
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] double distanceOf(const Judged& judged) const {
+        return (judged.candidate.position - judge_.subject().center).norm();
+    }
+
+    FoundView finish() {
+        FoundView found;
+        found.search.candidates = std::move(candidates_);
+        if (!best_) {
+            found.not_well = point_.objects;
+            return found;
+        }
+        PositionPoint p;
+        p.pose = lookAt(best_->candidate.position, judge_.subject().center);
+        p.component = around_.free_space.componentAt(p.pose.position);
+        p.fill = best_->candidate.fill;
+        if (best_->all_well) {
+            p.well_captured = p.captured = point_.objects;
+            found.best = std::move(p);
+            return found;
+        }
+        for (const int id : point_.objects) {
+            // By every pixel and without the margins: this very pose is flown to, and an object
+            // that can be captured only just is better captured than not.
+            const ObjectView view = makeView(around_.views.estimate(p.pose, id, kExactGrid), id, 0);
+            if (isWellCaptured(view)) {
+                p.well_captured.push_back(id);
+            } else {
+                found.not_well.push_back(id);
+            }
+            if (isCaptured(view)) p.captured.push_back(id);
+        }
+        if (!p.captured.empty()) found.best = std::move(p);
+        return found;
+    }
+
+    const Surroundings& around_;
+    const ObservationPoint& point_;
+    const ViewpointParams& params_;
+    CandidateJudge judge_;
+    Random random_;
+    std::vector<Candidate> candidates_;
+    std::vector<Judged> pending_;
+    std::vector<Judged> promising_;  // legal places of a single object, for breed()
+    std::optional<Judged> best_;
+};
+
+}  // namespace
+
+FoundView searchView(const Surroundings& around, const ObservationPoint& point,
+                     const ViewpointParams& params, Random random) {
+    return Search(around, point, params, random).run();
+}
+
+}  // namespace dollytrack::planning

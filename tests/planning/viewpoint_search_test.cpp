@@ -1,0 +1,122 @@
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/plan_params.h"
+#include "planning/viewpoints/candidate_source.h"
+#include "planning/visibility/view_estimator.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+/// A small thing at the end of a niche in a free-standing block, whose mouth lies in `direction`.
+Scene thingInANiche(double yaw, double mouth_m) {
+    constexpr double kDepth = 0.7;
+    constexpr double kWall = 0.05;
+    const Eigen::Vector3d middle(2.5, 2.5, 1.3);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const auto at = [&](double along, double across, double up) -> Eigen::Vector3d {
+        return middle + turn * Eigen::Vector3d(along, across, up);
+    };
+    const double beside = 0.5 * (mouth_m + kWall);
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {5, 5, 2.6});
+    builder.object("niche", {kNyuOtherProp, Role::Excluded, {0.5F, 0.5F, 0.5F}})
+        .box(at(0.2, beside, 0), {kDepth, kWall, mouth_m + 2 * kWall}, yaw)
+        .box(at(0.2, -beside, 0), {kDepth, kWall, mouth_m + 2 * kWall}, yaw)
+        .box(at(0.2, 0, beside), {kDepth, mouth_m, kWall}, yaw)
+        .box(at(0.2, 0, -beside), {kDepth, mouth_m, kWall}, yaw)
+        .box(at(-0.16, 0, 0), {kWall, mouth_m, mouth_m}, yaw);
+    builder.object("thing").box(at(0, 0, 0), {0.2, 0.2, 0.2}, yaw);
+    return builder.build();
+}
+
+struct Fixture {
+    explicit Fixture(const Scene& of)
+        : scene(of),
+          rays(scene),
+          space(*FreeSpace::build(scene, rays, camera, {}, JobContext{})),
+          views(scene, rays, camera),
+          sphere(rays, space, camera.camera_radius_m) {}
+
+    [[nodiscard]] int idOf(const std::string& name) const {
+        const auto at = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                     [&](const Object& o) { return o.name == name; });
+        return at == scene.objects.end() ? 0 : at->id;
+    }
+
+    /// Looked for from the front, wherever the thing may be open to.
+    [[nodiscard]] FoundView search(int id, int seed) const {
+        ObservationPoint point;
+        point.objects = {id};
+        point.position = scene.object(id).box.center;
+        const auto found = searchViewpoints(around(), {point}, ViewpointParams{}, seed, {});
+        EXPECT_TRUE(found.has_value());
+        FoundView view;
+        if (!found->position_points.empty()) view.best = found->position_points.front();
+        return view;
+    }
+    [[nodiscard]] Surroundings around() const { return {views, space, sphere}; }
+
+    Scene scene;
+    CameraParams camera;
+    RayCaster rays;
+    FreeSpace space;
+    ViewEstimator views;
+    SweptSphere sphere;
+};
+
+}  // namespace
+
+// From the axis of the niche the thing shows whole; a few degrees off, its walls hide it. So few
+// places do that samples spread over all directions and distances miss them.
+TEST(ViewpointSearch, FindsTheNarrowConeFromWhichAThingInANicheShows) {
+    for (const double yaw : {2.4, 3.5, 4.6}) {
+        const Fixture f(thingInANiche(yaw, 0.30));
+        const int id = f.idOf("thing");
+        const Eigen::Vector3d axis(std::cos(yaw), std::sin(yaw), 0.0);
+        for (int seed = 1; seed <= 3; ++seed) {
+            const FoundView found = f.search(id, seed);
+            ASSERT_TRUE(found.best) << "yaw " << yaw << ", seed " << seed;
+            EXPECT_EQ(found.best->well_captured, std::vector{id})
+                << "yaw " << yaw << ", seed " << seed;
+            const Eigen::Vector3d there =
+                (found.best->pose.position - f.scene.object(id).box.center).normalized();
+            EXPECT_GT(there.dot(axis), std::cos(0.3));
+            EXPECT_TRUE(f.sphere.fits(found.best->pose.position));
+        }
+    }
+}
+
+// The walls of a narrower, deeper mouth leave too little to see: an honest no, from any seed.
+TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
+    const Fixture f(thingInANiche(2.4, 0.12));
+    const FoundView found = f.search(f.idOf("thing"), 1);
+    EXPECT_FALSE(found.best && !found.best->captured.empty());
+}
+
+// A rod seen aslant meets few cells of an even grid over its extent; what few rays say of how much
+// of it shows is off by several per cent, what many say is not.
+TEST(ViewEstimator, LooksCloserWhereTheSilhouetteIsASmallPartOfItsExtent) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {5, 5, 2.6});
+    builder.object("rod").box({2.5, 3.5, 1.3}, {1.6, 0.02, 0.02}, 0.7);
+    builder.object("post").box({2.27, 3.1, 1.3}, {0.02, 0.02, 2.0});
+    const Fixture f(builder.build());
+    const int rod = f.idOf("rod");
+    const Pose pose = lookAt({2.5, 1.2, 2.2}, f.scene.object(rod).box.center);
+    const auto exact = f.views.estimate(pose, rod, 400);
+    const auto closely = f.views.estimateClosely(pose, rod, 24);
+    EXPECT_LT(f.views.estimate(pose, rod, 24).rays_on_silhouette, 200);
+    EXPECT_GT(closely.rays_on_silhouette, 150);
+    EXPECT_NEAR(closely.visible_fraction, exact.visible_fraction, 0.02);
+}
+
+}  // namespace dollytrack::planning
