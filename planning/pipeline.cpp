@@ -75,8 +75,9 @@ struct Pipeline::Stages {
         region;
     Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
     Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
-    Stage<std::tuple<V, V, V, ViewpointParams, int>, Viewpoints> found;
-    Stage<std::tuple<V, V, std::vector<PinnedPoint>, std::vector<RemovedPoint>>, PlacedPoints>
+    Stage<std::tuple<V, V, V, ViewpointParams, PitchBand, int>, Viewpoints> found;
+    Stage<std::tuple<V, V, PitchBand, std::vector<PinnedPoint>, std::vector<RemovedPoint>>,
+          PlacedPoints>
         placed;
     Stage<std::tuple<V, int>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
@@ -88,7 +89,7 @@ struct Pipeline::Stages {
 
     // Searches that hold for the inputs beside them.
     SearchMemo searches;
-    std::optional<std::tuple<V, CameraParams, ViewpointParams, int>> searched_with;
+    std::optional<std::tuple<V, CameraParams, ViewpointParams, PitchBand, int>> searched_with;
 
     // What poses show in the views of this version.
     ShownMemo shown;
@@ -156,7 +157,8 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
 Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
-    const Surroundings around{*views, *free_space, sphere};
+    const PitchBand pitch = pitchBand(params.constraints);
+    const Surroundings around{*views, *free_space, sphere, pitch};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
                [&]() -> Result<std::vector<ObservationPoint>> {
@@ -165,12 +167,12 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             const JobContext part = job.stage(0.44, 0.68, "viewpoints");
             const auto with =
-                std::tuple(region.version(), params.camera, params.viewpoints, params.seed);
+                std::tuple(region.version(), params.camera, params.viewpoints, pitch, params.seed);
             if (searched_with != with) searches.clear();
             searched_with = with;
             return run("viewpoints", found,
                        std::tuple(targets.version(), region.version(), views.version(),
-                                  params.viewpoints, params.seed),
+                                  params.viewpoints, pitch, params.seed),
                        part, [&] {
                            return searchViewpoints(around, *targets, params.viewpoints, params.seed,
                                                    part, &searches);
@@ -179,11 +181,12 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             if (shown_in != views.version()) shown.clear();
             shown_in = views.version();
-            return run("by_hand", placed,
-                       std::tuple(found.version(), views.version(), edits.pinned, edits.removed),
-                       job.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
-                           return placeByHand(*found, edits, around, &shown);
-                       });
+            return run(
+                "by_hand", placed,
+                std::tuple(found.version(), views.version(), pitch, edits.pinned, edits.removed),
+                job.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
+                    return placeByHand(*found, edits, around, &shown);
+                });
         })
         .and_then([&] {
             const int budget = params.timing.max_frames;
@@ -253,11 +256,11 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        std::tuple(smoothing.version(), params.timing, params.shake), part, [&] {
                            const Viewpoints& points = placed->viewpoints;
                            return timeTrajectory(*smoothing, points.position_points,
-                                                 points.observation_points, params.timing)
+                                                 points.observation_points, params.timing, pitch)
                                .and_then([&](Trajectory&& steady) {
                                    return shakeTrajectory(std::move(steady), points.position_points,
-                                                          *views, sphere, params.shake, params.seed,
-                                                          part);
+                                                          *views, sphere, params.shake, pitch,
+                                                          params.seed, part);
                                });
                        });
         })
@@ -343,6 +346,11 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
     if (!(params.free_space.min_height_m < params.free_space.max_height_m)) {
         return fail(ErrorCode::Usage, "The height band is empty; it must be above min_height_m.",
                     "max_height_m");
+    }
+    if (params.constraints.min_pitch_deg > params.constraints.max_pitch_deg) {
+        return fail(ErrorCode::Usage,
+                    "The pitch band is empty; it must not be below min_pitch_deg.",
+                    "max_pitch_deg");
     }
     stages_->times.clear();
     return stages_->map(params, edits, job)

@@ -169,10 +169,26 @@ void visitImuParams(Params& p, Visitor&& visit) {
     visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
 }
 
+/// What a person asks of a trajectory beside what it shows.
+struct ConstraintParams {
+    double min_pitch_deg = -90.0;
+    double max_pitch_deg = 90.0;
+    bool operator==(const ConstraintParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitConstraintParams(Params& p, Visitor&& visit) {
+    visit("min_pitch_deg", p.min_pitch_deg,
+          FieldInfo{-90, 90, "deg", "The camera never looks lower; -90: straight down"});
+    visit("max_pitch_deg", p.max_pitch_deg,
+          FieldInfo{-90, 90, "deg", "The camera never looks higher; 90: straight up"});
+}
+
 /// Everything that shapes a plan. Field names are unique across the sections.
 struct PlanParams {
     CameraParams camera;
     FreeSpaceParams free_space;
+    ConstraintParams constraints;
     TargetParams targets;
     ViewpointParams viewpoints;
     RoadmapParams roadmap;
@@ -193,6 +209,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitCameraParams(p.camera, visit);
     section("free_space");
     visitFreeSpaceParams(p.free_space, visit);
+    section("constraints");
+    visitConstraintParams(p.constraints, visit);
     section("targets");
     visitTargetParams(p.targets, visit);
     section("viewpoints");

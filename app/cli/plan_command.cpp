@@ -52,8 +52,9 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
     const auto region = pipeline.region();
     const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m,
                                        region.get());
-    const auto bound =
-        planning::boundCaptures({views, *free_space, sphere}, plan, opened.params.seed, job);
+    const auto bound = planning::boundCaptures(
+        {views, *free_space, sphere, planning::pitchBand(opened.params.constraints)}, plan,
+        opened.params.seed, job);
     if (!bound) return tl::unexpected<Error>(bound.error());
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - begin;

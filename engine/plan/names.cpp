@@ -38,6 +38,8 @@ std::string_view name(Verdict verdict) {
             return "no_go";
         case Verdict::HeightBand:
             return "height_band";
+        case Verdict::PitchBand:
+            return "pitch_band";
     }
     return {};
 }

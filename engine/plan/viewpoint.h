@@ -18,6 +18,7 @@ enum class Verdict {
     TooSmall,
     NoGo,        // the camera's sphere would enter a no-go box
     HeightBand,  // lower or higher above the floor than the camera may be
+    PitchBand,   // looks lower or higher than the camera may; pinned points only
 };
 
 std::string_view name(Verdict verdict);

@@ -26,6 +26,8 @@ std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
             return "in a no-go box";
         case Verdict::HeightBand:
             return "outside the height band";
+        case Verdict::PitchBand:
+            return "outside the pitch band";
         case Verdict::OccludedBy:
             return "hidden by " + nameOf(scene, object_id);
         case Verdict::TooSmall:

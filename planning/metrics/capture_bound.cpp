@@ -65,7 +65,7 @@ class DenseSearch {
 
     void consider(const Eigen::Vector3d& position) {
         if (job_.cancelled() || !around_.sphere.fits(position)) return;
-        const Pose pose = lookAt(position, subject_.center);
+        const Pose pose = aim(position, subject_.center, around_.pitch);
         Place place{position, around_.views.estimate(pose, object_id_, kCoarseGrid)};
         if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
     }
@@ -77,7 +77,7 @@ class DenseSearch {
                 return quality(a.coarse) > quality(b.coarse);
             });
             for (std::size_t i = 0; i < std::min(kRefined, places_.size()) && !reach_.well; ++i) {
-                const Pose pose = lookAt(places_[i].position, subject_.center);
+                const Pose pose = aim(places_[i].position, subject_.center, around_.pitch);
                 const ObjectView view =
                     makeView(around_.views.estimate(pose, object_id_, kExactGrid), object_id_, 0);
                 reach_.captured |= isCaptured(view);

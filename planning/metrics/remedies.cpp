@@ -280,7 +280,7 @@ Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& 
     const auto region = pipeline.region();
     const ViewEstimator views(*scene, *rays, params.camera);
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, region.get());
-    const Surroundings around{views, *free_space, sphere};
+    const Surroundings around{views, *free_space, sphere, pitchBand(params.constraints)};
     for (std::size_t i = 0; i < lost.size(); ++i) {
         const double done = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(lost.size());
         job.report(done);

@@ -52,7 +52,7 @@ double goodness(const ViewEstimator::Estimate& seen) {
 }
 
 Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
-    return lookAt(place.position, what.subject.center);
+    return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
 }
 
 Proposal proposal(const WhatIf& what, const Pose& view) {

@@ -63,8 +63,8 @@ std::vector<WhatIfPlace> whatIfPlaces(const Surroundings& around, const Subject&
             place.allowed = region->verdict(position, reach);
         }
         if (std::isfinite(place.fill)) {
-            place.seen =
-                around.views.estimate(lookAt(position, subject.center), object_id, kCoarseGrid);
+            place.seen = around.views.estimate(aim(position, subject.center, around.pitch),
+                                               object_id, kCoarseGrid);
         }
         in_air[i] = 1;
     });

@@ -72,12 +72,14 @@ Flight flightOf(const Plan& plan) {
 
 Result<Flight> smoothAsThePaper(const RivalScene& scene, const Plan& plan,
                                 const PlanParams& params) {
-    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere};
+    const PitchBand pitch = pitchBand(params.constraints);
+    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere, pitch};
     std::vector<SmoothPath> paths;
     for (const CameraPath& path : plan.paths) {
         paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, around));
     }
-    return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing)
+    return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing,
+                          pitch)
         .map([&](Trajectory&& trajectory) {
             Flight flight = flightAlong(paths, std::move(trajectory));
             flight.plan_ms = plan.plan_ms;

@@ -132,7 +132,7 @@ class Smoother {
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
         const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
-        const Pose pose = lookAt(position, target.position);
+        const Pose pose = aim(position, target.position, around_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const auto estimate = around_.views.estimate(pose, id, kGrid);
             const bool was_well =

@@ -26,13 +26,14 @@ class Shaker {
   public:
     Shaker(const Trajectory& steady, const std::vector<PositionPoint>& points,
            const ViewEstimator& views, const SweptSphere& sphere, const ShakeParams& params,
-           int seed)
+           const PitchBand& pitch, int seed)
         : steady_(steady.frames),
           interval_s_(steady.frame_interval_s),
           points_(points),
           views_(views),
           sphere_(sphere),
           params_(params),
+          pitch_(pitch),
           sways_(steady_.size()),
           moved_(steady_.size(), 1.0),
           turned_(steady_.size(), 1.0) {
@@ -106,8 +107,19 @@ class Shaker {
                                                      turn.norm(), turn.normalized())))
                                     .normalized();
             }
+            pose.rotation = tiltedBack(pose.rotation);
         }
         return pose;
+    }
+
+    /// About the level axis across the view, so that the roll of the sway stays.
+    [[nodiscard]] Eigen::Quaterniond tiltedBack(const Eigen::Quaterniond& rotation) const {
+        const Eigen::Vector3d forward = rotation * Eigen::Vector3d::UnitZ();
+        const double elevation = elevationOf(forward);
+        const double back = pitch_.nearest(elevation) - elevation;
+        const Eigen::Vector3d across = forward.cross(Eigen::Vector3d::UnitZ());
+        if (!pitch_.restricts() || back == 0.0 || across.norm() < 1e-9) return rotation;
+        return (Eigen::AngleAxisd(back, across.normalized()) * rotation).normalized();
     }
 
     [[nodiscard]] Eigen::Vector3d position(std::size_t i) const {
@@ -144,6 +156,7 @@ class Shaker {
     const ViewEstimator& views_;
     const SweptSphere& sphere_;
     const ShakeParams& params_;
+    PitchBand pitch_;
     std::vector<Vector6> sways_;
     std::vector<double> moved_, turned_;  // shares of the sway, 0..1
 };
@@ -188,9 +201,10 @@ Vector6 Sway::at(double time_s) const {
 Result<Trajectory> shakeTrajectory(Trajectory trajectory,
                                    const std::vector<PositionPoint>& position_points,
                                    const ViewEstimator& views, const SweptSphere& sphere,
-                                   const ShakeParams& params, int seed, const JobContext& job) {
+                                   const ShakeParams& params, const PitchBand& pitch, int seed,
+                                   const JobContext& job) {
     if (params.shake == ShakeKind::None || trajectory.frames.empty()) return trajectory;
-    Shaker shaker(trajectory, position_points, views, sphere, params, seed);
+    Shaker shaker(trajectory, position_points, views, sphere, params, pitch, seed);
     shaker.fadeAtKeys();
     // Ends: each round lowers some share, and one below the least is none.
     while (!job.cancelled() && shaker.shrinkAtCollisions()) {

@@ -4,6 +4,7 @@
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
 #include "engine/plan/viewpoint.h"
+#include "planning/visibility/pitch_band.h"
 
 #include <array>
 #include <vector>
@@ -32,10 +33,12 @@ class Sway {
 /// Shakes a timed trajectory. Every move from frame to frame is proven free again: where it would
 /// touch something the sway shrinks, down to none, and there the camera keeps to its path. It fades
 /// out towards both ends of a path, pinned points, and key frames that it would cost a capture.
+/// Where the sway would look steeper than the band allows the camera is tilted back to its edge.
 /// Error: Cancelled.
 Result<Trajectory> shakeTrajectory(Trajectory trajectory,
                                    const std::vector<PositionPoint>& position_points,
                                    const ViewEstimator& views, const SweptSphere& sphere,
-                                   const ShakeParams& params, int seed, const JobContext& job);
+                                   const ShakeParams& params, const PitchBand& pitch, int seed,
+                                   const JobContext& job);
 
 }  // namespace dollytrack::planning

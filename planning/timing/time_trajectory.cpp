@@ -45,24 +45,28 @@ struct Motion {
 /// Where the camera looks at key frames.
 class Gaze {
   public:
-    Gaze(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets)
-        : points_(points), targets_(targets) {}
+    Gaze(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets,
+         const PitchBand& pitch)
+        : points_(points), targets_(targets), pitch_(pitch) {}
 
-    /// What the camera looks at there. From a pinned point it looks where it was told to, as far as
-    /// its target is away.
+    /// What the camera looks at there. From a pinned point it looks where it was told to, and
+    /// otherwise as steeply as it may, as far as its target is away.
     [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const {
         const PositionPoint& p = point(key);
         const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
-        if (p.pin < 0) return target;
+        if (p.pin < 0 && !pitch_.restricts()) return target;
         constexpr double kNearest_m = 0.1;
-        const double distance = std::max(kNearest_m, (target - p.pose.position).norm());
-        return p.pose.position + distance * p.pose.forward();
+        const Pose pose = poseAt(key);
+        const double distance = std::max(kNearest_m, (target - pose.position).norm());
+        return pose.position + distance * pose.forward();
     }
 
-    [[nodiscard]] Eigen::Quaterniond rotation(const SmoothPath::Key& key) const {
+    [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const {
+        const PositionPoint& p = point(key);
+        if (p.pin >= 0) return {key.position, p.pose.rotation};
         // Smoothing moves other keys a little, and they turn to keep their target in the middle.
-        return point(key).pin >= 0 ? point(key).pose.rotation
-                                   : lookAt(key.position, target(key)).rotation;
+        const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
+        return aim(key.position, target, pitch_);
     }
 
     [[nodiscard]] Stretch stretch(const SmoothPath& path, std::size_t key,
@@ -70,7 +74,7 @@ class Gaze {
         Stretch s;
         s.from = &path.keys[key];
         s.to = &path.keys[key + 1];
-        s.turn = Turn(rotation(*s.from), rotation(*s.to));
+        s.turn = Turn(poseAt(*s.from).rotation, poseAt(*s.to).rotation, pitch_);
         s.pace = TurnPace(s.turn, limits);
         s.from_target = target(*s.from);
         s.to_target = target(*s.to);
@@ -84,13 +88,14 @@ class Gaze {
 
     const std::vector<PositionPoint>& points_;
     const std::vector<ObservationPoint>& targets_;
+    PitchBand pitch_;
 };
 
 TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key, const Gaze& gaze) {
     TrajectoryFrame frame;
     frame.path = static_cast<int>(motion.path_index);
     frame.component = motion.path->component;
-    frame.pose = {key.position, gaze.rotation(key)};
+    frame.pose = gaze.poseAt(key);
     frame.target_in_world = gaze.target(key);
     frame.position_point = key.position_point;
     frame.arc_m = key.arc_m;
@@ -152,9 +157,9 @@ double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,
-                                  const TimingParams& params) {
+                                  const TimingParams& params, const PitchBand& pitch) {
     const MotionLimits limits = motionLimits(params);
-    const Gaze gaze(position_points, observation_points);
+    const Gaze gaze(position_points, observation_points, pitch);
     std::vector<Motion> motions;
     std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: motion and key
     for (std::size_t p = 0; p < paths.size(); ++p) {

@@ -38,9 +38,31 @@ double risesBy(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, dou
     return risen;
 }
 
+/// Whether slerp keeps the view within the band all the way. It turns the view about one axis, so
+/// its height follows a cosine, whose peaks are known.
+bool slerpStaysIn(const PitchBand& band, const Eigen::Quaterniond& from,
+                  const Eigen::Quaterniond& to) {
+    if (!band.restricts()) return true;
+    Eigen::Quaterniond step = to * from.conjugate();
+    if (step.w() < 0.0) step.coeffs() *= -1.0;
+    const double sine = step.vec().norm();
+    if (sine < 1e-12) return true;
+    const Eigen::Vector3d axis = step.vec() / sine;
+    const double angle = 2.0 * std::atan2(sine, step.w());
+    const Eigen::Vector3d view = from * Eigen::Vector3d::UnitZ();
+    const double middle = axis.z() * axis.dot(view);
+    const double peak = std::atan2(axis.cross(view).z(), view.z() - middle);
+    for (const double at : {peak, peak + std::numbers::pi, peak - std::numbers::pi}) {
+        if (at <= 0.0 || at >= angle) continue;
+        if (!band.holds(Eigen::Quaterniond(Eigen::AngleAxisd(at, axis)) * from)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-Turn::Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) : from_(from), to_(to) {
+Turn::Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, const PitchBand& band)
+    : from_(from), to_(to) {
     const Eigen::Vector3d a = from * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d b = to * Eigen::Vector3d::UnitZ();
     heading_ = heading(from);
@@ -49,7 +71,8 @@ Turn::Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) : from_
     elevation_change_ = elevation(b) - elevation_;
     const double highest = std::max(std::abs(elevation_), std::abs(elevation(b)));
     const bool over_the_top = highest > kSteep && std::abs(heading_change_) > kLargeTurn;
-    by_angles_ = over_the_top || highest > kVertical || risesBy(from, to, highest) > kDetour;
+    by_angles_ = over_the_top || highest > kVertical || risesBy(from, to, highest) > kDetour ||
+                 !slerpStaysIn(band, from, to);
     measure();
 }
 

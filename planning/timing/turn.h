@@ -1,5 +1,7 @@
 #pragma once
 
+#include "planning/visibility/pitch_band.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -8,12 +10,13 @@ namespace dollytrack::planning {
 
 /// The turn of a camera from one roll-free orientation to another, itself roll-free. Follows slerp,
 /// except where that would pass so near the vertical that the heading spins: there heading and
-/// elevation are interpolated. Measured by the angle turned, so that an even pace is an even turn:
+/// elevation are interpolated, and likewise where it would leave a band of elevations that both
+/// ends are in. Measured by the angle turned, so that an even pace is an even turn:
 /// taking the roll out makes slerp faster in some parts than in others.
 class Turn {
   public:
     Turn() = default;
-    Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
+    Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, const PitchBand& band = {});
 
     /// The whole angle turned by on the way, rad.
     [[nodiscard]] double angle() const { return turned_.back(); }

@@ -78,7 +78,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
         placeVerdict(position, judged.candidate.fill, judged.candidate.occluder);
     if (judged.candidate.verdict != Verdict::Legal) return judged;
 
-    const Pose pose = lookAt(position, subject_.center);
+    const Pose pose = aim(position, subject_.center, around_.pitch);
     if (look == Look::Coarse && isHopeless(pose, judged)) return judged;
     double sum = 0.0;
     double worst = 1.0;

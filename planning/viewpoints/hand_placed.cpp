@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <optional>
 
 namespace dollytrack::planning {
@@ -44,6 +45,15 @@ std::string metres(double value) {
     return text.data();
 }
 
+/// "35.0 degrees down"
+std::string upOrDown(const Eigen::Vector3d& forward) {
+    const double degrees = elevationOf(forward) * 180.0 / std::numbers::pi;
+    std::array<char, 32> text = {};
+    std::snprintf(text.data(), text.size(), "%.1f degrees %s", std::abs(degrees),
+                  degrees < 0.0 ? "down" : "up");
+    return text.data();
+}
+
 /// The object that a place is inside of: its surface is met in five of six directions at least
 /// (what stands on a floor may share its underside with it). 0: none.
 int enclosing(const RayCaster& rays, const Eigen::Vector3d& place) {
@@ -64,9 +74,14 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
     RefusedPin refused;
     const Eigen::Vector3d& place = pin.pose.position;
     refused.verdict = around.sphere.verdict(place, refused.object_id);
-    if (refused.verdict == Verdict::Legal) return std::nullopt;
     refused.pin = index;
     refused.name = pin.name;
+    if (refused.verdict == Verdict::Legal) {
+        if (around.pitch.holds(pin.pose.rotation)) return std::nullopt;
+        refused.verdict = Verdict::PitchBand;
+        refused.reason = "outside the pitch band, looks " + upOrDown(pin.pose.forward());
+        return refused;
+    }
     const Scene& scene = around.views.scene();
     const AllowedRegion* region = around.sphere.region();
     if (refused.verdict == Verdict::OutsideRoom) {

@@ -70,11 +70,15 @@ class Search {
     void tryDirections(const std::vector<Eigen::Vector3d>& directions,
                        const std::vector<double>& shares_of_wish) {
         const double wish = judge_.wishedFill();
-        for (const Eigen::Vector3d& direction : directions) {
+        for (const Eigen::Vector3d& wanted : directions) {
             // Directions come with the best first: among so many good views there is a best one.
             const auto good = std::count_if(pending_.begin(), pending_.end(),
                                             [](const Judged& judged) { return judged.all_well; });
             if (good >= kEnoughGood) break;
+            // With a pitch band most directions look too steeply: keep to it instead.
+            const Eigen::Vector3d direction =
+                around_.pitch.restricts() ? Eigen::Vector3d(-intoBand(-wanted, around_.pitch))
+                                          : wanted;
             for (const double share : shares_of_wish) {
                 const double fill =
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
@@ -179,7 +183,7 @@ class Search {
         const int id = point_.objects.front();
         for (std::size_t i = 0; i < std::min(kRefined, promising_.size()); ++i) {
             const Eigen::Vector3d& place = promising_[i].candidate.position;
-            const Pose pose = lookAt(place, judge_.subject().center);
+            const Pose pose = aim(place, judge_.subject().center, around_.pitch);
             if (isWellCaptured(makeView(around_.views.estimate(pose, id, kExactGrid), id, 0))) {
                 best_ = std::move(promising_[i]);
                 return;
@@ -199,7 +203,7 @@ class Search {
             return found;
         }
         PositionPoint p;
-        p.pose = lookAt(best_->candidate.position, judge_.subject().center);
+        p.pose = aim(best_->candidate.position, judge_.subject().center, around_.pitch);
         p.component = around_.free_space.componentAt(p.pose.position);
         p.fill = best_->candidate.fill;
         if (best_->all_well) {

@@ -4,6 +4,7 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
+#include "planning/visibility/pitch_band.h"
 
 #include <map>
 #include <optional>
@@ -21,6 +22,7 @@ struct Surroundings {
     const ViewEstimator& views;
     const FreeSpace& free_space;
     const SweptSphere& sphere;
+    PitchBand pitch = {};
 };
 
 struct Viewpoints {

@@ -79,6 +79,8 @@ std::string_view inWords(Verdict verdict) {
             return "in a no-go box";
         case Verdict::HeightBand:
             return "outside the height band";
+        case Verdict::PitchBand:
+            return "outside the pitch band";
     }
     return "";
 }
@@ -103,6 +105,8 @@ Eigen::Vector4f colorOf(Verdict verdict) {
             return {0.85F, 0.15F, 0.55F, 1.0F};
         case Verdict::HeightBand:
             return {0.45F, 0.70F, 0.75F, 1.0F};
+        case Verdict::PitchBand:
+            return {0.75F, 0.70F, 0.45F, 1.0F};
     }
     return {1, 1, 1, 1};
 }

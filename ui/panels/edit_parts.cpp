@@ -99,6 +99,8 @@ std::string verdictText(Verdict verdict, const std::string& occluder) {
             return "in a no-go box";
         case Verdict::HeightBand:
             return "outside the height band";
+        case Verdict::PitchBand:
+            return "outside the pitch band";
     }
     return {};
 }
