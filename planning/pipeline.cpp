@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace dollytrack::planning {
@@ -48,6 +49,36 @@ std::vector<int> structureClasses(const Scene& scene) {
         if (object.structure) classes.push_back(object.nyu40);
     }
     return classes;
+}
+
+/// The position point of the pinned one that bears the name; -1 without one, or when it is refused.
+int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::string& name) {
+    if (name.empty()) return -1;
+    const std::vector<PositionPoint>& points = placed.viewpoints.position_points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int pin = points[i].pin;
+        if (pin >= 0 && edits.pinned[static_cast<std::size_t>(pin)].name == name) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+/// Key frames that a budget of frames allows, those at both ends first. A loop comes back to one of
+/// each room.
+std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionPoint>& points,
+                              const PathEnds& ends) {
+    for (const int end : {ends.end, ends.start}) {
+        const auto found = std::find(keys.begin(), keys.end(), end);
+        if (found != keys.end()) std::rotate(keys.begin(), found, found + 1);
+    }
+    const auto visits = [&] {
+        std::set<int> rooms;
+        for (const int key : keys) rooms.insert(points[static_cast<std::size_t>(key)].component);
+        return keys.size() + (ends.loop && keys.size() > rooms.size() ? rooms.size() : 0);
+    };
+    while (ends.visits > 0 && visits() > static_cast<std::size_t>(ends.visits)) keys.pop_back();
+    return keys;
 }
 
 /// A budget of frames may be smaller than the number of pinned points.
@@ -79,10 +110,10 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, V, PitchBand, std::vector<PinnedPoint>, std::vector<RemovedPoint>>,
           PlacedPoints>
         placed;
-    Stage<std::tuple<V, int>, std::vector<int>> key_frames;
+    Stage<std::tuple<V, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
-    Stage<std::tuple<V, PathParams, RoadmapParams>, Paths> paths;
+    Stage<std::tuple<V, PathParams, RoadmapParams, int, int, bool>, Paths> paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
     Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
     Stage<std::tuple<V>, Metrics> metrics;
@@ -159,6 +190,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
     const PitchBand pitch = pitchBand(params.constraints);
     const Surroundings around{*views, *free_space, sphere, pitch};
+    PathEnds ends;
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
                [&]() -> Result<std::vector<ObservationPoint>> {
@@ -189,15 +221,15 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 });
         })
         .and_then([&] {
-            const int budget = params.timing.max_frames;
-            return run("key_frames", key_frames, std::tuple(placed.version(), budget),
+            ends = {pointOfPin(*placed, edits, edits.start), pointOfPin(*placed, edits, edits.end),
+                    params.constraints.loop, params.timing.max_frames};
+            // One point for both ends is a loop, whatever the parameter says.
+            ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
+            return run("key_frames", key_frames,
+                       std::tuple(placed.version(), ends.visits, ends.start, ends.end, ends.loop),
                        job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                           std::vector<int> keys =
-                               chooseKeyFrames(placed->viewpoints.position_points);
-                           if (budget > 0 && keys.size() > static_cast<std::size_t>(budget)) {
-                               keys.resize(static_cast<std::size_t>(budget));
-                           }
-                           return keys;
+                           const auto& points = placed->viewpoints.position_points;
+                           return withinBudget(chooseKeyFrames(points), points, ends);
                        });
         })
         .and_then([&] {
@@ -224,11 +256,13 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const JobContext part = job.stage(0.8, 0.84, "path");
-            return run("path", paths, std::tuple(linking.version(), params.path, params.roadmap),
+            return run("path", paths,
+                       std::tuple(linking.version(), params.path, params.roadmap, ends.start,
+                                  ends.end, ends.loop),
                        part, [&]() -> Result<Paths> {
                            Paths taken{*linking, {}};
                            return takePaths(taken.roadmap, placed->viewpoints.position_points,
-                                            sphere, params.path, params.roadmap, part)
+                                            sphere, params.path, params.roadmap, ends, part)
                                .map([&](std::vector<CameraPath> made) {
                                    taken.paths = std::move(made);
                                    return std::move(taken);
@@ -351,6 +385,11 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
         return fail(ErrorCode::Usage,
                     "The pitch band is empty; it must not be below min_pitch_deg.",
                     "max_pitch_deg");
+    }
+    if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
+        return fail(ErrorCode::Usage,
+                    "A loop ends where it begins; leave its end open, or do without the loop.",
+                    "loop");
     }
     stages_->times.clear();
     return stages_->map(params, edits, job)

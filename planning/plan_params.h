@@ -173,6 +173,7 @@ void visitImuParams(Params& p, Visitor&& visit) {
 struct ConstraintParams {
     double min_pitch_deg = -90.0;
     double max_pitch_deg = 90.0;
+    bool loop = false;
     bool operator==(const ConstraintParams&) const = default;
 };
 
@@ -182,6 +183,7 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
           FieldInfo{-90, 90, "deg", "The camera never looks lower; -90: straight down"});
     visit("max_pitch_deg", p.max_pitch_deg,
           FieldInfo{-90, 90, "deg", "The camera never looks higher; 90: straight up"});
+    visit("loop", p.loop, SwitchInfo{"The trajectory ends where it begins"});
 }
 
 /// Everything that shapes a plan. Field names are unique across the sections.

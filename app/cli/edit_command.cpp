@@ -123,6 +123,12 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
         rows.push_back({merged ? "merged" : "split", merged ? one.name : wordsOf(one.objects),
                         merged ? "from " + wordsOf(one.objects) : "into its pieces"});
     }
+    for (const std::string& one : edits.scene.ignore) {
+        rows.push_back({"ignored", one, "class or name that is no target"});
+    }
+    for (const std::string& one : edits.scene.only) {
+        rows.push_back({"only", one, "others are no targets"});
+    }
     for (const ObjectChange& one : edits.scene.changes) {
         rows.push_back({"object", one.object.name, wordsOf(one)});
     }
@@ -131,6 +137,12 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
             {"pinned", one.name,
              fmt::format("at {} m, {}", wordsOf(one.pose.position),
                          one.objects.empty() ? "added" : "for " + wordsOf(one.objects))});
+    }
+    if (!edits.plan.start.empty()) {
+        rows.push_back({"start", edits.plan.start, "the trajectory begins there"});
+    }
+    if (!edits.plan.end.empty()) {
+        rows.push_back({"end", edits.plan.end, "the trajectory ends there"});
     }
     for (const RemovedPoint& one : edits.plan.removed) {
         rows.push_back({"removed", wordsOf(one.objects), "gets no position point"});

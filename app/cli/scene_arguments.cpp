@@ -4,9 +4,13 @@
 #include "engine/core/log.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
+#include "engine/document/operation.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdlib>
 
 namespace dollytrack::cli {
 namespace {
@@ -16,6 +20,7 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     std::vector<std::string> all = arguments.assignments;
     if (arguments.seed) all.push_back(fmt::format("seed={}", *arguments.seed));
     if (arguments.max_frames) all.push_back(fmt::format("max_frames={}", *arguments.max_frames));
+    if (arguments.loop) all.emplace_back("loop=true");
     for (const std::string& assignment : all) {
         if (Status status = setField(fields, assignment); !status) return status;
     }
@@ -32,6 +37,56 @@ std::string changedNames(planning::PlanParams a, planning::PlanParams b) {
         names += (names.empty() ? "" : ", ") + fields_a[i].name;
     }
     return names;
+}
+
+/// "bed" names a pinned point, "1,2,1.5,0,0,1" is a position and what is looked at from there.
+Result<nlohmann::json> endOperation(const std::string& option, const std::string& text) {
+    nlohmann::json operation = {{"op", option == "--start" ? "set_start" : "set_end"}};
+    std::vector<double> numbers;
+    const char* at = text.c_str();
+    while (*at != 0) {
+        char* after = nullptr;
+        numbers.push_back(std::strtod(at, &after));
+        if (after == at || (*after != ',' && *after != 0)) break;
+        at = *after == ',' ? after + 1 : after;
+        if (*at == 0 && *after == ',') break;
+    }
+    if (*at != 0 || text.empty()) {
+        operation["point"] = text;
+        return operation;
+    }
+    if (numbers.size() != 6) {
+        return fail(ErrorCode::Usage,
+                    "Give six numbers, x,y,z of the camera and of what it looks at, or the name of "
+                    "a pinned point.",
+                    option);
+    }
+    operation["position"] = {numbers[0], numbers[1], numbers[2]};
+    operation["target"] = {numbers[3], numbers[4], numbers[5]};
+    return operation;
+}
+
+void addNew(std::vector<std::string>& list, const std::vector<std::string>& more) {
+    for (const std::string& one : more) {
+        if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
+    }
+}
+
+/// What the command line asks of the trajectory, over the project's edits.
+Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const Scene& imported) {
+    ProjectState state{nlohmann::json::object(), std::move(edits)};
+    addNew(state.edits.scene.ignore, arguments.ignore);
+    addNew(state.edits.scene.only, arguments.only);
+    for (const auto& [option, text] :
+         {std::pair("--start", &arguments.start), std::pair("--end", &arguments.end)}) {
+        if (text->empty()) continue;
+        const Result<nlohmann::json> operation = endOperation(option, *text);
+        if (!operation) return tl::unexpected<Error>(operation.error());
+        const Result<std::string> done =
+            applyOperation(state, {imported, planning::setParameter}, *operation);
+        if (!done) return fail(ErrorCode::Usage, done.error().message, option);
+    }
+    return std::move(state.edits);
 }
 
 /// What the command line says of the scene, over what the project says.
@@ -109,6 +164,21 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");
     command.add_option("--max-frames", arguments.max_frames, "Same as --set max_frames=N")
         ->type_name("N");
+    command
+        .add_option("--ignore", arguments.ignore,
+                    "A class, or a name with * and ?, that is no target; may be repeated")
+        ->type_name("CLASS|NAME")
+        ->allow_extra_args(false);
+    command.add_option("--only", arguments.only, "The only targets, likewise; may be repeated")
+        ->type_name("CLASS|NAME")
+        ->allow_extra_args(false);
+    command
+        .add_option("--start", arguments.start,
+                    "Begin at a pinned point, or at a position looking at a target, m")
+        ->type_name("POINT|x,y,z,tx,ty,tz");
+    command.add_option("--end", arguments.end, "End there, likewise")
+        ->type_name("POINT|x,y,z,tx,ty,tz");
+    command.add_flag("--loop", arguments.loop, "End where it begins; same as --set loop=true");
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
@@ -130,15 +200,19 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     opened.stored_result = std::move(read->result);
     opened.edits_section = std::move(read->edits_section);
     opened.project_others = std::move(read->others);
-    if (Status status = applyEdits(opened, std::move(read->edits)); !status) {
+    Result<Edits> edits = withArguments(read->edits, arguments, *opened.imported);
+    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    const bool other_edits = *edits != read->edits;
+    if (Status status = applyEdits(opened, std::move(*edits)); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     if (opened.stored_result.is_null()) return opened;
     const bool other_scene = read->planned_sha256 != opened.imported->source_sha256;
     const bool other_import = opened.import != stored_import;
-    if (other_scene || other_import || !(stored == opened.params)) {
-        const std::string changed =
-            other_import ? "how to read the scene" : changedNames(stored, opened.params);
+    if (other_scene || other_import || other_edits || !(stored == opened.params)) {
+        const std::string changed = other_import  ? "how to read the scene"
+                                    : other_edits ? "what is asked of the trajectory"
+                                                  : changedNames(stored, opened.params);
         log::warn("project", other_scene
                                  ? "the scene file has changed since it was planned: planning again"
                                  : "changed since it was planned: " + changed + "; planning again");

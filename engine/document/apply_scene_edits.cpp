@@ -1,6 +1,7 @@
 #include "engine/document/apply_scene_edits.h"
 
 #include "engine/document/regroup.h"
+#include "engine/document/target_filter.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/object_size.h"
 
@@ -112,6 +113,7 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
         findFronts(scene);
         sortBySize(scene.objects, rules.small_volume_m3, rules.size_ratio);
     }
+    filterTargets(scene, edits);
     for (const ObjectChange& wanted : edits.changes) change(scene, wanted);
     return scene;
 }

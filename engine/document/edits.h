@@ -42,9 +42,12 @@ struct ObjectChange {
     [[nodiscard]] bool saysNothing() const { return !role && !nyu40 && !front && !large; }
 };
 
-/// Everything changed by hand in a scene. Definitions come first, in order, then the changes.
+/// Everything changed by hand in a scene. Definitions come first, in order, then the lists, then
+/// the changes: what is said of one object comes before what is said of many.
 struct SceneEdits {
     std::vector<ObjectDefinition> definitions;
+    std::vector<std::string> ignore;    // classes and names that are no targets; see isNamedBy()
+    std::vector<std::string> only;      // where there are any, all others are none
     std::vector<ObjectChange> changes;  // by rising id, one an object
     bool operator==(const SceneEdits&) const = default;
 };
@@ -77,6 +80,8 @@ struct PlanEdits {
     std::vector<PinnedPoint> pinned;
     std::vector<RemovedPoint> removed;
     std::vector<NoGoBox> no_go;
+    std::string start;  // name of the pinned point where the trajectory begins; empty: anywhere
+    std::string end;    // and where it ends
     bool operator==(const PlanEdits&) const = default;
 };
 

@@ -157,6 +157,22 @@ NoGoBox readBox(const JsonReader& from) {
     return box;
 }
 
+std::string readPattern(const JsonReader& from) {
+    std::string pattern = from.text();
+    if (from.good() && pattern.empty()) from.refuse("A pattern must not be empty.");
+    return pattern;
+}
+
+/// The name of a pinned point, or nothing.
+std::string readPinName(const JsonReader& from, const std::vector<PinnedPoint>& pinned) {
+    if (from.absent()) return {};
+    std::string name = from.text();
+    const bool known = std::any_of(pinned.begin(), pinned.end(),
+                                   [&](const PinnedPoint& pin) { return pin.name == name; });
+    if (!known) from.refuse(fmt::format("There is no pinned point '{}'.", name));
+    return name;
+}
+
 /// Reads a list; entries have names of their own as far as `nameOf` gives them.
 template <class T, class Read>
 std::vector<T> readList(const JsonReader& from, Read&& read) {
@@ -195,6 +211,13 @@ json editsJson(const Edits& edits, const json& loaded) {
         return json{{"objects", refsJson(removed.objects)}};
     });
     section["no_go"] = list(edits.plan.no_go, boxJson);
+    section["ignore"] = edits.scene.ignore;
+    section["only"] = edits.scene.only;
+    for (const auto& [key, point] :
+         {std::pair{"start", edits.plan.start}, {"end", edits.plan.end}}) {
+        section.erase(key);
+        if (!point.empty()) section[key] = point;
+    }
     return section;
 }
 
@@ -215,6 +238,10 @@ Result<Edits> editsFromJson(const json& section) {
         from.at("removed"),
         [](const JsonReader& one) -> RemovedPoint { return {readRefs(one.at("objects"), 1)}; });
     edits.plan.no_go = readList<NoGoBox>(from.at("no_go"), readBox);
+    edits.scene.ignore = readList<std::string>(from.at("ignore"), readPattern);
+    edits.scene.only = readList<std::string>(from.at("only"), readPattern);
+    edits.plan.start = readPinName(from.at("start"), edits.plan.pinned);
+    edits.plan.end = readPinName(from.at("end"), edits.plan.pinned);
     if (!status) return tl::unexpected<Error>(std::move(status.error()));
     return edits;
 }

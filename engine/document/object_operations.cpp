@@ -1,4 +1,5 @@
 #include "engine/document/operation_table.h"
+#include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,20 @@ void alter(ProjectState& state, const OperationContext& context, const ObjectRef
     if (found->saysNothing()) changes.erase(found);
 }
 
+std::vector<std::string> patterns(const OperationReader& fields) {
+    const JsonReader what = fields.field("what");
+    std::vector<std::string> list;
+    if (what.json().is_string()) {
+        list.push_back(what.text());
+    } else {
+        for (std::size_t i = 0; i < what.size(); ++i) list.push_back(what.at(i).text());
+    }
+    if (std::find(list.begin(), list.end(), "") != list.end()) {
+        what.refuse("A class or name must not be empty.");
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string excludeObject(ProjectState& state, const OperationContext& context,
@@ -50,10 +65,12 @@ std::string includeObject(ProjectState& state, const OperationContext& context,
                           const OperationReader& fields) {
     const ObjectRef object = fields.object("object");
     if (!fields.good()) return {};
-    // Import makes everything a target that is no structure; only that needs to be said.
-    const bool structure = context.scene.object(object.id).structure;
+    // Import makes everything a target that is no structure, and lists may take it back; only then
+    // does it need to be said.
+    const Object& included = context.scene.object(object.id);
+    const bool say = included.structure || isFilteredOut(included, state.edits.scene);
     alter(state, context, object, [&](ObjectChange& change) {
-        change.role = structure ? std::optional(Role::Target) : std::nullopt;
+        change.role = say ? std::optional(Role::Target) : std::nullopt;
     });
     return "Include " + object.name;
 }
@@ -89,6 +106,20 @@ std::string setSize(ProjectState& state, const OperationContext& context,
     });
     return size == "auto" ? fmt::format("Measure the size of {}", object.name)
                           : fmt::format("Make {} {}", object.name, size);
+}
+
+std::string ignoreObjects(ProjectState& state, const OperationContext&,
+                          const OperationReader& fields) {
+    std::vector<std::string>& list = state.edits.scene.ignore;
+    list = patterns(fields);
+    return list.empty() ? "Ignore nothing" : fmt::format("Ignore {}", fmt::join(list, ", "));
+}
+
+std::string onlyObjects(ProjectState& state, const OperationContext&,
+                        const OperationReader& fields) {
+    std::vector<std::string>& list = state.edits.scene.only;
+    list = patterns(fields);
+    return list.empty() ? "Want every object" : fmt::format("Want only {}", fmt::join(list, ", "));
 }
 
 std::string resetObject(ProjectState& state, const OperationContext& context,

@@ -13,6 +13,8 @@ std::string includeObject(ProjectState&, const OperationContext&, const Operatio
 std::string setClass(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setFront(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setSize(ProjectState&, const OperationContext&, const OperationReader&);
+std::string ignoreObjects(ProjectState&, const OperationContext&, const OperationReader&);
+std::string onlyObjects(ProjectState&, const OperationContext&, const OperationReader&);
 std::string resetObject(ProjectState&, const OperationContext&, const OperationReader&);
 
 // New objects: definition_operations.cpp
@@ -28,6 +30,8 @@ std::string movePoint(ProjectState&, const OperationContext&, const OperationRea
 std::string unpin(ProjectState&, const OperationContext&, const OperationReader&);
 std::string removePoint(ProjectState&, const OperationContext&, const OperationReader&);
 std::string restorePoint(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setStart(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setEnd(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string moveNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string renameNoGo(ProjectState&, const OperationContext&, const OperationReader&);

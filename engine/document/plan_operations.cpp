@@ -56,6 +56,33 @@ std::string freeName(const std::vector<Entry>& entries, const OperationReader& f
     return name;
 }
 
+/// The name of the pinned point that the fields mean: one there is, or one made of a pose, of which
+/// there is one for each end. Nothing without any.
+std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fields,
+                     const std::string& name) {
+    const bool by_pose = fields.has("position");
+    if (fields.has("point")) {
+        if (by_pose) fields.field("point").refuse("Give either a point or a position.");
+        const auto found = findNamed(pinned, fields.field("point"), "pinned point");
+        return found == pinned.end() ? std::string() : found->name;
+    }
+    if (!by_pose) {
+        for (const char* field : {"target", "yaw_deg", "pitch_deg", "quaternion_xyzw"}) {
+            if (fields.has(field)) fields.field(field).refuse("Give a position as well.");
+        }
+        return {};
+    }
+    const Pose pose = fields.pose({});
+    const auto same = std::find_if(pinned.begin(), pinned.end(),
+                                   [&](const PinnedPoint& pin) { return pin.name == name; });
+    if (same == pinned.end()) {
+        pinned.push_back({name, pose, {}});
+    } else {
+        same->pose = pose;
+    }
+    return name;
+}
+
 /// Whether an edit stands for exactly these objects of the scene.
 bool standsFor(const std::vector<ObjectRef>& objects, const std::vector<ObjectRef>& wanted,
                const Scene& scene) {
@@ -169,6 +196,9 @@ std::string unpin(ProjectState& state, const OperationContext&, const OperationR
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
     std::string name = "Unpin " + found->name;
+    for (std::string* end : {&state.edits.plan.start, &state.edits.plan.end}) {
+        if (*end == found->name) end->clear();
+    }
     pinned.erase(found);
     return name;
 }
@@ -202,6 +232,18 @@ std::string restorePoint(ProjectState& state, const OperationContext& context,
             fmt::format("The view of {} was not removed.", inWords(objects)));
     }
     return "Restore the view of " + inWords(objects);
+}
+
+std::string setStart(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    PlanEdits& plan = state.edits.plan;
+    plan.start = endPoint(plan.pinned, fields, "start");
+    return plan.start.empty() ? "Begin anywhere" : "Begin at " + plan.start;
+}
+
+std::string setEnd(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    PlanEdits& plan = state.edits.plan;
+    plan.end = endPoint(plan.pinned, fields, "end");
+    return plan.end.empty() ? "End anywhere" : "End at " + plan.end;
 }
 
 std::string addNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {

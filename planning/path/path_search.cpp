@@ -46,6 +46,10 @@ class Part {
         return (*points_)[static_cast<std::size_t>(keys[static_cast<std::size_t>(vertex)])];
     }
     [[nodiscard]] int size() const { return static_cast<int>(keys.size()); }
+    /// The vertex of a position point; -1 when it is in another part, or none.
+    [[nodiscard]] int vertexOf(int position_point) const {
+        return position_point < 0 ? -1 : local_[static_cast<std::size_t>(position_point)];
+    }
 
     std::vector<int> keys;                // position points, by local number
     std::vector<std::vector<int>> edges;  // roadmap edges at each vertex
@@ -144,18 +148,29 @@ PathVertex keyVertex(const Part& part, int vertex) {
     return {part.point(vertex).pose.position, part.keys[static_cast<std::size_t>(vertex)]};
 }
 
+/// The ends of one part's way, by its vertices; -1: any.
+struct WayEnds {
+    int first = -1;
+    int last = -1;
+    bool closed = false;  // back to the first
+};
+
 /// A walk along the tree's longest branch that leaves it for pinned points only, and comes back.
+/// With ends given it is the longest branch from there, or the one between them.
 class BranchWalk {
   public:
-    explicit BranchWalk(const Part& part) : part_(part), wanted_(part.keys.size(), false) {
+    BranchWalk(const Part& part, const WayEnds& ends)
+        : part_(part), closed_(ends.closed), wanted_(part.keys.size(), false) {
         // In a tree the vertex furthest from anywhere is an end of the longest branch.
         const auto furthest = [](const Ways& ways) {
             return static_cast<int>(std::max_element(ways.cost.begin(), ways.cost.end()) -
                                     ways.cost.begin());
         };
-        const int one_end = furthest(waysFrom(part, 0, steps));
+        const int one_end = ends.first >= 0  ? ends.first
+                            : ends.last >= 0 ? furthest(waysFrom(part, ends.last, steps))
+                                             : furthest(waysFrom(part, 0, steps));
         const Ways ways = waysFrom(part, one_end, steps);
-        branch_ = trace(part, ways, furthest(ways));
+        branch_ = trace(part, ways, ends.last >= 0 ? ends.last : furthest(ways));
         std::vector<bool> on_branch(part.keys.size(), false);
         for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
         for (int i = 0; i < part.size(); ++i) {
@@ -176,6 +191,12 @@ class BranchWalk {
             path_.push_back(keyVertex(part_, vertex));
             makeDetours(vertex);
         }
+        for (std::size_t i = branch_.size(); closed_ && i-- > 1;) {
+            const int vertex = branch_[i - 1].first;
+            moveTo(vertex, branch_[i].second);
+            path_.push_back({part_.point(vertex).pose.position, -1});
+        }
+        if (closed_) path_.back() = keyVertex(part_, branch_.front().first);
         return std::move(path_);
     }
 
@@ -199,13 +220,29 @@ class BranchWalk {
     }
 
     const Part& part_;
+    bool closed_;
     std::vector<std::pair<int, int>> branch_;
     std::vector<bool> wanted_;
     std::vector<PathVertex> path_;
 };
 
+/// A short order of the stops. A closed one comes back to its first.
+std::vector<int> orderOf(CostMatrix cost, const WayEnds& ends, const JobContext& job) {
+    if (!ends.closed) return shortTour(cost, job, {ends.first, ends.last});
+    // The first once more, as a stop of its own to end at.
+    const std::size_t first = ends.first >= 0 ? static_cast<std::size_t>(ends.first) : 0;
+    const std::size_t again = cost.size();
+    for (std::vector<double>& row : cost) row.push_back(row[first]);
+    cost.push_back(cost[first]);
+    std::vector<int> order =
+        shortTour(cost, job, {static_cast<int>(first), static_cast<int>(again)});
+    order.back() = order.front();
+    return order;
+}
+
 std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
-                             const RoadmapParams& weights, const JobContext& job) {
+                             const RoadmapParams& weights, const WayEnds& ends,
+                             const JobContext& job) {
     const auto count = part.keys.size();
     std::vector<Ways> ways(count);
     parallelFor(count,
@@ -219,7 +256,7 @@ std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
                 weights.distance_weight * std::min(ways[i].cost[j], ways[j].cost[i]) + turn;
         }
     }
-    const std::vector<int> order = shortTour(cost, job);
+    const std::vector<int> order = orderOf(std::move(cost), ends, job);
     std::vector<std::vector<Eigen::Vector3d>> legs(order.size());
     parallelFor(order.size(), [&](std::size_t i) {
         if (i == 0) return;
@@ -269,13 +306,26 @@ void addVisitSteps(const CameraPath& path, int index, AlgorithmSteps& steps) {
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
                                           const std::vector<PositionPoint>& position_points,
                                           const SweptSphere& sphere, const PathParams& params,
-                                          const RoadmapParams& weights, const JobContext& job) {
+                                          const RoadmapParams& weights, const PathEnds& ends,
+                                          const JobContext& job) {
     std::vector<Part> parts;
     for (int group = 0; group < roadmap.group_count; ++group) {
         parts.emplace_back(roadmap, position_points, group);
     }
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.size() > b.size(); });
+    const auto holds = [](int point) {
+        return [point](const Part& part) { return part.vertexOf(point) >= 0; };
+    };
+    std::stable_partition(parts.begin(), parts.end(), [&](const Part& part) {
+        return !holds(ends.end)(part) || holds(ends.start)(part);
+    });
+    std::stable_partition(parts.begin(), parts.end(), holds(ends.start));
+    int spare = std::numeric_limits<int>::max();
+    if (ends.visits > 0) {
+        spare = ends.visits;
+        for (const Part& part : parts) spare -= part.size();
+    }
     std::vector<CameraPath> paths;
     for (const Part& part : parts) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
@@ -283,9 +333,13 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         addPruneSteps(part, roadmap.steps);
         CameraPath path;
         path.component = part.point(0).component;
+        WayEnds way{part.vertexOf(ends.start), part.vertexOf(ends.end)};
+        if (way.last == way.first) way.last = -1;
+        way.closed = ends.loop && part.size() > 1 && spare > 0;
+        if (way.closed) --spare;
         path.vertices = params.path_mode == PathMode::LongestBranch
-                            ? BranchWalk(part).walk()
-                            : tour(part, sphere, weights, job);
+                            ? BranchWalk(part, way).walk()
+                            : tour(part, sphere, weights, way, job);
         addVisitSteps(path, static_cast<int>(paths.size()), roadmap.steps);
         paths.push_back(std::move(path));
     }

@@ -12,15 +12,26 @@ class SweptSphere;
 struct PathParams;
 struct RoadmapParams;
 
+/// Where the trajectory begins and ends.
+struct PathEnds {
+    int start = -1;     // position point that the first path begins with; -1: any
+    int end = -1;       // position point that the last path ends with; -1: any
+    bool loop = false;  // each path ends where it begins
+    int visits = 0;     // key frames that all paths may visit, returns counted; 0: no limit
+};
+
 /// Takes a way through each connected part of the roadmap, largest part first (paper, 3.2.3).
 /// A depth-first search first marks the edges that close cycles (`in_tree` = false).
 /// `longest_branch` follows the tree's branch with most vertices, and makes detours to pinned
 /// points only. `tour` visits every key frame:
 /// the order comes from the shortest ways in the roadmap, weighed as Near weighs them; each leg
-/// then skips the corners it can. Error: Cancelled.
+/// then skips the corners it can.
+/// The part with the start comes first, that with the end last; one with both comes first. Loops
+/// are closed as long as the limit of visits allows. Error: Cancelled.
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
                                           const std::vector<PositionPoint>& position_points,
                                           const SweptSphere& sphere, const PathParams& params,
-                                          const RoadmapParams& weights, const JobContext& job);
+                                          const RoadmapParams& weights, const PathEnds& ends,
+                                          const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -11,14 +11,18 @@ namespace {
 constexpr std::size_t kStarts = 8;
 constexpr double kGain = 1e-9;  // smaller improvements are rounding
 constexpr int kRounds = 60;
+constexpr double kNever = 1e6;  // cost of an end that is not the one asked for
 
 class Tour {
   public:
-    Tour(const CostMatrix& cost, std::size_t start) : cost_(cost) {
+    Tour(const CostMatrix& cost, std::size_t start, const TourEnds& ends)
+        : cost_(cost), ends_(ends) {
         std::vector<bool> used(cost.size(), false);
         stops_.push_back(static_cast<int>(start));
         used[start] = true;
-        while (stops_.size() < cost.size()) {
+        const bool last_waits = ends.last >= 0 && stops_.front() != ends.last;
+        if (last_waits) used[static_cast<std::size_t>(ends.last)] = true;
+        while (stops_.size() + (last_waits ? 1 : 0) < cost.size()) {
             std::size_t best = 0;
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i < cost.size(); ++i) {
@@ -30,6 +34,7 @@ class Tour {
             stops_.push_back(static_cast<int>(best));
             used[best] = true;
         }
+        if (last_waits) stops_.push_back(ends.last);
     }
 
     std::vector<int> improved(const JobContext& job) && {
@@ -45,9 +50,15 @@ class Tour {
     [[nodiscard]] double between(int a, int b) const {
         return cost_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
-    /// Cost of the step from stop i - 1 to stop i; none before the first and after the last.
+    /// Cost of the step from stop i - 1 to stop i; none before the first and after the last, but
+    /// for wrong ends.
     [[nodiscard]] double link(int from, int to) const {
-        return from < 0 || to < 0 ? 0.0 : between(from, to);
+        const auto end = [](int wanted, int is) {
+            return wanted < 0 || wanted == is ? 0.0 : kNever;
+        };
+        if (from < 0 && to < 0) return 0.0;
+        if (from < 0) return end(ends_.first, to);
+        return to < 0 ? end(ends_.last, from) : between(from, to);
     }
     [[nodiscard]] int stop(std::ptrdiff_t i) const {
         return i < 0 || i >= static_cast<std::ptrdiff_t>(stops_.size())
@@ -117,6 +128,7 @@ class Tour {
     }
 
     const CostMatrix& cost_;
+    TourEnds ends_;
     std::vector<int> stops_;
 };
 
@@ -130,11 +142,13 @@ double tourCost(const CostMatrix& cost, const std::vector<int>& tour) {
     return sum;
 }
 
-std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job) {
-    const std::size_t starts = std::min(kStarts, cost.size());
+std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job, const TourEnds& ends) {
+    const std::size_t starts = ends.first >= 0 ? 1 : std::min(kStarts, cost.size());
     std::vector<std::vector<int>> tours(starts);
     parallelFor(starts, [&](std::size_t s) {
-        tours[s] = Tour(cost, s * cost.size() / starts).improved(job);
+        const std::size_t start =
+            ends.first >= 0 ? static_cast<std::size_t>(ends.first) : s * cost.size() / starts;
+        tours[s] = Tour(cost, start, ends).improved(job);
     });
     std::vector<int> best;
     double least = std::numeric_limits<double>::infinity();

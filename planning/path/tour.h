@@ -9,10 +9,17 @@ namespace dollytrack::planning {
 /// Square matrix of costs between stops.
 using CostMatrix = std::vector<std::vector<double>>;
 
+/// Stops that the tour must begin and end with, two different ones; -1: any.
+struct TourEnds {
+    int first = -1;
+    int last = -1;
+};
+
 /// A short open tour through all stops: nearest neighbour from several starts, each improved by
 /// reversing stretches (2-opt) and moving short stretches (Or-opt) until neither helps.
 /// Deterministic. Costs must be symmetric and finite. A cancelled job ends it early.
-std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job = {});
+std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job = {},
+                           const TourEnds& ends = {});
 
 double tourCost(const CostMatrix& cost, const std::vector<int>& tour);
 

@@ -148,5 +148,23 @@ TEST_F(EditsPanelTest, ALowerEndAboveTheUpperOneIsKeptOut) {
     EXPECT_LT(state.parameters["free_space"]["min_height_m"].get<double>(), 1.8);
 }
 
+TEST_F(EditsPanelTest, TargetListsAreTypedAndEmptied) {
+    ASSERT_TRUE(screen.typeInto("edits.ignore", "lamp*,  chair ,")) << screen.names();
+    EXPECT_EQ(state.edits.scene.ignore, (std::vector<std::string>{"lamp*", "chair"}));
+    ASSERT_TRUE(screen.typeInto("edits.only", "sofa"));
+    EXPECT_EQ(state.edits.scene.only, std::vector<std::string>{"sofa"});
+    ASSERT_TRUE(screen.typeInto("edits.ignore", " "));
+    EXPECT_TRUE(state.edits.scene.ignore.empty());
+}
+
+TEST_F(EditsPanelTest, ATrajectoryBeginsAndEndsAtPinnedPoints) {
+    ASSERT_TRUE(screen.click("edits.pin.0.set_start")) << screen.names();
+    EXPECT_EQ(state.edits.plan.start, state.edits.plan.pinned[0].name);
+    ASSERT_TRUE(screen.click("edits.pin.1.set_end"));
+    EXPECT_EQ(state.edits.plan.end, state.edits.plan.pinned[1].name);
+    ASSERT_TRUE(screen.click("edits.pin.0.set_start"));
+    EXPECT_EQ(state.edits.plan.start, "");
+}
+
 }  // namespace
 }  // namespace dollytrack::ui

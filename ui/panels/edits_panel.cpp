@@ -8,6 +8,7 @@
 #include "ui/widgets/drag_fields.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_field.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -97,6 +98,55 @@ void drawDefinitions(const EditsView& view) {
     }
 }
 
+/// "lamp*, chair" as a list.
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> list;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(' ', begin), comma);
+        std::size_t last = comma;
+        while (last > first && text[last - 1] == ' ') --last;
+        if (last > first) list.push_back(text.substr(first, last - first));
+        begin = comma + 1;
+    }
+    return list;
+}
+
+void drawTargetLists(const EditsView& view, EditsActions& actions) {
+    heading("Targets");
+    if (!beginForm("targets")) return;
+    const auto row = [&](const char* label, const char* op, const char* tip,
+                         const std::vector<std::string>& list) {
+        formLabel(label, tip);
+        std::string text = fmt::format("{}", fmt::join(list, ", "));
+        if (!textField(text, std::string("edits.") + op) || listed(text) == list) return;
+        actions.edit.operation = {{"op", op}, {"what", listed(text)}};
+    };
+    const SceneEdits& scene = view.edits->scene;
+    row("Ignore", "ignore",
+        "Classes, or names with * and ?, that are no targets; between commas: lamp*, curtain",
+        scene.ignore);
+    row("Only", "only", "Where this says anything, the only targets, likewise", scene.only);
+    endForm();
+}
+
+/// Buttons that let the trajectory begin or end at a pinned point, or anywhere again.
+void drawEnds(const EditsView& view, const PinnedPoint& point, const std::string& name,
+              EditsActions& actions) {
+    const auto end = [&](const char* label, const char* op, const std::string& at,
+                         const std::string& tip) {
+        const bool is = at == point.name;
+        const std::string text = std::string(is ? "\u25cf " : "\u25cb ") + label;
+        flowTo(text.c_str());
+        if (!button(text.c_str(), name + "." + op, {.tip = tip})) return;
+        actions.edit.operation = {{"op", op}};
+        if (!is) actions.edit.operation["point"] = point.name;
+    };
+    end("Start", "set_start", view.edits->plan.start, "The trajectory begins here, or anywhere");
+    end("End", "set_end", view.edits->plan.end, "The trajectory ends here, or anywhere");
+}
+
 /// Whether planning kept the pin, as far as is known.
 void drawPinState(const EditsView& view, const PinnedPoint& point) {
     if (view.plan == nullptr || !view.plan_is_current) {
@@ -134,6 +184,7 @@ void drawPins(const EditsView& view, EditsActions& actions) {
                    {.tip = added ? "Removes this point" : "Leaves it to the planner again"})) {
             actions.edit.operation = {{"op", "unpin"}, {"point", point.name}};
         }
+        drawEnds(view, point, name, actions);
         ImGui::PopID();
     }
 }
@@ -237,6 +288,7 @@ EditsActions drawEditsPanel(const EditsView& view) {
     drawRemoved(view, actions);
     drawBoxes(view, actions);
     drawHeights(view, actions);
+    drawTargetLists(view, actions);
     ImGui::EndChild();
     return actions;
 }

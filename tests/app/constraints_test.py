@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""What a user asks of a trajectory on the command line, judged by the files the program writes.
+
+Usage: constraints_test.py PROGRAM [unittest arguments]
+"""
+import json
+import math
+import pathlib
+import tempfile
+import unittest
+
+import tiny_room
+from program import run
+
+
+class Constraints(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.room = cls.folder / "room.obj"
+        tiny_room.write(cls.room)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def plan(self, *arguments, scene=None):
+        """The metrics and the frames of a plan, and the project that keeps it."""
+        project = self.folder / f"{self.id()}.dolly"
+        result = run("plan", scene or self.room, "--json", "-q", "-o", project, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        frames = json.loads(project.read_text())["result"]["trajectory"]["frames"]
+        return json.loads(result.stdout), frames, project
+
+    def assertLooksFrom(self, frame, position, target):
+        for have, wanted in zip(frame["position"], position):
+            self.assertAlmostEqual(have, wanted, 9)
+        x, y, z, w = frame["quaternion_xyzw"]
+        forward = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
+        way = [b - a for a, b in zip(position, target)]
+        length = math.hypot(*way)
+        for have, wanted in zip(forward, way):
+            self.assertAlmostEqual(have, wanted / length, 6)
+
+    def test_ignored_classes_and_names_are_no_targets(self):
+        everything, _, _ = self.plan()
+        metrics, _, project = self.plan("--ignore", "m?g", "--ignore", "sofa")
+        names = {row["object"] for row in metrics["ledger"]}
+        self.assertEqual({row["object"] for row in everything["ledger"]} - names, {"mug", "sofa"})
+        # The project keeps it.
+        again, _, _ = self.plan(scene=project)
+        self.assertEqual(again["objects"], metrics["objects"])
+        only, _, _ = self.plan("--only", "table", "--only", "picture")
+        self.assertEqual({row["object"] for row in only["ledger"]}, {"table", "picture"})
+
+    def test_a_slip_in_a_pattern_is_warned_of(self):
+        result = run("plan", self.room, "--ignore", "sofaa")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("did you mean 'sofa'", result.stderr)
+
+    def test_it_begins_and_ends_where_it_is_told_to(self):
+        # The file is y up: its (x, y, z) is the world's (x, -z, y).
+        start = ((2, -2.5, 1.5), (1, -1, 0.5))
+        end = ((2.3, -0.5, 1.7), (0.5, -1.5, 0.4))
+        as_text = lambda pose: ",".join(str(v) for point in pose for v in point)
+        for budget in (0, 30):
+            _, frames, _ = self.plan("--start", as_text(start), "--end", as_text(end),
+                                     "--max-frames", budget)
+            self.assertLooksFrom(frames[0], *start)
+            self.assertLooksFrom(frames[-1], *end)
+        _, frames, project = self.plan("--start", as_text(start), "--loop")
+        self.assertLooksFrom(frames[0], *start)
+        self.assertLooksFrom(frames[-1], *start)
+        # By the name that the point now has.
+        _, frames, _ = self.plan("--end", "start", "--set", "loop=false", scene=project)
+        self.assertLooksFrom(frames[-1], *start)
+
+    def test_wrong_ends_are_usage_errors(self):
+        for arguments, words in ((("--start", "1,2,3"), "six numbers"),
+                                 (("--start", "sofa"), "no pinned point"),
+                                 (("--end", "1,1,1,1,1,1"), "--end")):
+            result = run("plan", self.room, *arguments)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(words, result.stderr)
+        result = run("plan", self.room, "--loop", "--end", "2,-2.5,1.5,1,-1,0.5")
+        self.assertEqual(result.returncode, 2, result.stderr)
+
+    def test_no_frame_leaves_the_pitch_band(self):
+        _, frames, _ = self.plan("--set", "min_pitch_deg=-20", "--set", "max_pitch_deg=5")
+        for frame in frames:
+            x, y, z, w = frame["quaternion_xyzw"]
+            pitch = math.degrees(math.asin(1 - 2 * (x * x + y * y)))
+            self.assertGreaterEqual(pitch, -20 - 1e-6)
+            self.assertLessEqual(pitch, 5 + 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
