@@ -12,6 +12,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -37,16 +38,28 @@ int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& er
     return code;
 }
 
+/// The action, after which nothing printed is left in a buffer.
+dollytrack::Result<dollytrack::cli::ExitCode> act(const dollytrack::cli::Session& session) {
+    using namespace dollytrack;
+    const auto cannot_print = [] {
+        return fail(ErrorCode::CannotWrite,
+                    "the results cannot be written to the standard output.");
+    };
+    try {
+        Result<cli::ExitCode> result = session.action();
+        const bool full = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+        if (result && full) return cannot_print();
+        return result;
+    } catch (const std::system_error&) {
+        // fmt throws where a long print meets a full disk.
+        if (std::ferror(stdout) == 0) throw;
+        return cannot_print();
+    }
+}
+
 int runAction(const dollytrack::cli::Session& session) {
     using namespace dollytrack;
-    const Result<cli::ExitCode> result = session.action();
-    // What was printed may still be in the buffer of a full disk.
-    if (result && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
-        return endWith(
-            session,
-            {ErrorCode::CannotWrite, "the results cannot be written to the standard output.", {}},
-            cli::kCannotWrite);
-    }
+    const Result<cli::ExitCode> result = act(session);
     if (!result) {
         const bool stopped = caught_signal != 0 && result.error().code == ErrorCode::Cancelled;
         return endWith(session, result.error(),

@@ -85,7 +85,7 @@ class Export(unittest.TestCase):
             for _ in range(3):  # each goes on where the one before was killed
                 process = start("export", self.project, "--out", out, "--resume")
                 try:
-                    process.communicate(timeout=moments.uniform(0.1, 1.0) * self.seconds)
+                    process.communicate(timeout=moments.uniform(0.05, 0.7) * self.seconds)
                 except subprocess.TimeoutExpired:
                     kills += 1
                 process.kill()
