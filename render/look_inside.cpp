@@ -29,6 +29,12 @@ Eigen::AlignedBox3d buildingOf(const Scene& scene, std::span<const Eigen::Aligne
         Eigen::AlignedBox3d(building.min() - wall, building.max() + wall));
 }
 
+double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
+    Eigen::AlignedBox3d all;
+    for (const Eigen::AlignedBox3d& room : rooms) all.extend(room);
+    return all.isEmpty() ? scene.room_bounds.min().z() : all.min().z();
+}
+
 StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
                         const Eigen::Vector3d& aside) {
     const double height = std::max(building.sizes().z(), 0.5);

@@ -18,6 +18,10 @@ namespace dollytrack::render {
 [[nodiscard]] Eigen::AlignedBox3d buildingOf(const Scene& scene,
                                              std::span<const Eigen::AlignedBox3d> rooms);
 
+/// Where the rooms' floors begin, m: what is below that the ground, a slab or a cellar has. A
+/// room's box begins just above its floor.
+[[nodiscard]] double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms);
+
 /// Cuts walls along a plane that falls from the top of the far ones to the foot of those near the
 /// viewer, who stands in the horizontal direction `aside` (at most unit: shorter looks from more
 /// above and cuts less steeply). Floors and skirting stay.

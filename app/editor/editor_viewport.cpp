@@ -36,9 +36,9 @@ render::View Editor::viewportView() const {
         dark ? Eigen::Vector3f(0.125F, 0.137F, 0.153F) : Eigen::Vector3f(0.90F, 0.905F, 0.91F);
     if (through_camera_ || !layer_settings_.ceiling_cut) return view;
 
-    const Eigen::AlignedBox3d building =
-        render::buildingOf(*shown.scene, shown.plan ? std::span(shown.plan->rooms)
-                                                    : std::span<const Eigen::AlignedBox3d>());
+    const std::span<const Eigen::AlignedBox3d> rooms =
+        shown.plan ? std::span(shown.plan->rooms) : std::span<const Eigen::AlignedBox3d>();
+    const Eigen::AlignedBox3d building = render::buildingOf(*shown.scene, rooms);
     if (building.isEmpty() || building.contains(panels_.viewport.camera.pose().position))
         return view;
     const std::vector<bool> covers = render::hidesRooms(*shown.scene);
@@ -49,7 +49,7 @@ render::View Editor::viewportView() const {
     if (way.z() < -0.1) return view;
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
-    view.structure_cut = render::cutTowards(building, building.min().z(),
+    view.structure_cut = render::cutTowards(building, render::floorOf(*shown.scene, rooms),
                                             level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
     return view;
 }
@@ -267,12 +267,16 @@ void Editor::drawLegend() {
     const float margin = ui::scaled(10);
     const ImVec2 low(static_cast<float>(pane_.origin.x()) + margin,
                      static_cast<float>(pane_.origin.y()) + margin);
-    panels_.legend.open = settings_.layout.show_legend;
+    // In a small viewport it would hide a good part of the scene.
+    const bool has_room = static_cast<float>(pane_.width) > ui::scaled(800) &&
+                          static_cast<float>(pane_.height) > ui::scaled(440);
+    const bool open = settings_.layout.show_legend.value_or(has_room);
+    panels_.legend.open = open;
     ui::drawLegendBox(legends, low,
                       {static_cast<float>(pane_.width) - 2 * margin,
                        static_cast<float>(pane_.height) - 2 * margin},
                       panels_.legend);
-    settings_.layout.show_legend = panels_.legend.open;
+    if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
 
 void Editor::drawCentre() {

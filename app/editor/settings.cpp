@@ -59,7 +59,9 @@ EditorSettings loadSettings() {
         settings.layout.show_left = layout.value("show_left", true);
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
-        settings.layout.show_legend = layout.value("show_legend", true);
+        if (layout.contains("show_legend")) {
+            settings.layout.show_legend = layout["show_legend"].get<bool>();
+        }
         settings.theme =
             json.value("theme", "dark") == "light" ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
         settings.zoom = std::clamp(json.value("zoom", 1.0), 0.5, 3.0);
@@ -73,23 +75,22 @@ EditorSettings loadSettings() {
 }
 
 Status saveSettings(const EditorSettings& settings) {
-    const nlohmann::json json = {
-        {"window",
-         {{"width", settings.window.width},
-          {"height", settings.window.height},
-          {"maximized", settings.window.maximized}}},
-        {"layout",
-         {{"left", settings.layout.left},
-          {"right", settings.layout.right},
-          {"bottom", settings.layout.bottom},
-          {"show_left", settings.layout.show_left},
-          {"show_right", settings.layout.show_right},
-          {"show_bottom", settings.layout.show_bottom},
-          {"show_legend", settings.layout.show_legend}}},
-        {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
-        {"zoom", settings.zoom},
-        {"recent", settings.recent},
-        {"last_folder", settings.last_folder}};
+    nlohmann::json json = {{"window",
+                            {{"width", settings.window.width},
+                             {"height", settings.window.height},
+                             {"maximized", settings.window.maximized}}},
+                           {"layout",
+                            {{"left", settings.layout.left},
+                             {"right", settings.layout.right},
+                             {"bottom", settings.layout.bottom},
+                             {"show_left", settings.layout.show_left},
+                             {"show_right", settings.layout.show_right},
+                             {"show_bottom", settings.layout.show_bottom}}},
+                           {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
+                           {"zoom", settings.zoom},
+                           {"recent", settings.recent},
+                           {"last_folder", settings.last_folder}};
+    if (settings.layout.show_legend) json["layout"]["show_legend"] = *settings.layout.show_legend;
     std::error_code error;
     std::filesystem::create_directories(configFolder(), error);
     return io::writeWhole(

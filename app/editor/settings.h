@@ -5,6 +5,7 @@
 #include "ui/theme.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Layout {
     bool show_left = true;
     bool show_right = true;
     bool show_bottom = true;
-    bool show_legend = true;
+    std::optional<bool> show_legend;  // none: where the viewport has room for it
 };
 
 /// What the editor remembers from one start to the next: not about a project, about the person.
