@@ -104,7 +104,8 @@ void setColors(ThemeKind kind) {
     colors[ImGuiCol_TabActive] = raised;
     colors[ImGuiCol_TabUnfocused] = window;
     colors[ImGuiCol_TabUnfocusedActive] = raised;
-    colors[ImGuiCol_PlotHistogram] = accent;
+    // The text of a progress bar lies half on it: readable on both halves.
+    colors[ImGuiCol_PlotHistogram] = dark ? rgb(0x2D68B8) : rgb(0xA3CBF5);
     colors[ImGuiCol_PlotLines] = accent;
     colors[ImGuiCol_TextSelectedBg] = chosen;
     colors[ImGuiCol_NavHighlight] = accent;

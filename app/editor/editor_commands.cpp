@@ -267,9 +267,9 @@ void Editor::addViewCommands() {
             std::clamp(now.position_m + way * workspace_.shown().free_space->resolution_m(),
                        room.min()[now.axis], room.max()[now.axis]);
     };
-    commands_.add({"layer.slice_up", "Layers", "Move the slice of free space up",
+    commands_.add({"layer.slice_up", "Layers", "Slice of free space up",
                    key(GLFW_KEY_PAGE_UP), [slice] { slice(1.0); }, needs_map});
-    commands_.add({"layer.slice_down", "Layers", "Move the slice of free space down",
+    commands_.add({"layer.slice_down", "Layers", "Slice of free space down",
                    key(GLFW_KEY_PAGE_DOWN), [slice] { slice(-1.0); }, needs_map});
     commands_.add({"layer.slice_height",
                    "Layers",

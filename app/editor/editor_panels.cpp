@@ -206,6 +206,7 @@ void Editor::drawTimeline() {
         view.keys = &plan_timeline_.keys();
         view.bands = &plan_timeline_.bands();
         view.series = &now->series;
+        view.earlier = plan_timeline_.measured();
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
         view.camera_radius_m = params.camera.camera_radius_m;

@@ -10,6 +10,9 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
     if (plan == seen_) return false;
     seen_ = std::move(plan);
     ++serial_;
+    const bool is_measured =
+        seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
+    if (seen_ == nullptr || is_measured) measured_ = seen_;
     keys_.clear();
     bands_.clear();
     if (seen_ != nullptr && scene != nullptr) {

@@ -15,6 +15,10 @@ class PlanTimeline {
   public:
     /// Whether the plan (null: there is none) is another than at the last call.
     bool follow(const Scene* scene, std::shared_ptr<const Plan> plan);
+    /// What was measured of the newest plan of which that is known; null: of none.
+    [[nodiscard]] const FrameSeries* measured() const {
+        return measured_ ? &measured_->series : nullptr;
+    }
     [[nodiscard]] const std::vector<ui::TimelineKey>& keys() const { return keys_; }
     [[nodiscard]] const std::vector<ui::TimelineBand>& bands() const { return bands_; }
     /// Rises with every plan.
@@ -22,6 +26,7 @@ class PlanTimeline {
 
   private:
     std::shared_ptr<const Plan> seen_;  // held, so that no other plan gets its address
+    std::shared_ptr<const Plan> measured_;
     std::uint64_t serial_ = 0;
     std::vector<ui::TimelineKey> keys_;
     std::vector<ui::TimelineBand> bands_;

@@ -99,37 +99,44 @@ std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
 }
 
 void drawFrames(const ExportView& view, ExportDraft& draft) {
-    formLabel("Frames");
-    ImGui::Checkbox("Current frame only", &draft.current_only);
-    nameItem("export.current_only");
-    if (draft.current_only) return;
     const int most = std::max(view.frame_count - 1, 0);
+    formLabel("Frames",
+              fmt::format("First and last, both are exported, and every how manieth between them; "
+                          "there are frames 0 to {}",
+                          most));
+    ImGui::BeginDisabled(draft.current_only);
     int first = draft.first;
     int last = draft.last < 0 ? most : draft.last;
-    formLabel("From – to", fmt::format("Both are exported; there are frames 0 to {}", most));
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    ImGui::SetNextItemWidth(half);
-    if (ImGui::DragInt("##first", &first, 0.5F, 0, most)) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float third = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    ImGui::SetNextItemWidth(third);
+    if (ImGui::DragInt("##first", &first, 0.5F, 0, most, "from %d")) {
         draft.first = std::max(first, 0);
         if (draft.last >= 0) draft.last = std::max(draft.last, draft.first);
     }
     nameItem("export.first");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1);
-    if (ImGui::DragInt("##last", &last, 0.5F, 0, most)) {
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(third);
+    if (ImGui::DragInt("##last", &last, 0.5F, 0, most, "to %d")) {
         // To the end stays to the end when a new plan has more frames.
         draft.last = last == most ? -1 : std::max(last, 0);
         draft.first = std::min(draft.first, std::max(last, 0));
     }
     nameItem("export.last");
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(-1);
+    ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1), "every %d",
+                   ImGuiSliderFlags_AlwaysClamp);
+    nameItem("export.step");
+    tooltip("1: all of them; 5: every fifth");
+    ImGui::EndDisabled();
     if (const std::string note = rangeNote(view, draft); !note.empty()) {
         paragraph(note, palette().warning);
         nameItem("export.range_note");
     }
-    formLabel("Every", "1: all of them; 5: every fifth");
-    ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1),
-                   draft.step == 1 ? "frame" : "%d frames", ImGuiSliderFlags_AlwaysClamp);
-    nameItem("export.step");
+    formLabel("");
+    ImGui::Checkbox("Current frame only", &draft.current_only);
+    nameItem("export.current_only");
 }
 
 void drawChoices(const char* label, const char* kind, const std::vector<ExportChoice>& choices,

@@ -59,7 +59,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
     const TrajectoryMetrics& metrics = plan.trajectory_metrics;
     if (!beginTable("trajectory")) return;
     const auto frames = static_cast<int>(plan.trajectory.frames.size());
-    row("Frames", fmt::format("{}, {} of them key frames", frames, plan.key_frames.size()));
+    row("Frames", fmt::format("{}, {} key frames", frames, plan.key_frames.size()));
     row("Duration", fmt::format("{:.1f} s", frames * plan.trajectory.frame_interval_s));
     double length = 0.0;
     double clearance = plan.smooth_paths.empty() ? 0.0 : 1e9;
@@ -83,9 +83,9 @@ void drawTrajectory(const Plan& plan, bool measured) {
         };
         const MotionMetrics& motion = metrics.motion;
         row("Speed", spread(motion.speed_mps, "m/s"), "Median, from frame to frame");
-        row("Turning", spread(motion.turn_dps, "deg/s"), "Median, from frame to frame");
-        row("Acceleration", spread(motion.acceleration_mps2, "m/s2"), "Median over three frames");
-        row("Jerk", spread(motion.jerk_mps3, "m/s3"), "Median over four frames");
+        row("Turning", spread(motion.turn_dps, "°/s"), "Median, from frame to frame");
+        row("Acceleration", spread(motion.acceleration_mps2, "m/s²"), "Median over three frames");
+        row("Jerk", spread(motion.jerk_mps3, "m/s³"), "Median over four frames");
         row("Collisions",
             fmt::format("{:.1f} % corners, {:.1f} % frames", 100.0 * metrics.corner_collision_rate,
                         100.0 * metrics.frame_collision_rate),

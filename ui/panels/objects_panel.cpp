@@ -84,7 +84,7 @@ void drawState(const Object& object, const ObjectCapture* capture) {
 }
 
 void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& object,
-             ObjectsActions& actions) {
+             bool with_class, ObjectsActions& actions) {
     ImGui::PushID(object.id);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -108,13 +108,15 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     if (ImGui::IsItemClicked()) state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
     nameItem("objects.row." + std::to_string(object.id));
     const std::string class_name = className(object.nyu40);
-    if (shown_name != name) tooltip(name + "\n" + class_name);
+    if (shown_name != name || !with_class) tooltip(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
         ImGui::SetScrollHereY(0.5F);
         state.scroll_to = 0;
     }
-    ImGui::TableNextColumn();
-    cutText(class_name, palette().text_dim);
+    if (with_class) {
+        ImGui::TableNextColumn();
+        cutText(class_name, palette().text_dim);
+    }
     ImGui::TableNextColumn();
     ImGui::TextColored(palette().text_dim, "%s", object.large ? "L" : "s");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip(object.large ? "large" : "small");
@@ -166,15 +168,18 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
         if (isShown(view, state, object)) rows.push_back(&object);
     }
     ImGui::TextDisabled("%zu of %zu objects", rows.size(), view.scene->objects.size());
-    if (!ImGui::BeginTable(
-            "objects", 6,
-            ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-        return actions;
-    }
+    // Names are what one looks for: where there is no room for both, the class is in the tooltip.
+    const bool with_class = ImGui::GetContentRegionAvail().x > scaled(330);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(3), ImGui::GetStyle().CellPadding.y});
+    const bool begun = ImGui::BeginTable(
+        with_class ? "objects" : "objects without class", with_class ? 6 : 5,
+        ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit);
+    ImGui::PopStyleVar();
+    if (!begun) return actions;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("Object", ImGuiTableColumnFlags_WidthStretch, 1.3F);
-    ImGui::TableSetupColumn("Class", ImGuiTableColumnFlags_WidthStretch, 1.0F);
+    if (with_class) ImGui::TableSetupColumn("Class", ImGuiTableColumnFlags_WidthStretch, 0.7F);
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("Target");
@@ -189,7 +194,7 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
     }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(view, state, *rows[static_cast<std::size_t>(i)], actions);
+            drawRow(view, state, *rows[static_cast<std::size_t>(i)], with_class, actions);
         }
     }
     ImGui::EndTable();

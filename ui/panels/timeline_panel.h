@@ -31,7 +31,8 @@ struct TimelineView {
     bool playing = false;
     const std::vector<TimelineKey>* keys = nullptr;  // by rising frame
     const std::vector<TimelineBand>* bands = nullptr;
-    const FrameSeries* series = nullptr;  // null, or of another length: being measured
+    const FrameSeries* series = nullptr;   // null, or of another length: being measured
+    const FrameSeries* earlier = nullptr;  // of the plan before, shown until then; null: none
     int target_count = 0;
     std::function<std::string(int)> object_name = {};  // of an id
     // Lines across the strips; 0: none.

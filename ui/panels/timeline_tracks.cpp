@@ -165,6 +165,21 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     ImGui::EndTooltip();
 }
 
+/// While a slider is dragged each plan is replaced before it is measured. The strips of the last
+/// one that was stay, paler and stretched over the new frames, so that nothing blinks.
+void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
+                      float top, float bottom) {
+    TimelineView before = view;
+    before.series = view.earlier;
+    before.frame_count = static_cast<int>(view.earlier->size());
+    const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
+    const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
+                              axis.shown() * stretch);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
+    drawStrip(before, strip, stretched, top, bottom);
+    ImGui::PopStyleVar();
+}
+
 void drawStrips(const TimelineView& view, const TimelineState& state, const FrameAxis& axis,
                 const Rows& rows) {
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -183,7 +198,13 @@ void drawStrips(const TimelineView& view, const TimelineState& state, const Fram
             const float width = ImGui::CalcTextSize(range.c_str()).x;
             list->AddText({float(axis.left()) - width - scaled(10), text_y}, dim, range.c_str());
         } else {
-            list->AddText({float(axis.left()) + scaled(6), text_y}, dim, "being measured …");
+            const bool has_earlier = view.earlier != nullptr && view.earlier->size() > 0;
+            if (has_earlier) drawEarlierStrip(view, strip, axis, top, bottom - 1);
+            const char* text = "being measured …";
+            const float width = ImGui::CalcTextSize(text).x;
+            const float left = float(axis.left());
+            list->AddText({has_earlier ? left - width - scaled(10) : left + scaled(6), text_y}, dim,
+                          text);
         }
         list->AddLine({rows.labels, bottom}, {float(axis.right()), bottom},
                       ImGui::GetColorU32(palette().panel_line));

@@ -1,6 +1,7 @@
 #include "ui/widgets/help_overlay.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/text_match.h"
@@ -100,10 +101,13 @@ void drawBlock(const Block& block) {
     ImGui::TextUnformatted(block.title.c_str());
     ImGui::PopFont();
     for (const Line& line : block.lines) {
-        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-        ImGui::TextUnformatted(line.text.c_str());
-        if (line.keys.empty()) continue;
+        const float room = ImGui::GetContentRegionAvail().x;
+        const float right = ImGui::GetCursorPosX() + room;
         const float keys = ImGui::CalcTextSize(line.keys.c_str()).x;
+        const float gap = line.keys.empty() ? 0.0F : scaled(8);
+        cutText(line.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::End,
+                room - keys - gap);
+        if (line.keys.empty()) continue;
         ImGui::SameLine();
         // Not SameLine(x): inside a table it counts from the column.
         ImGui::SetCursorPosX(right - keys);
