@@ -8,7 +8,10 @@
 #include "planning/linking/link_groups.h"
 #include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
+#include "planning/metrics/view_memo.h"
 #include "planning/path/path_search.h"
+#include "planning/repair/low_runs.h"
+#include "planning/repair/repair.h"
 #include "planning/roadmap/roadmap_search.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/stage.h"
@@ -38,6 +41,7 @@ struct Metrics {
     CaptureEstimate estimate;
     TrajectoryMetrics trajectory;
     FrameSeries series;
+    RepairReport repair;
 };
 
 using V = unsigned;  // version of an earlier stage's output
@@ -116,7 +120,8 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, PathParams, RoadmapParams, int, int, bool>, Paths> paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
     Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
-    Stage<std::tuple<V>, Metrics> metrics;
+    Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
+    Stage<std::tuple<V, RepairParams>, Metrics> metrics;
 
     // Searches that hold for the inputs beside them.
     SearchMemo searches;
@@ -124,6 +129,7 @@ struct Pipeline::Stages {
 
     // What poses show in the views of this version.
     ShownMemo shown;
+    ViewMemo seen;
     V shown_in = 0;
 
     std::vector<StageTime> times;
@@ -191,6 +197,20 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const PitchBand pitch = pitchBand(params.constraints);
     const Surroundings around{*views, *free_space, sphere, pitch};
     PathEnds ends;
+    const TrajectoryMaker maker{
+        [&](const CameraPath& path) {
+            return smoothPath(path, placed->viewpoints.position_points,
+                              placed->viewpoints.observation_points, around, params.smoothing, job);
+        },
+        [&](const std::vector<SmoothPath>& smooth) {
+            const Viewpoints& points = placed->viewpoints;
+            return timeTrajectory(smooth, points.position_points, points.observation_points,
+                                  params.timing, pitch)
+                .and_then([&](Trajectory&& steady) {
+                    return shakeTrajectory(std::move(steady), points.position_points, *views,
+                                           sphere, params.shake, pitch, params.seed, job);
+                });
+        }};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
                [&]() -> Result<std::vector<ObservationPoint>> {
@@ -211,7 +231,10 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
-            if (shown_in != views.version()) shown.clear();
+            if (shown_in != views.version()) {
+                shown.clear();
+                seen.clear();
+            }
             shown_in = views.version();
             return run(
                 "by_hand", placed,
@@ -275,9 +298,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        [&]() -> Result<std::vector<SmoothPath>> {
                            std::vector<SmoothPath> smooth;
                            for (const CameraPath& path : paths->paths) {
-                               auto made = smoothPath(path, placed->viewpoints.position_points,
-                                                      placed->viewpoints.observation_points, around,
-                                                      params.smoothing, part);
+                               auto made = maker.smooth(path);
                                if (!made) return tl::unexpected<Error>(std::move(made.error()));
                                smooth.push_back(std::move(*made));
                            }
@@ -285,39 +306,46 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
-            const JobContext part = job.stage(0.9, 0.91, "timing");
             return run("timing", timing,
-                       std::tuple(smoothing.version(), params.timing, params.shake), part, [&] {
-                           const Viewpoints& points = placed->viewpoints;
-                           return timeTrajectory(*smoothing, points.position_points,
-                                                 points.observation_points, params.timing, pitch)
-                               .and_then([&](Trajectory&& steady) {
-                                   return shakeTrajectory(std::move(steady), points.position_points,
-                                                          *views, sphere, params.shake, pitch,
-                                                          params.seed, part);
-                               });
+                       std::tuple(smoothing.version(), params.timing, params.shake),
+                       job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*smoothing); });
+        })
+        .and_then([&] {
+            const JobContext part = job.stage(0.91, 0.92, "repair");
+            return run("repair", repair,
+                       std::tuple(timing.version(), views.version(), params.repair, params.seed),
+                       part, [&]() -> Result<Repaired> {
+                           const Repaired as_timed{paths->paths, *smoothing, *timing, {}};
+                           if (!asksForRepair(params.repair)) return as_timed;
+                           return repairTrajectory(as_timed, maker, around, params.repair,
+                                                   params.seed, part, &seen);
                        });
         })
         .and_then([&] {
-            if (on_trajectory && !metrics.holds(std::tuple(timing.version()))) {
+            const auto with = std::tuple(repair.version(), params.repair);
+            if (on_trajectory && !metrics.holds(with)) {
                 on_trajectory(std::make_shared<const Plan>(collectMoves()));
             }
-            const JobContext part = job.stage(0.91, 1.0, "metrics");
-            return run(
-                "metrics", metrics, std::tuple(timing.version()), part, [&]() -> Result<Metrics> {
-                    auto estimate = estimateCaptures(*views, *timing, part);
-                    if (!estimate) {
-                        return tl::unexpected<Error>(std::move(estimate.error()));
-                    }
-                    FrameSeries series =
-                        measureFrames(*timing, estimate->frame_views, estimate->captures, *rays);
-                    return measureTrajectory(*views, *smoothing, *timing,
-                                             params.shake.shake != ShakeKind::None, sphere, *rays,
-                                             part)
-                        .map([&](const TrajectoryMetrics& measured) {
-                            return Metrics{std::move(*estimate), measured, std::move(series)};
-                        });
-                });
+            const JobContext part = job.stage(0.92, 1.0, "metrics");
+            return run("metrics", metrics, with, part, [&]() -> Result<Metrics> {
+                const Trajectory& trajectory = repair->trajectory;
+                auto estimate = estimateCaptures(*views, trajectory, part, &seen);
+                if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+                FrameSeries series = measureFrames(
+                    trajectory, estimate->frame_views, estimate->captures,
+                    imageScores(trajectory, estimate->frame_boxes, scoreWeights(params.repair)),
+                    *rays);
+                RepairReport report = repair->report;
+                if (!asksForRepair(params.repair)) {
+                    report.threshold = lowThreshold(series.score, params.repair.score_threshold);
+                    report.before = report.after = tally(series.score, report.threshold);
+                }
+                return measureTrajectory(*views, repair->smooth_paths, trajectory,
+                                         params.shake.shake != ShakeKind::None, sphere, *rays, part)
+                    .map([&](const TrajectoryMetrics& measured) {
+                        return Metrics{std::move(*estimate), measured, std::move(series), report};
+                    });
+            });
         });
 }
 
@@ -329,9 +357,9 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.position_points = placed->viewpoints.position_points;
     plan.key_frames = *key_frames;
     plan.roadmap = paths->roadmap;
-    plan.paths = paths->paths;
-    plan.smooth_paths = *smoothing;
-    plan.trajectory = *timing;
+    plan.paths = repair->paths;
+    plan.smooth_paths = repair->smooth_paths;
+    plan.trajectory = repair->trajectory;
     plan.refused_pins = placed->refused;
     plan.stages = times;
     for (const StageTime& stage : times) {
@@ -351,6 +379,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.series = metrics->series;
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
+    plan.repair = metrics->repair;
     refusePinsOverBudget(edits, plan);
     plan.ledger = captureLedger(*scene, plan);
     return plan;

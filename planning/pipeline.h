@@ -19,7 +19,7 @@ class AllowedRegion;
 class FreeSpace;
 
 /// The whole method as a chain of stages: free space, targets, viewpoints, what was placed by hand,
-/// key frames, roadmap, linking, path, smoothing, timing, metrics. Keeps what each stage made; a
+/// key frames, roadmap, linking, path, smoothing, timing, repair, metrics. Keeps what each stage made; a
 /// later run repeats only the stages whose parameters, or whose input, have changed.
 class Pipeline {
   public:

@@ -158,6 +158,40 @@ void visitShakeParams(Params& p, Visitor&& visit) {
     visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Its frequency"});
 }
 
+/// The paper's image score, and what is done about frames that score low (paper, 3.2.4).
+struct RepairParams {
+    double separation_weight = 1.0;
+    double continuity_weight = 1.0;
+    int score_window = 5;
+    bool squared_separation = false;
+    double score_threshold = 0.5;
+    int repair_rounds = 0;
+    bool drop_low_frames = false;
+    bool operator==(const RepairParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitRepairParams(Params& p, Visitor&& visit) {
+    visit("separation_weight", p.separation_weight,
+          FieldInfo{0, 100, "", "Weight in a frame's score of how far its objects stand apart",
+                    "\u03bb"});
+    visit("continuity_weight", p.continuity_weight,
+          FieldInfo{0, 100, "", "Weight of how many objects it shows, against the frames before",
+                    "\u03bc"});
+    visit("score_window", p.score_window,
+          FieldInfo{1, 100, "", "Frames before, that a frame is compared with", "s"});
+    visit("squared_separation", p.squared_separation,
+          SwitchInfo{"Squares the distance of boxes, as the D-IoU does"});
+    visit("score_threshold", p.score_threshold,
+          FieldInfo{0, 1, "", "A frame is low below this share of the trajectory's median score"});
+    visit("repair_rounds", p.repair_rounds,
+          FieldInfo{0, 20, "",
+                    "Rounds in which low frames are mended: by glances aside, then by other ways; "
+                    "0: none"});
+    visit("drop_low_frames", p.drop_low_frames,
+          SwitchInfo{"Leaves out frames that are still low, unless an object needs them"});
+}
+
 /// The inertial measurements that an export writes beside the poses.
 struct ImuParams {
     double imu_rate_hz = 200.0;
@@ -199,6 +233,7 @@ struct PlanParams {
     SmoothingParams smoothing;
     TimingParams timing;
     ShakeParams shake;
+    RepairParams repair;
     ImuParams imu;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
@@ -229,6 +264,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitTimingParams(p.timing, visit);
     section("shake");
     visitShakeParams(p.shake, visit);
+    section("repair");
+    visitRepairParams(p.repair, visit);
     section("imu");
     visitImuParams(p.imu, visit);
     section("random");

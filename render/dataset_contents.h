@@ -3,6 +3,7 @@
 #include "engine/camera/camera_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/plan/capture.h"
+#include "engine/plan/image_score.h"
 #include "engine/scene/scene.h"
 #include "render/formats/mask_rle.h"
 #include "render/modalities.h"
@@ -18,6 +19,7 @@ struct DatasetFrame {
     TrajectoryFrame camera;
     int source_frame = 0;           // its index in the trajectory
     std::string room;               // "room 1"
+    double clearance_m = 0.0;       // from the camera's centre to the nearest surface, exact
     std::vector<int> well_shown;    // ids of the targets it shows well
     std::vector<ObjectMask> masks;  // of all objects; empty when no format needs them
 };
@@ -29,6 +31,7 @@ struct DatasetContents {
     ModalitySet modalities;            // whose images are in the dataset
     std::vector<DatasetFrame> frames;  // by index
     double imu_rate_hz = 200.0;
+    ScoreWeights score = {};
 
     /// What other files show or refer to: the colour pictures, else the first there are.
     [[nodiscard]] const Modality& pictureModality() const {

@@ -58,6 +58,11 @@ std::string names(const std::vector<const Row*>& rows) {
     return result;
 }
 
+std::string toText(const ScoreWeights& score) {
+    return fmt::format("{:a} {:a} {} {}", score.separation, score.continuity, score.window,
+                       score.squared);
+}
+
 }  // namespace
 
 DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
@@ -76,6 +81,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
                                           rules.min_visible_px, rules.min_box_share)},
         {"the rate of inertial measurements", fmt::format("{:a}", settings.imu_rate_hz)},
+        {"the weights of the image score", toText(settings.score)},
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},

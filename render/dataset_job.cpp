@@ -1,6 +1,7 @@
 #include "render/dataset_job.h"
 
 #include "engine/core/log.h"
+#include "engine/plan/frame_series.h"
 #include "render/dataset_files.h"
 #include "render/dataset_identity.h"
 #include "render/dataset_resume.h"
@@ -147,6 +148,9 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     if (earlier.complete) {
         impl->already_counted = earlier.complete;
         return DatasetJob(std::move(impl));
+    }
+    for (DatasetFrame& frame : impl->order.contents.frames) {
+        frame.clearance_m = clearanceAt(rays, frame.camera.pose.position);
     }
     std::map<int, std::vector<ObjectView>> restored;
     for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;

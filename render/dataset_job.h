@@ -6,6 +6,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
 #include "engine/plan/capture.h"
+#include "engine/plan/image_score.h"
 #include "engine/scene/scene.h"
 #include "render/frame_range.h"
 #include "render/gl/context.h"
@@ -30,6 +31,7 @@ struct DatasetSettings {
     bool resume = false;                  // continues what an export left in the folder
     CaptureRules rules;
     double imu_rate_hz = 200.0;  // samples a second in imu.csv
+    ScoreWeights score;          // of the scores in frames.csv
 };
 
 /// Whether an export with these settings could begin, as far as can be said without the scene:

@@ -43,6 +43,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
     order.contents.imu_rate_hz = settings.imu_rate_hz;
+    order.contents.score = settings.score;
     DatasetCard& card = order.card;
     Result<FormatSet> formats = chooseFormats(settings.formats);
     if (!formats) return tl::unexpected(formats.error());

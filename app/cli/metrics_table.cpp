@@ -16,6 +16,25 @@ std::string row(std::string_view what, const std::string& value) {
     return fmt::format("  {:<22} {}\n", what, value);
 }
 
+std::string tallyText(const nlohmann::json& tally) {
+    return fmt::format("{:.2f} mean, {} of {} frames low", tally.value("mean_score", 0.0),
+                       tally.value("low", 0), tally.value("frames", 0));
+}
+
+/// Image scores; before and after, where low frames were repaired.
+std::string scoreRows(const nlohmann::json& repair) {
+    if (repair.empty()) return {};
+    const int dropped = repair.value("dropped", 0);
+    if (repair.value("rounds", 0) == 0 && dropped == 0) {
+        return row("image score", tallyText(repair["after"]));
+    }
+    return row("image score", tallyText(repair["before"])) +
+           row("  after repair", tallyText(repair["after"])) +
+           row("  by", fmt::format("{} glances, {} other ways, {} frames left out; {} rounds",
+                                   repair.value("nudged", 0), repair.value("replanned", 0), dropped,
+                                   repair.value("rounds", 0)));
+}
+
 }  // namespace
 
 std::string jsonText(const nlohmann::json& json) {
@@ -52,6 +71,8 @@ std::string metricsTable(const nlohmann::json& m) {
     text +=
         row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
                                   m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
+    text += row("repeats", percent(m, "repeat_rate"));
+    text += scoreRows(m.value("repair", nlohmann::json::object()));
     const auto spread = [&](const std::string& name, const std::string& unit,
                             const std::string& unit_text) {
         const auto value = [&](const char* what) {

@@ -2,6 +2,7 @@
 
 #include "engine/math/pose.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace dollytrack {
@@ -17,11 +18,18 @@ struct TrajectoryFrame {
     int position_point = -1;  // index into Plan::position_points when it stands on a key frame
 };
 
-/// Frames at a fixed rate. Where `path` changes from one frame to the next the camera was carried
-/// over: there is no motion between the two.
+/// Frames at a fixed rate, except where some were left out: the times tell. Where `path` changes
+/// from one frame to the next the camera was carried over: there is no motion between the two.
 struct Trajectory {
     double frame_interval_s = 0.1;
     std::vector<TrajectoryFrame> frames;
 };
+
+/// Whether the camera moved on to frame `i` from the frame before within one frame interval.
+[[nodiscard]] inline bool followsOn(const Trajectory& trajectory, std::size_t i) {
+    if (i == 0 || trajectory.frames[i].path != trajectory.frames[i - 1].path) return false;
+    return trajectory.frames[i].time_s - trajectory.frames[i - 1].time_s <
+           1.5 * trajectory.frame_interval_s;
+}
 
 }  // namespace dollytrack

@@ -45,8 +45,9 @@ struct SmoothPath {
     };
     struct Key {
         double arc_m = 0.0;  // where on the path
-        int position_point = -1;
+        int position_point = -1;  // -1: no key frame, only a glance aside, see looks_at
         Eigen::Vector3d position = Eigen::Vector3d::Zero();  // on the curve
+        Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world; without a position point
     };
     int component = 0;
     std::vector<Piece> pieces;

@@ -5,23 +5,15 @@
 
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace dollytrack {
 namespace {
 
-/// Short searches first: most frames are near something, and a long search looks at much more.
-double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& position) {
-    for (const double reach : {0.5, 2.0}) {
-        const ClosestPoint closest = rays.closest(position, reach);
-        if (closest.object_id != 0) return closest.distance;
-    }
-    return rays.closest(position).distance;
-}
-
 void measureMotion(const Trajectory& trajectory, FrameSeries& series) {
     const auto& frames = trajectory.frames;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i].path != frames[i - 1].path || trajectory.frame_interval_s <= 0.0) continue;
+        if (!followsOn(trajectory, i) || trajectory.frame_interval_s <= 0.0) continue;
         const double step = (frames[i].pose.position - frames[i - 1].pose.position).norm();
         const double turn = angleBetween(frames[i].pose.rotation, frames[i - 1].pose.rotation);
         series.speed_mps[i] = step / trajectory.frame_interval_s;
@@ -54,9 +46,19 @@ void countViews(const std::vector<std::vector<ObjectView>>& views,
 
 }  // namespace
 
+double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& position) {
+    // Short searches first: most frames are near something, and a long search looks at much more.
+    for (const double reach : {0.5, 2.0}) {
+        const ClosestPoint closest = rays.closest(position, reach);
+        if (closest.object_id != 0) return closest.distance;
+    }
+    return rays.closest(position).distance;
+}
+
 FrameSeries measureFrames(const Trajectory& trajectory,
                           const std::vector<std::vector<ObjectView>>& views,
-                          const std::vector<ObjectCapture>& captures, const RayCaster& rays) {
+                          const std::vector<ObjectCapture>& captures, std::vector<double> scores,
+                          const RayCaster& rays) {
     const std::size_t count = trajectory.frames.size();
     FrameSeries series;
     series.clearance_m.resize(count);
@@ -72,26 +74,8 @@ FrameSeries measureFrames(const Trajectory& trajectory,
     });
     measureMotion(trajectory, series);
     countViews(views, captures, series);
-    series.score = frameScores(trajectory, series.well_captured);
+    series.score = std::move(scores);
     return series;
-}
-
-std::vector<double> frameScores(const Trajectory& trajectory, const std::vector<int>& counts,
-                                int window) {
-    std::vector<double> scores(counts.size(), 0.0);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] == 0) continue;
-        double sum = 0.0;
-        int used = 0;
-        for (std::size_t back = 1; back <= static_cast<std::size_t>(window) && back <= i; ++back) {
-            if (trajectory.frames[i - back].path != trajectory.frames[i].path) break;
-            const int before = counts[i - back];
-            sum += before == 0 ? 1.0 : static_cast<double>(counts[i]) / before;
-            ++used;
-        }
-        scores[i] = used == 0 ? 1.0 : sum / used;
-    }
-    return scores;
 }
 
 }  // namespace dollytrack

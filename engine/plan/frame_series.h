@@ -14,7 +14,7 @@ struct FrameSeries {
     std::vector<double> clearance_m;   // from the camera's centre to the nearest surface, exact
     std::vector<double> speed_mps;     // on the way from the frame before; 0 where a path begins
     std::vector<double> turn_dps;      // likewise
-    std::vector<double> score;         // see frameScores()
+    std::vector<double> score;         // see imageScores()
     std::vector<int> in_view;          // targets of which more than half is in the image, in sight
     std::vector<int> captured;         // of them, captured by this frame
     std::vector<int> well_captured;    // of them, captured well
@@ -24,18 +24,14 @@ struct FrameSeries {
     [[nodiscard]] std::size_t size() const { return clearance_m.size(); }
 };
 
+/// Distance to the nearest surface, exact, m.
+[[nodiscard]] double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& position);
+
 /// `views` has one list a frame; `captures` is the final word on what is captured at all, since
-/// some views are estimated coarsely.
+/// some views are estimated coarsely. `scores` has one a frame.
 [[nodiscard]] FrameSeries measureFrames(const Trajectory& trajectory,
                                         const std::vector<std::vector<ObjectView>>& views,
                                         const std::vector<ObjectCapture>& captures,
-                                        const RayCaster& rays);
-
-/// How much each frame shows compared with those just before it: the mean of count_i / count_j
-/// over up to `window` frames j before it on the same path (the continuity term of the paper's
-/// image score). A frame that shows nothing scores 0; the first of a path, and one after frames
-/// that show nothing, score 1.
-[[nodiscard]] std::vector<double> frameScores(const Trajectory& trajectory,
-                                              const std::vector<int>& counts, int window = 5);
+                                        std::vector<double> scores, const RayCaster& rays);
 
 }  // namespace dollytrack

@@ -43,7 +43,7 @@ MotionMetrics measureMotion(const Trajectory& trajectory) {
     // Of the frames before, as far back as their path goes.
     std::vector<Eigen::Vector3d> velocities, rates;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i].path != frames[i - 1].path) {
+        if (!followsOn(trajectory, i)) {
             velocities.clear();
             rates.clear();
             continue;

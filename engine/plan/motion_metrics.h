@@ -15,7 +15,7 @@ struct Spread {
 
 /// How the camera moves, from the poses alone: differences from frame to frame, of the first order
 /// for speed and turning rate, of the second for accelerations, of the third for jerk. Nothing is
-/// measured across a change of path. At long frame intervals these are means over them.
+/// measured across a change of path, or where frames were left out. At long frame intervals these are means over them.
 struct MotionMetrics {
     Spread speed_mps;
     Spread turn_dps;

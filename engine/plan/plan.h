@@ -6,6 +6,7 @@
 #include "engine/plan/capture_ledger.h"
 #include "engine/plan/frame_series.h"
 #include "engine/plan/motion_metrics.h"
+#include "engine/plan/repair_report.h"
 #include "engine/plan/roadmap.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
@@ -77,6 +78,7 @@ struct Plan {
     std::vector<std::vector<ObjectView>> frame_views;
     FrameSeries series;
     TrajectoryMetrics trajectory_metrics;
+    RepairReport repair;
     std::vector<LedgerRow> ledger;  // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;
 

@@ -74,6 +74,20 @@ Result<CaptureMetrics> captureMetricsFromJson(const json& value) {
     return metrics;
 }
 
+json tallyJson(const ScoreTally& tally) {
+    return {{"frames", tally.frames}, {"low", tally.low}, {"mean_score", tally.mean}};
+}
+
+json repairJson(const RepairReport& report) {
+    return {{"rounds", report.rounds},
+            {"threshold", report.threshold},
+            {"before", tallyJson(report.before)},
+            {"after", tallyJson(report.after)},
+            {"nudged", report.nudged},
+            {"replanned", report.replanned},
+            {"dropped", report.dropped}};
+}
+
 json metricsJson(const Scene& scene, const Plan& plan) {
     const TrajectoryMetrics& motion = plan.trajectory_metrics;
     json result = captureMetricsJson(plan.capture_metrics);
@@ -102,6 +116,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     }
     visitMotionMetrics(motion.motion,
                        [&](const std::string& name, double value) { result[name] = value; });
+    result["repair"] = repairJson(plan.repair);
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const LedgerRow& row : plan.ledger) {
         if (!row.captured || row.well_captured) continue;

@@ -1,30 +1,19 @@
 #include "planning/metrics/estimate_captures.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/metrics/view_memo.h"
+#include "planning/visibility/image_boxes.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kCoarseGrid = 7;
 constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of the orders
 constexpr int kExactGrid = 72;   // denser than this adds nothing that decides
-
-/// A cheap look, without rays, at whether a frame could capture the object.
-bool mayCapture(const ViewEstimator& views, const Pose& pose, int object_id) {
-    const auto extent = views.extent(pose, object_id);
-    if (!extent) return false;
-    const Intrinsics& k = views.intrinsics();
-    const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(), Eigen::Vector2d(k.width, k.height));
-    const Eigen::AlignedBox2d inside = image.intersection(*extent);
-    if (inside.isEmpty()) return false;
-    const double to_vga = 640.0 * 480.0 / (static_cast<double>(k.width) * k.height);
-    return inside.sizes().prod() * to_vga >= CaptureRules{}.min_visible_px &&
-           inside.sizes().prod() >= 0.5 * extent->sizes().prod();
-}
 
 /// The frames that are worth a look by every pixel, by three orders: most visible, most visible
 /// among those that show the object large, and of these the safest; then the safest key frames.
@@ -67,45 +56,98 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     return frames;
 }
 
+using Glances = std::vector<ViewMemo::Glance>;
+using ObjectViews = std::vector<ObjectView>;  // of one object, by rising frame
+
+/// A glance from each frame at all targets, by frame; those from known poses are remembered.
+std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
+                                            const Trajectory& trajectory, ViewMemo& memo,
+                                            const JobContext& job) {
+    const Scene& scene = views.scene();
+    const auto& frames = trajectory.frames;
+    std::vector<ViewMemo::Entry*> entries(frames.size());
+    std::vector<std::size_t> fresh;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        entries[f] = memo.find(frames[f].pose);
+        if (entries[f] == nullptr) fresh.push_back(f);
+    }
+    // Object by object, since neighbouring frames see much the same of one.
+    std::vector<std::vector<std::pair<std::size_t, ViewMemo::Glance>>> seen(scene.objects.size());
+    parallelFor(scene.objects.size(), [&](std::size_t i) {
+        const int id = scene.objects[i].id;
+        if (scene.objects[i].role != Role::Target) return;
+        for (std::size_t f = 0; f < fresh.size() && !job.cancelled(); ++f) {
+            const Pose& pose = frames[fresh[f]].pose;
+            if (!mayCapture(views, pose, id)) continue;
+            const auto glance = views.estimate(pose, id, kGlanceGrid);
+            seen[i].emplace_back(f, ViewMemo::Glance{makeView(glance, id, 0), glance.visible_box});
+        }
+    });
+    if (job.cancelled()) return {};
+    std::vector<Glances> by_frame(fresh.size());
+    for (const auto& of_object : seen) {
+        for (const auto& [f, glance] : of_object) by_frame[f].push_back(glance);
+    }
+    for (std::size_t f = 0; f < fresh.size(); ++f) {
+        entries[fresh[f]] = &memo.keep(frames[fresh[f]].pose, std::move(by_frame[f]));
+    }
+    return entries;
+}
+
 }  // namespace
 
 Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
-                                         const JobContext& job) {
-    const Scene& scene = views.scene();
-    std::vector<std::vector<ObjectView>> exact(scene.objects.size());
-    std::vector<std::vector<ObjectView>> all_frames(scene.objects.size());
-    parallelFor(scene.objects.size(), [&](std::size_t i) {
-        const int id = scene.objects[i].id;
-        if (scene.objects[i].role != Role::Target || job.cancelled()) return;
-        std::vector<ObjectView> coarse;
-        for (std::size_t f = 0; f < trajectory.frames.size(); ++f) {
-            if (job.cancelled()) return;
-            const Pose& pose = trajectory.frames[f].pose;
-            if (!mayCapture(views, pose, id)) continue;
-            coarse.push_back(
-                makeView(views.estimate(pose, id, kCoarseGrid), id, static_cast<int>(f)));
-        }
-        for (const int frame : bestFrames(coarse, trajectory)) {
-            const Pose& pose = trajectory.frames[static_cast<std::size_t>(frame)].pose;
-            exact[i].push_back(makeView(views.estimate(pose, id, kExactGrid), id, frame));
-        }
-        // Both by rising frame: the exact view takes the place of the coarse one.
-        auto better = exact[i].begin();
-        for (ObjectView& view : coarse) {
-            if (better != exact[i].end() && better->frame == view.frame) view = *better++;
-        }
-        all_frames[i] = std::move(coarse);
-    });
+                                         const JobContext& job, ViewMemo* memo) {
+    ViewMemo own;
+    ViewMemo& known = memo != nullptr ? *memo : own;
+    known.begin();
+    const std::vector<ViewMemo::Entry*> entries = glanceFromAll(views, trajectory, known, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-    std::vector<ObjectView> all;
-    for (const auto& some : exact) all.insert(all.end(), some.begin(), some.end());
-    CaptureEstimate estimate{bestCaptures(scene, all), {}};
-    estimate.frame_views.resize(trajectory.frames.size());
-    for (const auto& some : all_frames) {
-        for (const ObjectView& view : some) {
-            estimate.frame_views[static_cast<std::size_t>(view.frame)].push_back(view);
+
+    const Scene& scene = views.scene();
+    CaptureEstimate estimate;
+    estimate.frame_views.resize(entries.size());
+    estimate.frame_boxes.resize(entries.size());
+    std::vector<ObjectViews> coarse(scene.objects.size());
+    for (std::size_t f = 0; f < entries.size(); ++f) {
+        for (const ViewMemo::Glance& glance : entries[f]->glances) {
+            ObjectView view = glance.view;
+            view.frame = static_cast<int>(f);
+            coarse[static_cast<std::size_t>(view.object_id) - 1].push_back(view);
+            if (!glance.box.isEmpty()) estimate.frame_boxes[f].push_back(glance.box);
         }
     }
+    std::vector<ObjectViews> exact(scene.objects.size());
+    parallelFor(scene.objects.size(), [&](std::size_t i) {
+        const int id = static_cast<int>(i) + 1;
+        for (const int frame : bestFrames(coarse[i], trajectory)) {
+            if (job.cancelled()) return;
+            const auto f = static_cast<std::size_t>(frame);
+            const auto remembered = entries[f]->closely.find(id);
+            ObjectView view =
+                remembered != entries[f]->closely.end()
+                    ? remembered->second
+                    : makeView(views.estimate(trajectory.frames[f].pose, id, kExactGrid), id, 0);
+            view.frame = frame;
+            exact[i].push_back(view);
+        }
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    ObjectViews all;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        // Both by rising frame: the exact view takes the place of the coarse one.
+        auto better = exact[i].begin();
+        for (ObjectView& view : coarse[i]) {
+            const auto f = static_cast<std::size_t>(view.frame);
+            if (better != exact[i].end() && better->frame == view.frame) {
+                view = *better++;
+                entries[f]->closely[view.object_id] = view;
+            }
+            estimate.frame_views[f].push_back(view);
+        }
+        all.insert(all.end(), exact[i].begin(), exact[i].end());
+    }
+    estimate.captures = bestCaptures(scene, all);
     return estimate;
 }
 

@@ -24,13 +24,6 @@ constexpr double kShortestStep = 0.0005;
 // Where everything is further than this, the walk takes what is free in one step.
 constexpr double kFar = 10.0;
 
-/// Distance to the nearest surface. Indoors one is mostly near, and a search that looks no further
-/// than that is quicker; only where it finds nothing the whole scene is searched.
-double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& place) {
-    const double near = rays.closest(place, 0.5).distance;
-    return std::isfinite(near) ? near : rays.closest(place).distance;
-}
-
 /// The smallest clearance on the way, to a centimetre where it is less than kFar; ends early when
 /// cancelled. A step is at most what is free beyond the camera's sphere, so that nothing thin is
 /// stepped over but a touch of less than kShortestStep. Deliberately not the proof that planning

@@ -52,6 +52,7 @@ class Gaze {
     /// What the camera looks at there. From a pinned point it looks where it was told to, and
     /// otherwise as steeply as it may, as far as its target is away.
     [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const {
+        if (key.position_point < 0) return key.looks_at;
         const PositionPoint& p = point(key);
         const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
         if (p.pin < 0 && !pitch_.restricts()) return target;
@@ -62,6 +63,7 @@ class Gaze {
     }
 
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const {
+        if (key.position_point < 0) return aim(key.position, key.looks_at, pitch_);
         const PositionPoint& p = point(key);
         if (p.pin >= 0) return {key.position, p.pose.rotation};
         // Smoothing moves other keys a little, and they turn to keep their target in the middle.

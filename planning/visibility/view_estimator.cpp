@@ -158,6 +158,9 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
             (visible_box.sizes().array() + cell)
                 .min(Eigen::Array2d(intrinsics_.width, intrinsics_.height));
         result.box_share = size.prod() / image_area;
+        const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * cell);
+        result.visible_box =
+            image.intersection({visible_box.min() - half, visible_box.max() + half});
     }
     int most = 0;
     for (const auto& [id, count] : hidden_by) {

@@ -25,6 +25,7 @@ class ViewEstimator {
         double visible_px = 0.0;        // as if the image were 640 x 480
         double box_share = 0.0;
         double mask_share = 0.0;
+        Eigen::AlignedBox2d visible_box;  // around the visible part, px; empty without one
         int rays_on_silhouette = 0;
         bool cropped = false;         // part of the silhouette lies outside the image
         int occluder = 0;             // id of the object that hides most of it

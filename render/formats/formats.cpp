@@ -3,6 +3,7 @@
 #include "render/choice.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/coco.h"
+#include "render/formats/frames_csv.h"
 #include "render/formats/imu_csv.h"
 
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@ using Files = Result<std::vector<DatasetFile>>;
 
 constexpr std::array<const char*, 1> kCocoFiles = {"annotations.json"};
 constexpr std::array<const char*, 1> kCameraJsonFiles = {"camera.json"};
+constexpr std::array<const char*, 1> kFramesFiles = {"frames.csv"};
 constexpr std::array<const char*, 1> kImuFiles = {"imu.csv"};
 
 Files writeCoco(const DatasetContents& contents) {
@@ -63,6 +65,18 @@ Json cameraJsonConvention() {
             {"format", "3D-FRONT: y up, metres, fov horizontal degrees"}};
 }
 
+Files writeFrames(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFramesFiles[0], framesCsvText(contents)}};
+}
+
+Json framesConvention() {
+    return {{"file", kFramesFiles[0]},
+            {"format",
+             "a row a frame: clearance (m), mean speed (m/s) and turning (deg/s) since the frame "
+             "before, targets of 120 px or more (at 640 x 480), those shown well, and the image "
+             "score from their boxes"}};
+}
+
 Files writeImu(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kImuFiles[0], imuCsvText(contents)}};
 }
@@ -75,11 +89,13 @@ Json imuConvention() {
              "each continuous motion joined by a twice continuously differentiable spline"}};
 }
 
-constexpr std::array<Format, 3> kFormats = {{
+constexpr std::array<Format, 4> kFormats = {{
     {"coco", "COCO instances: boxes and masks of the targets, in annotations.json", true,
      kCocoFiles, writeCoco, cocoConvention},
     {"camera_json", "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
      false, kCameraJsonFiles, writeCameraJson, cameraJsonConvention},
+    {"frames", "what can be measured about each frame, its image score too, in frames.csv", true,
+     kFramesFiles, writeFrames, framesConvention},
     {"imu", "inertial measurements along the motion, in imu.csv", false, kImuFiles, writeImu,
      imuConvention},
 }};

@@ -33,6 +33,7 @@ void addPath(Overlay& overlay, const SmoothPath& path, const Plan& plan,
         last = point;
     }
     for (const SmoothPath::Key& key : path.keys) {
+        if (key.position_point < 0) continue;
         const auto& position_point =
             plan.position_points[static_cast<std::size_t>(key.position_point)];
         const auto& target =

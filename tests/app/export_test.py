@@ -20,7 +20,7 @@ from program import hashes, run, start, wait_for
 APARTMENT = sys.argv.pop(1)
 FRAMES = 24
 MARK = ".dollytrack-export"
-CHOICES = ["rgb", "depth", "instance", "semantic", "coco", "camera_json", "imu"]
+CHOICES = ["rgb", "depth", "instance", "semantic", "coco", "camera_json", "frames", "imu"]
 
 
 def lines_of(text):

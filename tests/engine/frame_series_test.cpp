@@ -30,7 +30,7 @@ TEST(FrameSeries, ClearanceIsTheExactDistanceToTheNearestSurface) {
     const RayCaster rays(scene);
     Trajectory trajectory;
     addPath(trajectory, 0, {0.3, 0.8, 1.4, 2.0, 2.6});
-    const FrameSeries series = measureFrames(trajectory, {}, {}, rays);
+    const FrameSeries series = measureFrames(trajectory, {}, {}, {}, rays);
     ASSERT_EQ(series.size(), 5U);
     for (std::size_t i = 0; i < series.size(); ++i) {
         // Against every triangle's own closest point, by dense sampling of its surface.
@@ -61,7 +61,7 @@ TEST(FrameSeries, SpeedAndTurnBeginAnewWithEachPath) {
     trajectory.frames[2].pose.rotation =
         Eigen::AngleAxisd(3.0 * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ()) *
         trajectory.frames[2].pose.rotation;
-    const FrameSeries series = measureFrames(trajectory, {}, {}, rays);
+    const FrameSeries series = measureFrames(trajectory, {}, {}, {}, rays);
     const std::vector<double> speed = {0.0, 0.4, 0.0, 0.0, 0.5};
     const std::vector<double> turn = {0.0, 0.0, 30.0, 0.0, 0.0};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -84,7 +84,7 @@ TEST(FrameSeries, CountsEachCapturedObjectOnceAndOnlyThoseThatCount) {
     std::vector<ObjectCapture> captures(3);
     for (int i = 0; i < 3; ++i) captures[static_cast<std::size_t>(i)].object_id = i + 1;
     captures[0].captured = captures[2].captured = true;
-    const FrameSeries series = measureFrames(trajectory, views, captures, rays);
+    const FrameSeries series = measureFrames(trajectory, views, captures, {}, rays);
     EXPECT_EQ(series.in_view, (std::vector<int>{2, 1, 2}));
     EXPECT_EQ(series.captured, (std::vector<int>{2, 1, 1}));
     EXPECT_EQ(series.well_captured, (std::vector<int>{2, 1, 0}));
@@ -92,15 +92,16 @@ TEST(FrameSeries, CountsEachCapturedObjectOnceAndOnlyThoseThatCount) {
     EXPECT_EQ(series.newly_captured, (std::vector<std::vector<int>>{{1}, {}, {3}}));
 }
 
-TEST(FrameSeries, ScoresCompareAFrameWithThoseBeforeItOnItsPath) {
+TEST(FrameSeries, NothingIsMeasuredWhereFramesWereLeftOut) {
+    const RayCaster rays(test::furnishedRoom());
     Trajectory trajectory;
-    addPath(trajectory, 0, {0.0, 0.1, 0.2, 0.3});
-    addPath(trajectory, 1, {1.0, 1.1});
-    const std::vector<double> scores = frameScores(trajectory, {4, 2, 0, 6, 3, 3}, 2);
-    // 2/4; nothing; (none before: 1, 6/2) / 2; a new path; 3/3.
-    const std::vector<double> expected = {1.0, 0.5, 0.0, 2.0, 1.0, 1.0};
-    ASSERT_EQ(scores.size(), expected.size());
-    for (std::size_t i = 0; i < scores.size(); ++i) EXPECT_NEAR(scores[i], expected[i], 1e-12) << i;
+    trajectory.frame_interval_s = 0.1;
+    addPath(trajectory, 0, {0.5, 0.54, 0.62, 0.66});
+    for (std::size_t i = 0; i < 4; ++i) trajectory.frames[i].time_s = 0.1 * (i < 2 ? i : i + 1.0);
+    const FrameSeries series = measureFrames(trajectory, {}, {}, {1, 2, 3, 4}, rays);
+    const std::vector<double> speed = {0.0, 0.4, 0.0, 0.4};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(series.speed_mps[i], speed[i], 1e-9) << i;
+    EXPECT_EQ(series.score, (std::vector<double>{1, 2, 3, 4}));
 }
 
 }  // namespace

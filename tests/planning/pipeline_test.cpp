@@ -150,11 +150,11 @@ TEST(Pipeline, RepeatsOnlyWhatDependsOnAChange) {
     };
     EXPECT_TRUE(rerun().empty());
     params.timing.max_speed_mps = 1.0;
-    EXPECT_EQ(rerun(), (std::set<std::string>{"timing", "metrics"}));
+    EXPECT_EQ(rerun(), (std::set<std::string>{"timing", "repair", "metrics"}));
     params.smoothing.corner_distance_m = 0.2;
-    EXPECT_EQ(rerun(), (std::set<std::string>{"smoothing", "timing", "metrics"}));
+    EXPECT_EQ(rerun(), (std::set<std::string>{"smoothing", "timing", "repair", "metrics"}));
     params.path.path_mode = PathMode::LongestBranch;
-    EXPECT_EQ(rerun(), (std::set<std::string>{"path", "smoothing", "timing", "metrics"}));
+    EXPECT_EQ(rerun(), (std::set<std::string>{"path", "smoothing", "timing", "repair", "metrics"}));
     params.viewpoints.fill = 0.4;
     EXPECT_FALSE(rerun().contains("free_space"));
     params.free_space.octree_resolution_m = 0.1;

@@ -55,6 +55,23 @@ void drawCaptures(const Plan& plan) {
     ImGui::EndTable();
 }
 
+void drawScores(const RepairReport& repair) {
+    constexpr const char* kMeaning =
+        "The mean image score, and frames that score low: they show few objects, or none";
+    const auto text = [](const ScoreTally& tally) {
+        return fmt::format("{:.2f}, {} of {} frames low", tally.mean, tally.low, tally.frames);
+    };
+    if (repair.rounds == 0 && repair.dropped == 0) {
+        row("Image score", text(repair.after), kMeaning);
+        return;
+    }
+    row("Image score", text(repair.before) + " before repair", kMeaning);
+    row("  repaired", text(repair.after),
+        fmt::format("{} stretches got a glance aside, {} another way, {} frames were left out, in "
+                    "{} rounds",
+                    repair.nudged, repair.replanned, repair.dropped, repair.rounds).c_str());
+}
+
 void drawTrajectory(const Plan& plan, bool measured) {
     const TrajectoryMetrics& metrics = plan.trajectory_metrics;
     if (!beginTable("trajectory")) return;
@@ -78,6 +95,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
             "Frames that show next to no surface that no earlier frame saw");
         row("Object pixels", fmt::format("{:.1f} %", 100.0 * metrics.object_pixels),
             "Share of the images on targets");
+        drawScores(plan.repair);
         const auto spread = [](const Spread& of, const char* unit) {
             return fmt::format("{:.2f} {}, {:.2f} at most", of.median, unit, of.max);
         };

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace dollytrack {
+
+/// How well the frames of a trajectory score; see imageScores().
+struct ScoreTally {
+    int frames = 0;
+    int low = 0;  // frames that score less than the threshold
+    double mean = 0.0;
+    bool operator==(const ScoreTally&) const = default;
+};
+
+/// What repair did to a trajectory's low frames.
+struct RepairReport {
+    int rounds = 0;          // 0: none was asked for
+    double threshold = 0.0;  // a frame below it is low
+    ScoreTally before;
+    ScoreTally after;
+    int nudged = 0;     // stretches between key frames on which the camera now looks aside
+    int replanned = 0;  // stretches that take another way
+    int dropped = 0;    // frames left out
+    bool operator==(const RepairReport&) const = default;
+};
+
+}  // namespace dollytrack

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/camera/trajectory.h"
+#include "engine/plan/repair_report.h"
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// The way from one key frame of a path to its next.
+struct StretchName {
+    std::size_t path = 0;
+    std::size_t number = 0;
+    auto operator<=>(const StretchName&) const = default;
+};
+
+/// Frames in a row that score low, none of them a key frame.
+struct LowRun {
+    StretchName stretch;
+    std::size_t first = 0;  // index in the trajectory
+    std::size_t last = 0;   // inclusive
+    [[nodiscard]] std::size_t size() const { return last - first + 1; }
+};
+
+/// The stretch of each frame; a key frame belongs to the one that ends there.
+[[nodiscard]] std::vector<StretchName> stretchesOf(const Trajectory& trajectory);
+
+/// Runs of frames that score less than the threshold, each within one stretch.
+[[nodiscard]] std::vector<LowRun> lowRuns(const Trajectory& trajectory,
+                                          const std::vector<double>& scores, double threshold);
+
+/// The median of the scores, times `share`.
+[[nodiscard]] double lowThreshold(std::vector<double> scores, double share);
+
+[[nodiscard]] ScoreTally tally(const std::vector<double>& scores, double threshold);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,313 @@
+#include "planning/repair/repair.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/metrics/estimate_captures.h"
+#include "planning/plan_params.h"
+#include "planning/repair/glance.h"
+#include "planning/repair/low_runs.h"
+#include "planning/repair/other_way.h"
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr std::size_t kShortRun = 2;  // frames; not worth another way
+constexpr int kAttempts = 3;          // a round, each with fewer changes
+
+/// What may be changed about a trajectory.
+struct Design {
+    std::vector<CameraPath> paths;
+    std::vector<SmoothPath> smooth;  // of the paths, without glances
+    std::vector<Glance> glances;
+};
+
+/// A design, carried out and looked at.
+struct Trial {
+    std::vector<SmoothPath> smooth;  // with glances
+    Trajectory trajectory;
+    CaptureEstimate estimate;
+    std::vector<double> scores;
+};
+
+struct Change {
+    StretchName stretch;
+    std::optional<Glance> glance;
+    std::optional<CameraPath> other_way;
+};
+
+/// Index of a path's vertex at its n-th key frame.
+std::size_t vertexOfKey(const CameraPath& path, std::size_t n) {
+    for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+        if (path.vertices[i].position_point >= 0 && n-- == 0) return i;
+    }
+    return path.vertices.size();
+}
+
+std::map<StretchName, ScoreTally> tallies(const Trial& trial, double threshold) {
+    const std::vector<StretchName> stretches = stretchesOf(trial.trajectory);
+    std::map<StretchName, std::vector<double>> scores;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        scores[stretches[i]].push_back(trial.scores[i]);
+    }
+    std::map<StretchName, ScoreTally> result;
+    for (const auto& [name, some] : scores) result[name] = tally(some, threshold);
+    return result;
+}
+
+/// Frames that captures rest on: each object's best ones.
+std::set<int> neededFrames(const std::vector<ObjectCapture>& captures) {
+    std::set<int> frames;
+    for (const ObjectCapture& capture : captures) {
+        if (capture.captured) frames.insert(capture.best.frame);
+        if (capture.well_captured) frames.insert(capture.best_well.frame);
+    }
+    return frames;
+}
+
+/// The stretches on which objects were captured that no longer are.
+std::set<StretchName> lostOn(const Trial& before, const Trial& after) {
+    const std::vector<StretchName> stretches = stretchesOf(before.trajectory);
+    std::set<StretchName> lost;
+    for (std::size_t i = 0; i < before.estimate.captures.size(); ++i) {
+        const ObjectCapture& was = before.estimate.captures[i];
+        const ObjectCapture& is = after.estimate.captures[i];
+        if (was.captured && !is.captured) {
+            lost.insert(stretches[static_cast<std::size_t>(was.best.frame)]);
+        }
+        if (was.well_captured && !is.well_captured) {
+            lost.insert(stretches[static_cast<std::size_t>(was.best_well.frame)]);
+        }
+    }
+    return lost;
+}
+
+class Repair {
+  public:
+    Repair(const RepairContext& context, ViewMemo* memo, const JobContext& job)
+        : context_(context), memo_(memo), job_(job) {}
+
+    [[nodiscard]] Result<Trial> carryOut(const Design& design) const {
+        Trial trial;
+        trial.smooth = withGlances(design.smooth, design.glances);
+        Result<Trajectory> trajectory = context_.maker.time(trial.smooth);
+        if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
+        trial.trajectory = std::move(*trajectory);
+        Result<CaptureEstimate> estimate =
+            estimateCaptures(context_.around.views, trial.trajectory, job_, memo_);
+        if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+        trial.estimate = std::move(*estimate);
+        trial.scores = imageScores(trial.trajectory, trial.estimate.frame_boxes, context_.weights);
+        return trial;
+    }
+
+    /// One change for each stretch with low frames that is not given up.
+    std::vector<Change> propose(const Design& design, const Trial& trial, int round) {
+        std::map<StretchName, LowRun> longest;
+        for (const LowRun& run : lowRuns(trial.trajectory, trial.scores, context_.threshold)) {
+            if (given_up_.contains(run.stretch)) continue;
+            const auto [at, fresh] = longest.try_emplace(run.stretch, run);
+            if (!fresh && run.size() > at->second.size()) at->second = run;
+        }
+        std::vector<LowRun> runs;
+        for (const auto& [_, run] : longest) runs.push_back(run);
+        const std::map<StretchName, ScoreTally> scored = tallies(trial, context_.threshold);
+        std::vector<Change> changes(runs.size());
+        parallelFor(runs.size(), [&](std::size_t i) {
+            if (!job_.cancelled()) {
+                changes[i] = propose(design, trial, runs[i], scored.at(runs[i].stretch), round);
+            }
+        });
+        for (const Change& change : changes) {
+            if (!change.glance && !change.other_way) given_up_.insert(change.stretch);
+        }
+        std::erase_if(changes, [](const Change& c) { return !c.glance && !c.other_way; });
+        return changes;
+    }
+
+    /// The design with those changes; a change that cannot be smoothed is left out.
+    [[nodiscard]] Result<Design> apply(Design design, const std::vector<Change>& changes) const {
+        std::set<std::size_t> rerouted;
+        for (const Change& change : changes) {
+            if (change.glance) design.glances.push_back(*change.glance);
+            if (!change.other_way) continue;
+            CameraPath& path = design.paths[change.stretch.path];
+            const std::size_t from = vertexOfKey(path, change.stretch.number);
+            const std::size_t to = vertexOfKey(path, change.stretch.number + 1);
+            const auto& inner = change.other_way->vertices;
+            const auto at =
+                path.vertices.erase(path.vertices.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                                    path.vertices.begin() + static_cast<std::ptrdiff_t>(to));
+            path.vertices.insert(at, inner.begin() + 1, inner.end() - 1);
+            std::erase_if(design.glances,
+                          [&](const Glance& g) { return g.stretch == change.stretch; });
+            rerouted.insert(change.stretch.path);
+        }
+        for (const std::size_t path : rerouted) {
+            Result<SmoothPath> smooth = context_.maker.smooth(design.paths[path]);
+            if (!smooth) return tl::unexpected<Error>(std::move(smooth.error()));
+            design.smooth[path] = std::move(*smooth);
+        }
+        return design;
+    }
+
+    /// Those of the changes that mend their stretch and lose nothing.
+    std::vector<Change> keepGood(const std::vector<Change>& changes, const Trial& before,
+                                 const Trial& after) {
+        const auto was = tallies(before, context_.threshold);
+        const auto is = tallies(after, context_.threshold);
+        const std::set<StretchName> lost = lostOn(before, after);
+        std::vector<Change> good;
+        for (const Change& change : changes) {
+            const ScoreTally& b = was.at(change.stretch);
+            const auto a = is.find(change.stretch);
+            const bool mended = a != is.end() && a->second.low < b.low &&
+                                a->second.mean >= b.mean && !lost.contains(change.stretch);
+            if (mended) {
+                good.push_back(change);
+            } else {
+                refused_[change.stretch] += 1;
+            }
+        }
+        return good;
+    }
+
+  private:
+    [[nodiscard]] Change propose(const Design& design, const Trial& trial, const LowRun& run,
+                                 const ScoreTally& scored, int round) const {
+        Change change{run.stretch, {}, {}};
+        const auto refused = refused_.find(run.stretch);
+        const int times = refused == refused_.end() ? 0 : refused->second;
+        if (times == 0) {
+            const auto looks_at =
+                findGlance(context_, trial.trajectory, trial.estimate.frame_boxes, run);
+            if (looks_at)
+                change.glance = Glance{run.stretch, shareOf(design, trial, run), *looks_at};
+        }
+        if (change.glance || times > 1 || run.size() <= kShortRun) return change;
+        const CameraPath& path = design.paths[run.stretch.path];
+        const std::size_t from = vertexOfKey(path, run.stretch.number);
+        const std::size_t to = vertexOfKey(path, run.stretch.number + 1);
+        if (to >= path.vertices.size()) return change;
+        const double low_share = static_cast<double>(scored.low) / scored.frames;
+        const auto stream = static_cast<std::uint64_t>(round) * 1'000'000 +
+                            run.stretch.path * 100'000 + run.stretch.number * 10;
+        change.other_way = findOtherWay(context_, path, from, to, low_share, stream);
+        return change;
+    }
+
+    /// Where the middle of a run lies on the way between its key frames.
+    [[nodiscard]] static double shareOf(const Design& design, const Trial& trial,
+                                        const LowRun& run) {
+        const SmoothPath& path = design.smooth[run.stretch.path];
+        const double begin = path.keys[run.stretch.number].arc_m;
+        const double end = path.keys[run.stretch.number + 1].arc_m;
+        const auto& frames = trial.trajectory.frames;
+        const double arc = frames[run.first + (run.last - run.first) / 2].arc_m;
+        return end > begin ? std::clamp((arc - begin) / (end - begin), 0.0, 1.0) : 0.5;
+    }
+
+    const RepairContext& context_;
+    ViewMemo* memo_;
+    const JobContext& job_;
+    std::set<StretchName> given_up_;
+    std::map<StretchName, int> refused_;  // how many changes of it were
+};
+
+/// Leaves out low frames that neither stand on a key frame nor are needed for a capture.
+int dropLow(Trial& trial, double threshold) {
+    const std::set<int> needed = neededFrames(trial.estimate.captures);
+    std::vector<TrajectoryFrame> kept;
+    std::vector<std::vector<Eigen::AlignedBox2d>> boxes;
+    const auto& frames = trial.trajectory.frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const bool drop = trial.scores[i] < threshold && frames[i].position_point < 0 &&
+                          !needed.contains(static_cast<int>(i));
+        if (drop) continue;
+        kept.push_back(frames[i]);
+        boxes.push_back(std::move(trial.estimate.frame_boxes[i]));
+    }
+    const int dropped = static_cast<int>(frames.size() - kept.size());
+    trial.trajectory.frames = std::move(kept);
+    trial.estimate.frame_boxes = std::move(boxes);
+    return dropped;
+}
+
+int countStretches(const std::vector<Glance>& glances) {
+    std::set<StretchName> names;
+    for (const Glance& glance : glances) names.insert(glance.stretch);
+    return static_cast<int>(names.size());
+}
+
+}  // namespace
+
+ScoreWeights scoreWeights(const RepairParams& params) {
+    return {params.separation_weight, params.continuity_weight, params.score_window,
+            params.squared_separation};
+}
+
+bool asksForRepair(const RepairParams& params) {
+    return params.repair_rounds > 0 || params.drop_low_frames;
+}
+
+Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
+                                  const Surroundings& around, const RepairParams& params, int seed,
+                                  const JobContext& job, ViewMemo* memo) {
+    RepairContext context{maker, around, scoreWeights(params), 0.0, seed};
+    Repair repair(context, memo, job);
+    Design design{found.paths, found.smooth_paths, {}};
+    Result<Trial> first = repair.carryOut(design);
+    if (!first) return tl::unexpected<Error>(std::move(first.error()));
+    Trial best = std::move(*first);
+    context.threshold = lowThreshold(best.scores, params.score_threshold);
+
+    Repaired result;
+    RepairReport& report = result.report;
+    report.threshold = context.threshold;
+    report.before = tally(best.scores, context.threshold);
+    std::set<StretchName> rerouted;
+    for (int round = 0; round < params.repair_rounds; ++round) {
+        job.report(static_cast<double>(round) / params.repair_rounds);
+        std::vector<Change> changes = repair.propose(design, best, round);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        if (changes.empty()) break;
+        report.rounds = round + 1;
+        // All at once; then again with those that were good.
+        for (int attempt = 0; attempt < kAttempts && !changes.empty(); ++attempt) {
+            const std::size_t tried = changes.size();
+            const Result<Design> changed = repair.apply(design, changes);
+            // A budget of frames may be too small for more glances.
+            Result<Trial> trial =
+                changed ? repair.carryOut(*changed) : tl::unexpected<Error>(changed.error());
+            if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+            if (!trial) break;
+            const bool loses = !lostOn(best, *trial).empty();
+            changes = repair.keepGood(changes, best, *trial);
+            if (changes.size() < tried || loses) continue;
+            for (const Change& change : changes) {
+                if (change.other_way) rerouted.insert(change.stretch);
+            }
+            design = *changed;
+            best = std::move(*trial);
+            break;
+        }
+    }
+    if (params.drop_low_frames) {
+        report.dropped = dropLow(best, context.threshold);
+        best.scores = imageScores(best.trajectory, best.estimate.frame_boxes, context.weights);
+    }
+    report.after = tally(best.scores, context.threshold);
+    report.nudged = countStretches(design.glances);
+    report.replanned = static_cast<int>(rerouted.size());
+    result.paths = std::move(design.paths);
+    result.smooth_paths = std::move(best.smooth);
+    result.trajectory = std::move(best.trajectory);
+    return result;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,171 @@
+#include "planning/repair/low_runs.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/pipeline.h"
+#include "tests/planning/slow_checker.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dollytrack::planning {
+namespace {
+
+/// A long hall with things at both ends and a few along one wall: on the way from end to end the
+/// camera passes much bare wall.
+Scene longHall() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {9, 3, 2.6});
+    const auto thing = [&](const std::string& name, double x, double y, double size) {
+        builder.object(name).box({x, y, 0.5 * size}, {size, size, size});
+    };
+    thing("west", 0.6, 1.5, 0.6);
+    thing("east", 8.4, 1.5, 0.6);
+    thing("south 1", 3.0, 0.4, 0.5);
+    thing("south 2", 4.5, 0.4, 0.5);
+    thing("south 3", 6.0, 0.4, 0.5);
+    thing("north", 5.2, 2.7, 0.4);
+    return builder.build();
+}
+
+std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params) {
+    Pipeline pipeline(std::make_shared<const Scene>(scene));
+    auto plan = pipeline.run(params, JobContext{});
+    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
+    return *plan;
+}
+
+PlanParams repaired(int rounds) {
+    PlanParams params;
+    params.repair.repair_rounds = rounds;
+    return params;
+}
+
+/// The median times the share, and the frames below it, counted the plain way.
+int countLow(std::vector<double> scores, double threshold) {
+    return static_cast<int>(std::ranges::count_if(scores, [&](double s) { return s < threshold; }));
+}
+
+}  // namespace
+
+TEST(LowRuns, EndAtKeyFramesAndWhereAPathEnds) {
+    Trajectory trajectory;
+    const std::vector<int> paths = {0, 0, 0, 0, 0, 0, 1, 1, 1};
+    const std::vector<int> keys = {5, -1, -1, 7, -1, -1, 8, -1, 9};
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        TrajectoryFrame frame;
+        frame.path = paths[i];
+        frame.position_point = keys[i];
+        trajectory.frames.push_back(frame);
+    }
+    const auto runs = lowRuns(trajectory, {0, 0, 0, 0, 0, 2, 0, 0, 0}, 1.0);
+    ASSERT_EQ(runs.size(), 3U);
+    const auto expect = [&](std::size_t i, StretchName stretch, std::size_t first,
+                            std::size_t last) {
+        EXPECT_EQ(runs[i].stretch, stretch) << i;
+        EXPECT_EQ(runs[i].first, first) << i;
+        EXPECT_EQ(runs[i].last, last) << i;
+    };
+    expect(0, {0, 0}, 1, 2);
+    expect(1, {0, 1}, 4, 4);
+    expect(2, {1, 0}, 7, 7);
+}
+
+TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
+    const Scene scene = longHall();
+    const auto before = planOf(scene, {});
+    const auto after = planOf(scene, repaired(4));
+    ASSERT_GT(before->repair.after.low, 0);
+    EXPECT_EQ(before->repair.rounds, 0);
+    EXPECT_EQ(after->repair.before, before->repair.after);
+    EXPECT_LT(after->repair.after.low, after->repair.before.low);
+    EXPECT_GE(after->repair.after.mean, after->repair.before.mean);
+    EXPECT_GT(after->repair.nudged + after->repair.replanned, 0);
+    // What it says is what the frames' scores are.
+    EXPECT_EQ(after->repair.after.low, countLow(after->series.score, after->repair.threshold));
+    ASSERT_EQ(before->captures.size(), after->captures.size());
+    for (std::size_t i = 0; i < before->captures.size(); ++i) {
+        EXPECT_GE(after->captures[i].captured, before->captures[i].captured) << i;
+        EXPECT_GE(after->captures[i].well_captured, before->captures[i].well_captured) << i;
+    }
+}
+
+TEST(Repair, KeepsEveryKeyFrameToTheLastBit) {
+    const Scene scene = longHall();
+    const auto keyPoses = [](const Plan& plan) {
+        std::map<int, Pose> poses;
+        for (const TrajectoryFrame& frame : plan.trajectory.frames) {
+            if (frame.position_point >= 0) poses[frame.position_point] = frame.pose;
+        }
+        return poses;
+    };
+    const auto before = keyPoses(*planOf(scene, {}));
+    const auto after = keyPoses(*planOf(scene, repaired(1)));
+    ASSERT_EQ(before.size(), after.size());
+    for (const auto& [point, pose] : before) {
+        EXPECT_EQ(after.at(point).position, pose.position) << point;
+        EXPECT_EQ(after.at(point).rotation.coeffs(), pose.rotation.coeffs()) << point;
+    }
+}
+
+TEST(Repair, KeepsTheSphereOutOfAllTriangles) {
+    const auto scene = std::make_shared<const Scene>(longHall());
+    const test_support::SlowChecker checker(*scene);
+    Pipeline pipeline(scene);
+    for (const int seed : {1, 2, 3}) {
+        PlanParams params = repaired(6);
+        params.seed = seed;
+        params.repair.score_threshold = 1.0;  // half of all frames are low: other ways are tried
+        const auto plan = pipeline.run(params, JobContext{});
+        ASSERT_TRUE(plan.has_value());
+        const auto found = checker.check(**plan, params.camera.camera_radius_m, false);
+        EXPECT_GT(found.places, 500);
+        EXPECT_EQ(found.touching, 0) << seed;
+        EXPECT_EQ((*plan)->trajectory_metrics.frame_collision_rate, 0.0);
+    }
+}
+
+TEST(Repair, LeavesOutLowFramesButNoneThatIsNeeded) {
+    const Scene scene = longHall();
+    const auto before = planOf(scene, {});
+    PlanParams params;
+    params.repair.drop_low_frames = true;
+    const auto after = planOf(scene, params);
+    EXPECT_GT(after->repair.dropped, 0);
+    EXPECT_EQ(before->trajectory.frames.size(),
+              after->trajectory.frames.size() + static_cast<std::size_t>(after->repair.dropped));
+    EXPECT_EQ(before->capture_metrics.captured, after->capture_metrics.captured);
+    EXPECT_EQ(before->capture_metrics.well_captured, after->capture_metrics.well_captured);
+    // Each frame that is left keeps its pose and its time.
+    auto at = before->trajectory.frames.begin();
+    for (const TrajectoryFrame& frame : after->trajectory.frames) {
+        at = std::find_if(at, before->trajectory.frames.end(),
+                          [&](const TrajectoryFrame& f) { return f.time_s == frame.time_s; });
+        ASSERT_NE(at, before->trajectory.frames.end());
+        EXPECT_EQ(at->pose.position, frame.pose.position);
+    }
+}
+
+TEST(Repair, KeepsToABudgetOfFrames) {
+    PlanParams params = repaired(4);
+    params.timing.max_frames = 40;
+    const auto plan = planOf(longHall(), params);
+    EXPECT_LE(plan->trajectory.frames.size(), 40U);
+}
+
+TEST(Repair, IsTheSameForAnyNumberOfThreads) {
+    const Scene scene = longHall();
+    std::vector<std::vector<double>> scores;
+    for (const int threads : {1, 2, 5}) {
+        setThreadCount(threads);
+        scores.push_back(planOf(scene, repaired(3))->series.score);
+    }
+    setThreadCount(0);
+    EXPECT_EQ(scores[0], scores[1]);
+    EXPECT_EQ(scores[0], scores[2]);
+}
+
+}  // namespace dollytrack::planning
