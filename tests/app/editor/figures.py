@@ -36,8 +36,7 @@ def other_value(value, turn):
 
 
 def measure(editor, name, value, repeats):
-    """ms from each change to its trajectory in the window; typing changes at every letter, so a
-    run for the letter before is under way and has to be called off."""
+    """ms from each typed change to its trajectory in the window."""
     times = []
     item = show(editor, name)
     for turn in range(repeats):
@@ -57,13 +56,14 @@ def measure(editor, name, value, repeats):
 
 
 def from_rest(editor, name):
-    """ms from one change of a slider, made while nothing runs, to its trajectory."""
+    """ms from one jump of a slider, made while nothing runs, to its trajectory."""
     times = []
     left, top, right, bottom = editor.item(show(editor, name))[:4]
     middle = (top + bottom) / 2
     for turn in range(REPEATS):
-        editor.move(left + 0.3 * (right - left), middle)
+        editor.point((left + 0.3 * (right - left), middle))
         editor.press()
+        editor.state()
         editor.move(left + (0.35 + 0.05 * turn) * (right - left), middle)  # in one go
         time.sleep(UNWATCHED_S)
         times.append(editor.idle(300)["latency_ms"])
