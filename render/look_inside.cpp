@@ -50,4 +50,12 @@ StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
     return cut;
 }
 
+bool isLeftAway(const View& view, const Scene& scene, int object_id, const Eigen::Vector3d& at) {
+    const auto index = static_cast<std::size_t>(object_id);
+    if (index < view.hidden.size() && view.hidden[index]) return true;
+    if (!view.structure_cut || !scene.object(object_id).structure) return false;
+    const StructureCut& cut = *view.structure_cut;
+    return cut.plane.head<3>().dot(at) > cut.plane.w() && at.z() > cut.keep_below_z;
+}
+
 }  // namespace dollytrack::render

@@ -28,4 +28,9 @@ namespace dollytrack::render {
 [[nodiscard]] StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
                                       const Eigen::Vector3d& aside);
 
+/// Whether a picture leaves a surface of an object away at a place in the world: the object is
+/// hidden, or this part of it cut.
+[[nodiscard]] bool isLeftAway(const View& view, const Scene& scene, int object_id,
+                              const Eigen::Vector3d& at);
+
 }  // namespace dollytrack::render

@@ -2,7 +2,9 @@
 
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
+#include "render/look_inside.h"
 #include "ui/theme.h"
+#include "ui/viewport/clear_look.h"
 #include "ui/widgets/splitter.h"
 
 #include <imgui.h>
@@ -274,26 +276,13 @@ void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
     panels_.viewport.camera = camera;
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.rays || camera.orthographic) return;
-    // Small things stand in front of walls and inside furniture: of the directions near the present
-    // one the first from which nothing hides the thing.
-    const Eigen::AlignedBox3d building = shown.scene->room_bounds;
-    const double radius = 0.5 * box.sizes().norm();
-    for (const double raised : {0.0, 0.3, -0.3, 0.6, -0.6}) {
-        for (const double turned :
-             {0.0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 1.9, -1.9, 2.5, -2.5, 3.1}) {
-            ui::ViewerCamera tried = camera;
-            tried.azimuth += turned;
-            tried.elevation = std::clamp(tried.elevation + raised, 0.05, 1.5);
-            const Eigen::Vector3d eye = tried.pose().position;
-            const Eigen::Vector3d border = tried.pivot + 1.02 * radius * tried.towardsViewer();
-            // From outside, ceilings and near walls are left away.
-            const bool from_above = !building.contains(eye) && tried.elevation > 0.5;
-            if (!from_above && tried.distance > radius && !shown.rays->sees(eye, border)) continue;
-            if (!from_above && !building.contains(eye)) continue;
-            panels_.viewport.camera = tried;
-            return;
-        }
-    }
+    panels_.viewport.camera = ui::clearLook(camera, [&](const ui::ViewerCamera& tried) {
+        const render::View view = viewportView(tried);
+        const auto left_away = [&](int object, const Eigen::Vector3d& at) {
+            return render::isLeftAway(view, *shown.scene, object, at);
+        };
+        return ui::shareSeen(*shown.rays, tried.pose().position, box, left_away);
+    });
 }
 
 void Editor::runKeypad() {

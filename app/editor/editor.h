@@ -105,7 +105,9 @@ class Editor {
     void requestPicture();
     void requestPreview();
     void requestLayers();
-    [[nodiscard]] render::View viewportView() const;
+    [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
+    /// By what widths and sizes of overlays are multiplied on this screen, from this far.
+    [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
 
     // editor_dialogs.cpp

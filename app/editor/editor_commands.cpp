@@ -126,7 +126,7 @@ void Editor::addEditCommands() {
                    }});
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {
-                       const Pose pose = viewportView().pose;
+                       const Pose pose = viewportView(panels_.viewport.camera).pose;
                        apply({{"op", "add_point"},
                               {"position", ui::pointJson(pose.position)},
                               {"quaternion_xyzw", ui::turnJson(pose.rotation)}});
@@ -267,8 +267,8 @@ void Editor::addViewCommands() {
             std::clamp(now.position_m + way * workspace_.shown().free_space->resolution_m(),
                        room.min()[now.axis], room.max()[now.axis]);
     };
-    commands_.add({"layer.slice_up", "Layers", "Slice of free space up",
-                   key(GLFW_KEY_PAGE_UP), [slice] { slice(1.0); }, needs_map});
+    commands_.add({"layer.slice_up", "Layers", "Slice of free space up", key(GLFW_KEY_PAGE_UP),
+                   [slice] { slice(1.0); }, needs_map});
     commands_.add({"layer.slice_down", "Layers", "Slice of free space down",
                    key(GLFW_KEY_PAGE_DOWN), [slice] { slice(-1.0); }, needs_map});
     commands_.add({"layer.slice_height",

@@ -113,7 +113,7 @@ nlohmann::json Editor::stateJson() {
     };
     questions_.addTo(state);
     if (shown.scene) {
-        const render::View view = viewportView();
+        const render::View view = viewportView(panels_.viewport.camera);
         for (const Object& object : shown.scene->objects) {
             state["objects"].push_back({{"id", object.id},
                                         {"name", object.name},

@@ -12,23 +12,34 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dollytrack::editor {
 
 using ui::Selection;
 
-render::View Editor::viewportView() const {
+namespace {
+
+// Marks have their full size where a metre takes this many pixels. From further away they would
+// cover the rooms, and one another.
+constexpr double kFullSizeMetre_px = 80.0;
+constexpr double kSmallestMarks = 0.6;
+
+}  // namespace
+
+render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     const PlanOutcome& shown = workspace_.shown();
     render::View view;
     if (through_camera_ && playback_.frame() < frameCount()) {
-        CameraParams camera = shown.params.camera;
-        camera.width_px = pane_.width;
-        camera.height_px = pane_.height;
-        view.intrinsics = makeIntrinsics(camera);
+        CameraParams planned = shown.params.camera;
+        planned.width_px = pane_.width;
+        planned.height_px = pane_.height;
+        view.intrinsics = makeIntrinsics(planned);
         view.pose = plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose;
-        view.near_m = camera.near_m;
+        view.near_m = planned.near_m;
     } else {
-        view = panels_.viewport.camera.view(pane_.width, pane_.height);
+        view = camera.view(pane_.width, pane_.height);
     }
     view.hidden = selected_.hidden();
     const bool dark = settings_.theme == ui::ThemeKind::Dark;
@@ -39,13 +50,12 @@ render::View Editor::viewportView() const {
     const std::span<const Eigen::AlignedBox3d> rooms =
         shown.plan ? std::span(shown.plan->rooms) : std::span<const Eigen::AlignedBox3d>();
     const Eigen::AlignedBox3d building = render::buildingOf(*shown.scene, rooms);
-    if (building.isEmpty() || building.contains(panels_.viewport.camera.pose().position))
-        return view;
+    if (building.isEmpty() || building.contains(camera.pose().position)) return view;
     const std::vector<bool> covers = render::hidesRooms(*shown.scene);
     for (std::size_t i = 0; i < std::min(covers.size(), view.hidden.size()); ++i) {
         if (covers[i]) view.hidden[i] = true;
     }
-    const Eigen::Vector3d way = panels_.viewport.camera.towardsViewer();
+    const Eigen::Vector3d way = camera.towardsViewer();
     if (way.z() < -0.1) return view;
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
@@ -72,6 +82,16 @@ void Editor::requestLayers() {
     layers_.request(request);
 }
 
+double Editor::overlayScale() const {
+    const double screen = window_.contentScale() * settings_.zoom;
+    if (through_camera_) return screen;
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    const double half_width_m =
+        camera.distance * std::tan(camera.hfov_deg * std::numbers::pi / 360.0);
+    const double metre_px = pane_.width / (2.0 * half_width_m) / screen;
+    return screen * std::clamp(metre_px / kFullSizeMetre_px, kSmallestMarks, 1.0);
+}
+
 void Editor::requestPicture() {
     if (!workspace_.shown().scene || !sent_scene_.isSent() || pane_.width < 16) return;
     if (sent_scene_.takeFirstLook()) {
@@ -80,8 +100,8 @@ void Editor::requestPicture() {
         panels_.viewport.camera.distance *= 0.78;
     }
     ui::ViewRequest request;
-    request.view = viewportView();
-    request.pixel_scale = window_.contentScale() * settings_.zoom;
+    request.view = viewportView(panels_.viewport.camera);
+    request.pixel_scale = overlayScale();
     for (const auto& layer : layers_.layers().layers) {
         request.layers.push_back({std::shared_ptr<const render::Overlay>(layer, &layer->overlay)});
     }
@@ -118,8 +138,7 @@ void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
     if (image.geometry != workspace_.shown().geometry) return;
     const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
     const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
-    const double scale = window_.contentScale() * settings_.zoom;
-    const auto picked = layers_.layers().pick(image.view, pixel, depth, scale);
+    const auto picked = layers_.layers().pick(image.view, pixel, depth, overlayScale());
     if (picked && !add && layers_.layers().plan == workspace_.shown().plan) {
         const int index = picked->tag.index;
         switch (picked->tag.kind) {

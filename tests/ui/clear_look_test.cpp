@@ -1,0 +1,94 @@
+#include "ui/viewport/clear_look.h"
+
+#include "engine/scene/room_bounds.h"
+#include "render/look_inside.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack::ui {
+namespace {
+
+using test::SceneBuilder;
+
+const LeftAway kNothing = [](int, const Eigen::Vector3d&) { return false; };
+
+Eigen::AlignedBox3d boxOf(const Scene& scene, const std::string& name) {
+    for (const Object& object : scene.objects) {
+        if (object.name == name) return worldBounds(object.box);
+    }
+    return {};
+}
+
+/// A cube behind a screen that covers the half of it with y > 0 from an eye on the x axis.
+Scene halfHidden() {
+    return SceneBuilder()
+        .object("cube")
+        .box({0, 0, 0}, {1, 1, 1})
+        .object("screen")
+        .box({1, 1.01, 0}, {0.1, 2, 4})
+        .build();
+}
+
+TEST(ClearLook, CountsTheShareOfABoxThatIsSeen) {
+    const Scene scene = halfHidden();
+    const RayCaster rays(scene);
+    // A row of points has y > 0, one y = 0, one y < 0; the screen begins at y = 0.01.
+    EXPECT_NEAR(shareSeen(rays, {100, 0, 0}, boxOf(scene, "cube"), kNothing), 2.0 / 3.0, 1e-9);
+    EXPECT_EQ(shareSeen(rays, {-100, 0, 0}, boxOf(scene, "cube"), kNothing), 1.0);
+    EXPECT_EQ(shareSeen(rays, {0, 0, 0}, boxOf(scene, "cube"), kNothing), 1.0) << "from inside";
+    const int screen = scene.objects.back().id;
+    const LeftAway no_screen = [&](int id, const Eigen::Vector3d&) { return id == screen; };
+    EXPECT_EQ(shareSeen(rays, {100, 0, 0}, boxOf(scene, "cube"), no_screen), 1.0);
+}
+
+TEST(ClearLook, StaysWhereAllIsSeenAndTurnsOutFromBehindAWall) {
+    const Scene scene = SceneBuilder()
+                            .object("cube")
+                            .box({0, 0, 0}, {1, 1, 1})
+                            .object("wall")
+                            .box({0.8, 0, 0}, {0.1, 8, 8})
+                            .build();
+    const RayCaster rays(scene);
+    const Eigen::AlignedBox3d cube = boxOf(scene, "cube");
+    const auto seen = [&](const ViewerCamera& camera) {
+        return shareSeen(rays, camera.pose().position, cube, kNothing);
+    };
+    ViewerCamera camera;
+    camera.frame(cube, 1.0);
+    camera.elevation = 0.3;
+    camera.azimuth = 3.1;  // from -x, where nothing is in the way
+    const ViewerCamera kept = clearLook(camera, seen);
+    EXPECT_EQ(kept.azimuth, camera.azimuth);
+    EXPECT_EQ(kept.elevation, camera.elevation);
+
+    camera.azimuth = 0.1;  // behind the wall
+    ASSERT_LT(seen(camera), 0.05);
+    const ViewerCamera turned = clearLook(camera, seen);
+    EXPECT_LT(turned.pose().position.x(), 0.75) << "on the cube's side of the wall";
+    EXPECT_GE(seen(turned), 0.8);
+    EXPECT_EQ(turned.distance, camera.distance);
+    EXPECT_EQ(turned.pivot, camera.pivot);
+}
+
+TEST(ClearLook, PicturesLeaveAwayWhatIsHiddenAndStructureAboveTheCut) {
+    const Scene scene = SceneBuilder()
+                            .room({0, 0, 0}, {4, 3, 2.5})
+                            .object("cube")
+                            .box({2, 1.5, 2}, {0.4, 0.4, 0.4})
+                            .build();
+    const int wall = scene.objects.front().id;
+    const int cube = scene.objects.back().id;
+    render::View view;
+    EXPECT_FALSE(render::isLeftAway(view, scene, wall, {0, 0, 2}));
+    view.structure_cut = render::StructureCut{{0, 0, 1, 1.0}, 0.1};
+    EXPECT_TRUE(render::isLeftAway(view, scene, wall, {0, 0, 2}));
+    EXPECT_FALSE(render::isLeftAway(view, scene, wall, {0, 0, 0.5}));
+    EXPECT_FALSE(render::isLeftAway(view, scene, cube, {2, 1.5, 2})) << "things are never cut";
+    view.hidden.assign(static_cast<std::size_t>(cube) + 1, false);
+    view.hidden[static_cast<std::size_t>(cube)] = true;
+    EXPECT_TRUE(render::isLeftAway(view, scene, cube, {2, 1.5, 2}));
+}
+
+}  // namespace
+}  // namespace dollytrack::ui
