@@ -69,7 +69,7 @@ class Window(Task):
             self.assertLess(self.editor.key(chord)["zoom"], before / 1.05, chord)
 
     def test_fold_the_legend_and_find_it_folded_again(self):
-        self.start_room()
+        self.start_room(size=(1600, 900))  # a small window folds it by itself
         open_one = self.height_of("legend")
         self.editor.click("legend.title")
         folded = self.height_of("legend")
@@ -77,7 +77,7 @@ class Window(Task):
         self.editor.tap("ctrl+q")
         self.assertEqual(self.editor.wait_end(), 0)
         self.editor.tidy()
-        self.start_room()
+        self.start_room(size=(1600, 900))
         self.assertEqual(self.height_of("legend"), folded)
 
     def height_of(self, name):
