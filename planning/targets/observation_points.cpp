@@ -16,7 +16,7 @@ namespace {
 
 // A group is held together while each member's box still takes this share of the image; above the
 // 5 % that counts as well captured, because estimates and drawings differ a little.
-constexpr double kUsefulShare = 0.065;
+constexpr double kUsefulShare = 0.1;
 constexpr double kGroupFill = 0.9;
 
 /// Turns a direction by M: yaw about the vertical, then raised by the pitch.

@@ -40,10 +40,17 @@ bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate) {
 CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
                                double wished_fill)
     : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
-    // Slender things take little area even when they span the image: let them span more of it.
-    const double slender = slenderness(around.views, subject_, point.direction);
-    const double needed = std::sqrt(1.3 * CaptureRules{}.min_box_share / std::max(slender, 1e-3));
-    wished_fill_ = std::max(wished_fill, std::min(needed, 0.92));
+    // What is wished for is an area: a thing as high as wide takes fill * fill of the shorter side's
+    // square, and a slender one less even when it spans as much. So let it span more, in the range
+    // searched; and yet more until its box takes what counts as well captured.
+    const double slender = std::max(1e-3, slenderness(around.views, subject_, point.direction));
+    const double shorter = static_cast<double>(std::min(around.views.intrinsics().width,
+                                                        around.views.intrinsics().height)) /
+                           std::max(around.views.intrinsics().width,
+                                    around.views.intrinsics().height);
+    const double as_square = wished_fill * std::sqrt(std::max(1.0, shorter / slender));
+    const double needed = std::sqrt(1.3 * CaptureRules{}.min_box_share / slender);
+    wished_fill_ = std::max({wished_fill, std::min(as_square, 0.85), std::min(needed, 0.92)});
 }
 
 Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fill,

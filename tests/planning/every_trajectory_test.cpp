@@ -106,7 +106,7 @@ TEST(EveryTrajectory, KeepsTheSphereOutOfAllTriangles) {
 TEST(EveryTrajectory, TheCheckerFindsCornersCutBlindly) {
     int touching = 0;
     int unproven = 0;
-    for (unsigned seed = 1; seed <= 4; ++seed) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
         const auto scene = std::make_shared<const Scene>(thinThings(seed));
         Pipeline pipeline(scene);
         PlanParams params;

@@ -95,6 +95,20 @@ TEST(ViewpointSearch, FindsTheNarrowConeFromWhichAThingInANicheShows) {
     }
 }
 
+// An area is wished for: what is slender spans more of the image than what is as high as wide.
+TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {5, 5, 2.6});
+    builder.object("cube").box({1.5, 2.5, 1.3}, {0.3, 0.3, 0.3});
+    builder.object("pole").box({3.5, 2.5, 1.3}, {0.15, 0.15, 0.6});
+    const Fixture f(builder.build());
+    const auto cube = f.search(f.idOf("cube"), 1).best;
+    const auto pole = f.search(f.idOf("pole"), 1).best;
+    ASSERT_TRUE(cube && pole);
+    EXPECT_NEAR(cube->fill, 0.6, 0.08);
+    EXPECT_NEAR(pole->fill, 0.85, 0.1);
+}
+
 // The walls of a narrower, deeper mouth leave too little to see: an honest no, from any seed.
 TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
     const Fixture f(thingInANiche(2.4, 0.12));
