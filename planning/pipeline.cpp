@@ -16,6 +16,7 @@
 #include "planning/smoothing/smooth_path.h"
 #include "planning/stage.h"
 #include "planning/targets/observation_points.h"
+#include "planning/timing/drop_repeats.h"
 #include "planning/timing/shake.h"
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/hand_placed.h"
@@ -204,8 +205,18 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         },
         [&](const std::vector<SmoothPath>& smooth) {
             const Viewpoints& points = placed->viewpoints;
-            return timeTrajectory(smooth, points.position_points, points.observation_points,
-                                  params.timing, pitch)
+            const auto within = [&](int max_frames) {
+                TimingParams timed = params.timing;
+                timed.max_frames = max_frames;
+                return timeTrajectory(smooth, points.position_points, points.observation_points,
+                                      timed, pitch);
+            };
+            return within(params.timing.max_frames)
+                .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
+                    if (params.timing.max_frames <= 0) return std::move(timed);
+                    return dropRepeats(std::move(timed), params.timing.max_repeat_rate, within,
+                                       *views, job);
+                })
                 .and_then([&](Trajectory&& steady) {
                     return shakeTrajectory(std::move(steady), points.position_points, *views,
                                            sphere, params.shake, pitch, params.seed, job);

@@ -114,6 +114,7 @@ struct TimingParams {
     double max_turn_dps = 0.0;
     double max_turn_acceleration_dps2 = 0.0;
     int max_frames = 0;
+    double max_repeat_rate = 0.2;
     bool operator==(const TimingParams&) const = default;
 };
 
@@ -133,6 +134,10 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
           FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
     visit("max_frames", p.max_frames, FieldInfo{0, 1e6, "", "Budget of frames; 0: no limit"});
+    visit("max_repeat_rate", p.max_repeat_rate,
+          FieldInfo{0, 1, "",
+                    "With a budget: the frame rate is lowered until at most this share of the "
+                    "frames shows nothing new; 1: any"});
 }
 
 enum class ShakeKind { None, Sinusoidal, Handheld };

@@ -3,9 +3,10 @@
 #include "engine/jobs/parallel.h"
 #include "planning/visibility/view_estimator.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <unordered_set>
+#include <numeric>
+#include <unordered_map>
 
 namespace dollytrack::planning {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kPatch = 0.1;        // m, edge of a patch of surface
 constexpr double kNothingNew = 0.01;  // share of the rays
 
 struct Seen {
-    std::vector<std::uint64_t> patches;  // one a ray that hit something
+    std::vector<std::uint64_t> patches;  // each once, sorted
     int on_targets = 0;
 };
 
@@ -30,47 +31,83 @@ std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id) {
     return key;
 }
 
-Seen look(const ViewEstimator& views, const Pose& pose) {
+Seen lookFrom(const ViewEstimator& views, const Pose& pose) {
     const Intrinsics& k = views.intrinsics();
-    Seen seen;
+    const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
+    thread_local std::vector<RayCaster::BundleRay> rays;
+    thread_local std::vector<RayHit> hits;
+    rays.clear();
     for (int row = 0; row < kRows; ++row) {
         for (int column = 0; column < kColumns; ++column) {
-            const Eigen::Vector3d ray =
-                pose.rotation *
-                k.unproject((column + 0.5) * k.width / kColumns, (row + 0.5) * k.height / kRows);
-            const RayHit hit = views.rays().cast(
-                pose.position, ray, std::numeric_limits<double>::infinity(), views.nearDistance());
-            if (hit.object_id == 0) continue;
-            seen.patches.push_back(patchAt(pose.position + hit.distance * ray, hit.object_id));
-            seen.on_targets += views.scene().object(hit.object_id).role == Role::Target;
+            rays.push_back({world_from_camera * k.unproject((column + 0.5) * k.width / kColumns,
+                                                            (row + 0.5) * k.height / kRows)});
         }
     }
+    views.rays().castBundle(pose.position, rays, views.nearDistance(), hits);
+    Seen seen;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const RayHit& hit = hits[i];
+        if (hit.object_id == 0) continue;
+        seen.patches.push_back(
+            patchAt(pose.position + hit.distance * rays[i].direction, hit.object_id));
+        seen.on_targets += views.scene().object(hit.object_id).role == Role::Target;
+    }
+    std::sort(seen.patches.begin(), seen.patches.end());
+    seen.patches.erase(std::unique(seen.patches.begin(), seen.patches.end()), seen.patches.end());
     return seen;
 }
 
 }  // namespace
 
-Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
-                                         const JobContext& job) {
+Result<FrameSurfaces> FrameSurfaces::look(const ViewEstimator& views, const Trajectory& trajectory,
+                                          const JobContext& job) {
     const std::size_t count = trajectory.frames.size();
-    if (count == 0) return ShownSurface{};
     std::vector<Seen> seen(count);
     parallelFor(count, [&](std::size_t i) {
-        if (!job.cancelled()) seen[i] = look(views, trajectory.frames[i].pose);
+        if (!job.cancelled()) seen[i] = lookFrom(views, trajectory.frames[i].pose);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
 
-    std::unordered_set<std::uint64_t> known;
-    int repeats = 0;
+    FrameSurfaces surfaces;
+    surfaces.shown_.resize(count);
+    std::unordered_map<std::uint64_t, int> numbers;
     double on_targets = 0.0;
-    for (const Seen& frame : seen) {
-        int fresh = 0;
-        for (const std::uint64_t patch : frame.patches) fresh += known.insert(patch).second;
-        repeats += fresh < kNothingNew * kColumns * kRows;
-        on_targets += frame.on_targets;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (const std::uint64_t patch : seen[i].patches) {
+            surfaces.shown_[i].push_back(
+                numbers.try_emplace(patch, static_cast<int>(numbers.size())).first->second);
+        }
+        on_targets += seen[i].on_targets;
     }
-    const auto frames = static_cast<double>(count);
-    return ShownSurface{repeats / frames, on_targets / (frames * kColumns * kRows)};
+    surfaces.patches_ = static_cast<int>(numbers.size());
+    surfaces.object_pixels_ =
+        on_targets / (std::max<double>(1.0, static_cast<double>(count)) * kColumns * kRows);
+    return surfaces;
+}
+
+int FrameSurfaces::repeats(const std::vector<std::size_t>& frames) const {
+    std::vector<char> known(static_cast<std::size_t>(patches_), 0);
+    int repeats = 0;
+    for (const std::size_t frame : frames) {
+        int fresh = 0;
+        for (const int patch : shown_[frame]) {
+            char& before = known[static_cast<std::size_t>(patch)];
+            fresh += before == 0;
+            before = 1;
+        }
+        repeats += fresh < kNothingNew * kColumns * kRows;
+    }
+    return repeats;
+}
+
+Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
+                                         const JobContext& job) {
+    return FrameSurfaces::look(views, trajectory, job).map([](const FrameSurfaces& surfaces) {
+        std::vector<std::size_t> all(surfaces.frames());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        const auto frames = static_cast<double>(std::max<std::size_t>(1, all.size()));
+        return ShownSurface{surfaces.repeats(all) / frames, surfaces.objectPixels()};
+    });
 }
 
 }  // namespace dollytrack::planning

@@ -1,0 +1,82 @@
+#include "planning/timing/drop_repeats.h"
+
+#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kHalvings = 10;
+// Places of another rate lie beside those looked at, so the last word is a look at them.
+constexpr int kLooks = 12;
+constexpr double kStricter = 0.96;  // of the frames, after a look that found too many repeats
+
+int keyFrames(const Trajectory& trajectory) {
+    return static_cast<int>(
+        std::count_if(trajectory.frames.begin(), trajectory.frames.end(),
+                      [](const TrajectoryFrame& frame) { return frame.position_point >= 0; }));
+}
+
+/// Indices of the key frames, and one past the last frame.
+std::vector<std::size_t> keysOf(const Trajectory& trajectory) {
+    std::vector<std::size_t> keys;
+    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
+        if (trajectory.frames[i].position_point >= 0) keys.push_back(i);
+    }
+    keys.push_back(trajectory.frames.size());
+    return keys;
+}
+
+/// About the frames that remain at a lower rate: as many of each stretch between two key frames as
+/// its share allows, evenly, and all key frames.
+std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, double share) {
+    std::vector<std::size_t> frames;
+    for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
+        const std::size_t count = keys[k + 1] - keys[k];
+        const auto kept = std::max<std::size_t>(
+            1, static_cast<std::size_t>(std::lround(share * static_cast<double>(count))));
+        for (std::size_t i = 0; i < kept; ++i) frames.push_back(keys[k] + i * count / kept);
+    }
+    return frames;
+}
+
+}  // namespace
+
+Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
+                               const TimeWithin& time_within, const ViewEstimator& views,
+                               const JobContext& job) {
+    const int least = keyFrames(trajectory);
+    if (max_repeat_rate >= 1.0 || least == 0) return trajectory;
+    const auto looked_at = FrameSurfaces::look(views, trajectory, job);
+    if (!looked_at) return tl::unexpected<Error>(looked_at.error());
+    const std::vector<std::size_t> keys = keysOf(trajectory);
+    const auto isFew = [&](double share) {
+        const auto frames = atLowerRate(keys, share);
+        return looked_at->repeats(frames) <= max_repeat_rate * static_cast<double>(frames.size());
+    };
+    if (isFew(1.0)) return trajectory;
+
+    // The highest rate at which, as far as the frames looked at can tell, few enough repeat.
+    double few = 0.0;
+    double many = 1.0;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (few + many);
+        (isFew(middle) ? few : many) = middle;
+    }
+    int low = std::max(least, static_cast<int>(atLowerRate(keys, few).size()));
+    Result<Trajectory> thinned = time_within(low);
+    for (int look = 0; look < kLooks && thinned && low > least; ++look) {
+        const auto shown = measureShownSurface(views, *thinned, job);
+        if (!shown) return tl::unexpected<Error>(shown.error());
+        if (shown->repeat_rate <= max_repeat_rate) break;
+        low = std::max(least, std::min(low - 1, static_cast<int>(kStricter * low)));
+        thinned = time_within(low);
+    }
+    return thinned;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/camera/trajectory.h"
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+
+#include <functional>
+
+namespace dollytrack::planning {
+
+class ViewEstimator;
+
+/// Makes the trajectory anew with at most so many frames; key frames all stay.
+using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
+
+/// Lowers the frame rate of a trajectory until at most `max_repeat_rate` of its frames show nothing
+/// new, or only key frames are left: pictures between two views that show the same as both cost
+/// rendering and teach nothing.
+/// Errors: Cancelled, and those of `time_within`.
+Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
+                               const TimeWithin& time_within, const ViewEstimator& views,
+                               const JobContext& job);
+
+}  // namespace dollytrack::planning

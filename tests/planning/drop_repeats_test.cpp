@@ -1,0 +1,70 @@
+#include "planning/timing/drop_repeats.h"
+
+#include "planning/pipeline.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dollytrack::planning {
+namespace {
+
+std::shared_ptr<const Plan> planned(PlanParams params, double max_repeat_rate) {
+    params.timing.max_repeat_rate = max_repeat_rate;
+    Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
+    const auto plan = pipeline.run(params, JobContext{});
+    EXPECT_TRUE(plan.has_value());
+    return plan ? *plan : nullptr;
+}
+
+std::vector<int> keysInOrder(const Trajectory& trajectory) {
+    std::vector<int> keys;
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        if (frame.position_point >= 0) keys.push_back(frame.position_point);
+    }
+    return keys;
+}
+
+}  // namespace
+
+// A room of a few things is soon seen: many frames would show nothing new.
+TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
+    PlanParams params;
+    params.timing.max_frames = 300;
+    params.timing.frame_rate = 30.0;
+    const auto all = planned(params, 1.0);
+    ASSERT_TRUE(all);
+    ASSERT_GT(all->trajectory_metrics.repeat_rate, 0.1);
+    const double limit = 0.5 * all->trajectory_metrics.repeat_rate;
+    const auto thinned = planned(params, limit);
+    ASSERT_TRUE(thinned);
+    EXPECT_LE(thinned->trajectory_metrics.repeat_rate, limit);
+    EXPECT_LT(thinned->trajectory.frames.size(), all->trajectory.frames.size());
+    EXPECT_GT(thinned->trajectory.frames.size(), thinned->key_frames.size());
+    EXPECT_EQ(keysInOrder(thinned->trajectory), keysInOrder(all->trajectory));
+    EXPECT_EQ(thinned->capture_metrics.captured, all->capture_metrics.captured);
+    EXPECT_EQ(thinned->capture_metrics.well_captured, all->capture_metrics.well_captured);
+    for (std::size_t i = 0; i < thinned->trajectory.frames.size(); ++i) {
+        EXPECT_DOUBLE_EQ(thinned->trajectory.frames[i].time_s,
+                         static_cast<double>(i) * thinned->trajectory.frame_interval_s);
+    }
+}
+
+TEST(DropRepeats, KeyFramesStayWhateverTheyRepeat) {
+    PlanParams params;
+    params.timing.max_frames = 300;
+    const auto thinned = planned(params, 0.0);
+    ASSERT_TRUE(thinned);
+    EXPECT_EQ(keysInOrder(thinned->trajectory).size(), thinned->key_frames.size());
+}
+
+// Without a budget the frame rate is what was asked for.
+TEST(DropRepeats, WithoutABudgetNothingIsDropped) {
+    const PlanParams params;
+    const auto plan = planned(params, 0.2);
+    ASSERT_TRUE(plan);
+    EXPECT_DOUBLE_EQ(plan->trajectory.frame_interval_s, 1.0 / params.timing.frame_rate);
+}
+
+}  // namespace dollytrack::planning
