@@ -81,6 +81,7 @@ enum class PathMode { Tour, LongestBranch };
 /// Which way through the roadmap is taken.
 struct PathParams {
     PathMode path_mode = PathMode::Tour;
+    double max_length_m = 0.0;
     bool operator==(const PathParams&) const = default;
 };
 
@@ -89,6 +90,10 @@ void visitPathParams(Params& p, Visitor&& visit) {
     visit("path_mode", p.path_mode,
           ChoiceInfo{{"tour", "longest_branch"},
                      "tour: every key frame; longest_branch: the tree's longest branch (paper)"});
+    visit("max_length_m", p.max_length_m,
+          FieldInfo{0, 1e5, "m",
+                    "Longest way of a tour, all its parts together; what costs most metres an "
+                    "object is left out; 0: no limit"});
 }
 
 struct SmoothingParams {

@@ -20,6 +20,9 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     std::vector<std::string> all = arguments.assignments;
     if (arguments.seed) all.push_back(fmt::format("seed={}", *arguments.seed));
     if (arguments.max_frames) all.push_back(fmt::format("max_frames={}", *arguments.max_frames));
+    if (arguments.max_length_m) {
+        all.push_back(fmt::format("max_length_m={}", *arguments.max_length_m));
+    }
     if (arguments.loop) all.emplace_back("loop=true");
     for (const std::string& assignment : all) {
         if (Status status = setField(fields, assignment); !status) return status;
@@ -164,6 +167,8 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");
     command.add_option("--max-frames", arguments.max_frames, "Same as --set max_frames=N")
         ->type_name("N");
+    command.add_option("--max-length", arguments.max_length_m, "Same as --set max_length_m=METRES")
+        ->type_name("METRES");
     command
         .add_option("--ignore", arguments.ignore,
                     "A class, or a name with * and ?, that is no target; may be repeated")

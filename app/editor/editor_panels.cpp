@@ -278,9 +278,12 @@ void Editor::drawStatus() {
         ImGui::TextColored(ui::palette().bad, "No plan: %s", error.c_str());
     } else if (shown.plan && shown.measured) {
         const CaptureMetrics& capture = shown.plan->capture_metrics;
-        ImGui::Text("%zu frames, %zu key frames, %d of %d objects captured, %d well",
-                    shown.plan->trajectory.frames.size(), shown.plan->key_frames.size(),
-                    capture.captured, capture.objects, capture.well_captured);
+        const auto& frames = shown.plan->trajectory.frames;
+        const auto keys = std::count_if(frames.begin(), frames.end(), [](const auto& frame) {
+            return frame.position_point >= 0;
+        });
+        ImGui::Text("%zu frames, %td key frames, %d of %d objects captured, %d well", frames.size(),
+                    keys, capture.captured, capture.objects, capture.well_captured);
         if (!drawing_.finalLight()) {
             ImGui::SameLine();
             ImGui::TextDisabled("   computing light …");

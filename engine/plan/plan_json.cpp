@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dollytrack {
@@ -100,7 +101,8 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"path_length_m", motion.path_length_m},
         {"frames", plan.trajectory.frames.size()},
         {"frame_interval_s", plan.trajectory.frame_interval_s},
-        {"key_frames", plan.key_frames.size()},
+        {"key_frames", std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
+                                     [](const auto& frame) { return frame.position_point >= 0; })},
         {"map_ms", plan.map_ms},
         {"plan_ms", plan.plan_ms},
         {"stages", json::object()},

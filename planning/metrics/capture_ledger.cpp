@@ -112,7 +112,8 @@ class RowMaker {
             std::any_of(plan_.smooth_paths.begin(), plan_.smooth_paths.end(),
                         [&](const SmoothPath& path) { return path.component == part; });
         if (visited) {
-            lose(Loss::DroppedByPath, "Its key frame is not on the path that was taken.");
+            lose(Loss::DroppedByPath,
+                 "Its key frame is not on the path that was taken, for path_mode or max_length_m.");
         } else {
             lose(Loss::OtherComponent,
                  fmt::format("Its key frame is in room {}, which no path goes through.", part + 1));

@@ -212,8 +212,19 @@ class Finder {
     }
 
     [[nodiscard]] std::vector<Proposal> proposeTour() const {
-        if (params_.path.path_mode == PathMode::Tour) return {};
-        return {setting("path_mode=tour", "path_mode tour instead of longest_branch")};
+        if (params_.path.path_mode == PathMode::LongestBranch) {
+            return {setting("path_mode=tour", "path_mode tour instead of longest_branch")};
+        }
+        std::vector<Proposal> proposals;
+        const double limit = params_.path.max_length_m;
+        for (const double times : {1.25, 1.5, 2.0, 4.0}) {
+            if (limit <= 0.0) break;
+            const double longer = std::ceil(times * limit);
+            proposals.push_back(
+                setting(fmt::format("max_length_m={}", longer),
+                        fmt::format("max_length_m {} instead of {}", longer, limit)));
+        }
+        return proposals;
     }
 
     [[nodiscard]] std::vector<Proposal> proposeCorners() const {

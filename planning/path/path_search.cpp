@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/shortcut.h"
 #include "planning/collision/swept_sphere.h"
+#include "planning/path/length_budget.h"
 #include "planning/path/tour.h"
 #include "planning/plan_params.h"
 
@@ -226,44 +227,62 @@ class BranchWalk {
     std::vector<PathVertex> path_;
 };
 
-/// A short order of the stops. A closed one comes back to its first.
-std::vector<int> orderOf(CostMatrix cost, const WayEnds& ends, const JobContext& job) {
-    if (!ends.closed) return shortTour(cost, job, {ends.first, ends.last});
-    // The first once more, as a stop of its own to end at.
-    const std::size_t first = ends.first >= 0 ? static_cast<std::size_t>(ends.first) : 0;
-    const std::size_t again = cost.size();
-    for (std::vector<double>& row : cost) row.push_back(row[first]);
-    cost.push_back(cost[first]);
-    std::vector<int> order =
-        shortTour(cost, job, {static_cast<int>(first), static_cast<int>(again)});
-    order.back() = order.front();
-    return order;
-}
+constexpr int kLengthAttempts = 6;
+constexpr double kLengthUsed = 0.97;  // of the length allowed: near enough
 
-std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
-                             const RoadmapParams& weights, const WayEnds& ends,
-                             const JobContext& job) {
+/// A tour of one part in the making: the shortest ways between its key frames, and their order.
+struct TourOfPart {
+    std::vector<Ways> ways;     // from each vertex
+    std::vector<int> vertices;  // by stop: a closed tour stops twice at its first
+    BudgetedTour plan;
+};
+
+TourOfPart startTour(const Part& part, const RoadmapParams& weights, const WayEnds& ends,
+                     const JobContext& job) {
     const auto count = part.keys.size();
-    std::vector<Ways> ways(count);
+    TourOfPart tour;
+    tour.ways.resize(count);
     parallelFor(count,
-                [&](std::size_t i) { ways[i] = waysFrom(part, static_cast<int>(i), metres); });
-    CostMatrix cost(count, std::vector<double>(count, 0.0));
+                [&](std::size_t i) { tour.ways[i] = waysFrom(part, static_cast<int>(i), metres); });
+    BudgetedTour& plan = tour.plan;
+    plan.metres.assign(count, std::vector<double>(count, 0.0));
+    plan.cost = plan.metres;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const double turn = angleBetween(part.point(static_cast<int>(i)).pose.rotation,
                                              part.point(static_cast<int>(j)).pose.rotation);
-            cost[i][j] = cost[j][i] =
-                weights.distance_weight * std::min(ways[i].cost[j], ways[j].cost[i]) + turn;
+            const double length = std::min(tour.ways[i].cost[j], tour.ways[j].cost[i]);
+            plan.metres[i][j] = plan.metres[j][i] = length;
+            plan.cost[i][j] = plan.cost[j][i] = weights.distance_weight * length + turn;
         }
+        const PositionPoint& point = part.point(static_cast<int>(i));
+        plan.shows.push_back(point.well_captured);
+        plan.shows_less.push_back(point.captured);
+        plan.fixed.push_back(point.pin >= 0);
+        tour.vertices.push_back(static_cast<int>(i));
     }
-    const std::vector<int> order = orderOf(std::move(cost), ends, job);
+    plan.ends = {ends.first, ends.last};
+    if (ends.closed) {
+        if (plan.ends.first < 0) plan.ends.first = 0;
+        plan.ends.last = addCopyOfStop(plan, plan.ends.first);
+        tour.vertices.push_back(plan.ends.first);
+    }
+    plan.order = shortTour(plan.cost, job, plan.ends);
+    return tour;
+}
+
+std::vector<PathVertex> walk(const Part& part, const TourOfPart& tour, const SweptSphere& sphere) {
+    std::vector<int> order;
+    for (const int stop : tour.plan.order) {
+        order.push_back(tour.vertices[static_cast<std::size_t>(stop)]);
+    }
     std::vector<std::vector<Eigen::Vector3d>> legs(order.size());
     parallelFor(order.size(), [&](std::size_t i) {
         if (i == 0) return;
         const int from = order[i - 1];
         const int to = order[i];
         std::vector<Eigen::Vector3d> corners;
-        for (const auto& [vertex, e] : trace(part, ways[static_cast<std::size_t>(from)], to)) {
+        for (const auto& [vertex, e] : trace(part, tour.ways[static_cast<std::size_t>(from)], to)) {
             if (e < 0) continue;
             for (const auto& corner : cornersAlong(part, e, vertex)) corners.push_back(corner);
             if (vertex != to) corners.push_back(part.point(vertex).pose.position);
@@ -279,6 +298,62 @@ std::vector<PathVertex> tour(const Part& part, const SweptSphere& sphere,
     return path;
 }
 
+/// Metres that the camera goes, without the jumps between parts; smoothing cuts corners off it.
+double lengthOf(const std::vector<std::vector<PathVertex>>& walks) {
+    double sum = 0.0;
+    for (const auto& walk : walks) {
+        for (std::size_t i = 1; i < walk.size(); ++i) {
+            sum += (walk[i].position - walk[i - 1].position).norm();
+        }
+    }
+    return sum;
+}
+
+std::vector<std::vector<PathVertex>> walkAll(const std::vector<Part>& parts,
+                                             const std::vector<TourOfPart>& tours,
+                                             const SweptSphere& sphere) {
+    std::vector<std::vector<PathVertex>> walks;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        walks.push_back(walk(parts[i], tours[i], sphere));
+    return walks;
+}
+
+/// A tour of each part, together within the length allowed.
+std::vector<std::vector<PathVertex>> takeTours(const std::vector<Part>& parts,
+                                               const std::vector<WayEnds>& ends,
+                                               const SweptSphere& sphere, double max_length_m,
+                                               const RoadmapParams& weights,
+                                               const JobContext& job) {
+    std::vector<TourOfPart> tours;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        tours.push_back(startTour(parts[i], weights, ends[i], job));
+    }
+    auto walks = walkAll(parts, tours, sphere);
+    double length = lengthOf(walks);
+    if (max_length_m <= 0.0 || length <= max_length_m) return walks;
+    // Ways along the roadmap are longer than what is walked, which skips corners: what they may
+    // take is raised until the walk is about as long as allowed.
+    const std::vector<TourOfPart> all = tours;
+    double allowed = max_length_m;
+    double enough = allowed;
+    double too_much = 0.0;  // 0: not known yet
+    for (int attempt = 0; attempt < kLengthAttempts && !job.cancelled(); ++attempt) {
+        std::vector<BudgetedTour> plans;
+        for (const TourOfPart& tour : all) plans.push_back(tour.plan);
+        keepWithinLength(plans, allowed);
+        for (std::size_t i = 0; i < tours.size(); ++i) tours[i].plan = std::move(plans[i]);
+        auto next = walkAll(parts, tours, sphere);
+        const double walked = lengthOf(next);
+        const bool fits = walked <= max_length_m;
+        if (fits || attempt == 0) walks = std::move(next);
+        if (fits && (walked <= 0.0 || walked > kLengthUsed * max_length_m)) break;
+        if (!fits && attempt == 0) break;  // what has to stay is too long
+        (fits ? enough : too_much) = allowed;
+        allowed = too_much > 0.0 ? 0.5 * (enough + too_much) : allowed * max_length_m / walked;
+    }
+    return walks;
+}
+
 void addPruneSteps(const Part& part, AlgorithmSteps& steps) {
     for (int vertex = 0; vertex < part.size(); ++vertex) {
         const int key = part.keys[static_cast<std::size_t>(vertex)];
@@ -288,6 +363,24 @@ void addPruneSteps(const Part& part, AlgorithmSteps& steps) {
             steps.add({AlgorithmStep::Kind::Prune, edge.a, edge.b, e});
         }
     }
+}
+
+/// Where the way of each part begins and ends.
+std::vector<WayEnds> endsOf(const std::vector<Part>& parts, const PathEnds& ends) {
+    int spare = std::numeric_limits<int>::max();
+    if (ends.visits > 0) {
+        spare = ends.visits;
+        for (const Part& part : parts) spare -= part.size();
+    }
+    std::vector<WayEnds> ways;
+    for (const Part& part : parts) {
+        WayEnds way{part.vertexOf(ends.start), part.vertexOf(ends.end)};
+        if (way.last == way.first) way.last = -1;
+        way.closed = ends.loop && part.size() > 1 && spare > 0;
+        if (way.closed) --spare;
+        ways.push_back(way);
+    }
+    return ways;
 }
 
 void addVisitSteps(const CameraPath& path, int index, AlgorithmSteps& steps) {
@@ -321,25 +414,27 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         return !holds(ends.end)(part) || holds(ends.start)(part);
     });
     std::stable_partition(parts.begin(), parts.end(), holds(ends.start));
-    int spare = std::numeric_limits<int>::max();
-    if (ends.visits > 0) {
-        spare = ends.visits;
-        for (const Part& part : parts) spare -= part.size();
-    }
-    std::vector<CameraPath> paths;
     for (const Part& part : parts) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         dropCycleEdges(part);
         addPruneSteps(part, roadmap.steps);
+    }
+    const std::vector<WayEnds> ways = endsOf(parts, ends);
+    std::vector<std::vector<PathVertex>> walks;
+    if (params.path_mode == PathMode::LongestBranch) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            walks.push_back(BranchWalk(parts[i], ways[i]).walk());
+        }
+    } else {
+        walks = takeTours(parts, ways, sphere, params.max_length_m, weights, job);
+    }
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    std::vector<CameraPath> paths;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (walks[i].empty()) continue;  // no length left for this part
         CameraPath path;
-        path.component = part.point(0).component;
-        WayEnds way{part.vertexOf(ends.start), part.vertexOf(ends.end)};
-        if (way.last == way.first) way.last = -1;
-        way.closed = ends.loop && part.size() > 1 && spare > 0;
-        if (way.closed) --spare;
-        path.vertices = params.path_mode == PathMode::LongestBranch
-                            ? BranchWalk(part, way).walk()
-                            : tour(part, sphere, weights, way, job);
+        path.component = parts[i].point(0).component;
+        path.vertices = std::move(walks[i]);
         addVisitSteps(path, static_cast<int>(paths.size()), roadmap.steps);
         paths.push_back(std::move(path));
     }

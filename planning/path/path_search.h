@@ -25,7 +25,7 @@ struct PathEnds {
 /// `longest_branch` follows the tree's branch with most vertices, and makes detours to pinned
 /// points only. `tour` visits every key frame:
 /// the order comes from the shortest ways in the roadmap, weighed as Near weighs them; each leg
-/// then skips the corners it can.
+/// then skips the corners it can; with `max_length_m` see keepWithinLength().
 /// The part with the start comes first, that with the end last; one with both comes first. Loops
 /// are closed as long as the limit of visits allows. Error: Cancelled.
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,

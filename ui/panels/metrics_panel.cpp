@@ -76,7 +76,10 @@ void drawTrajectory(const Plan& plan, bool measured) {
     const TrajectoryMetrics& metrics = plan.trajectory_metrics;
     if (!beginTable("trajectory")) return;
     const auto frames = static_cast<int>(plan.trajectory.frames.size());
-    row("Frames", fmt::format("{}, {} key frames", frames, plan.key_frames.size()));
+    const auto keys =
+        std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
+                      [](const TrajectoryFrame& frame) { return frame.position_point >= 0; });
+    row("Frames", fmt::format("{}, {} key frames", frames, keys));
     row("Duration", fmt::format("{:.1f} s", frames * plan.trajectory.frame_interval_s));
     double length = 0.0;
     double clearance = plan.smooth_paths.empty() ? 0.0 : 1e9;

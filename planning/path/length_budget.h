@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planning/path/tour.h"
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// A tour of one connected part that may have to leave out stops. A stop is an index into the
+/// matrices and into `shows` and `fixed`.
+struct BudgetedTour {
+    CostMatrix metres;                    // between stops; a triangle's side never exceeds the rest
+    CostMatrix cost;                      // what shortTour() weighs
+    std::vector<std::vector<int>> shows;  // ids of what each stop captures well
+    std::vector<std::vector<int>> shows_less;  // ids of what it captures, those included
+    std::vector<bool> fixed;                   // stays whatever it costs
+    TourEnds ends;                             // stay, too, and where they are
+    std::vector<int> order;                    // the stops in turn
+};
+
+/// Adds a stop at the same place as another, to end a closed tour at; it stays in. The new index.
+int addCopyOfStop(BudgetedTour& tour, int stop);
+
+/// Shortens tours until together they are no longer than `max_length_m` (a heuristic of the
+/// orienteering problem): from all stops down, leaving out those that save the most metres for the
+/// objects lost, captured well first, or from none up, taking in those that show the most a metre;
+/// the better of both. Fixed stops stay, so a budget may be too small to keep; a tour may end up
+/// without stops. Deterministic.
+void keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m);
+
+}  // namespace dollytrack::planning
