@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/coverage_output.h"
 #include "app/cli/ledger_table.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
@@ -37,6 +38,7 @@ struct PlanArguments {
     SceneArguments scene;
     std::string out;
     std::string picture;
+    std::vector<std::string> coverage;
     std::vector<std::string> requirements;
     bool as_json = false;
     bool bound = false;
@@ -88,6 +90,19 @@ Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline
     return io::writeWhole(path, *png);
 }
 
+Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, const Plan& plan,
+                    const std::vector<std::string>& paths, const JobContext& job) {
+    const auto curves =
+        planning::coverageCurves(pipeline, opened.params, opened.plan_edits, plan, job);
+    if (!curves) return tl::unexpected<Error>(curves.error());
+    const std::string title =
+        fmt::format("{}: what budgets capture", opened.scene->source.filename().string());
+    for (const std::string& path : paths) {
+        if (Status status = writeCoverage(title, *curves, path); !status) return status;
+    }
+    return {};
+}
+
 Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts) {
     std::vector<Requirement> requirements;
     for (const std::string& text : texts) {
@@ -116,6 +131,9 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
     }
+    if (Status status = checkCoverageFiles(arguments.coverage); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     if (Status status = knowsMetrics(*requirements, arguments.bound); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -123,9 +141,9 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
     planning::Pipeline pipeline(opened->scene);
+    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty();
     Result<PlannedScene> planned =
-        planScene(*opened, pipeline,
-                  job.stage(0.3, arguments.bound || arguments.explain ? 0.5 : 1.0, "planning"));
+        planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
     if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
     if (arguments.bound) {
         if (Status status = addDenseSearch(*opened, pipeline, *planned->plan, planned->metrics,
@@ -150,6 +168,13 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     }
     if (!arguments.picture.empty()) {
         if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments.picture);
+            !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (!arguments.coverage.empty()) {
+        if (Status status = saveCoverage(*opened, pipeline, *planned->plan, arguments.coverage,
+                                         job.stage(0.5, 1.0, "coverage"));
             !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
@@ -181,6 +206,12 @@ void addPlanCommand(CLI::App& app, Session& session) {
         ->add_option("--picture", arguments->picture,
                      "Write a picture of the planned room, seen from above")
         ->type_name("FILE.png");
+    command
+        ->add_option("--coverage", arguments->coverage,
+                     "Also plan within rising budgets of frames and of length, and write what they "
+                     "capture, as a table or a picture by the file's extension; may be repeated")
+        ->type_name("FILE.csv|svg|png")
+        ->allow_extra_args(false);
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
                       "Also search densely for what could be captured at all (takes a while)");

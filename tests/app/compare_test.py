@@ -256,6 +256,33 @@ class Compare(unittest.TestCase):
         for name in ["dollytrack, path_mode=tour", "paper-smoothing, path_mode=longest_branch"]:
             self.assertIn(name, plot.read_text())
 
+    # --- the coverage of budgets
+
+    def test_coverage_gives_what_plans_within_the_budgets_give(self):
+        table, plot = self.folder / "coverage.csv", self.folder / "coverage.svg"
+        result = run("plan", self.room, "--max-frames", 30, "--coverage", table, "--coverage", plot)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(table) as file:
+            rows = list(csv.DictReader(file))
+        lengths = [row for row in rows if row["budget"] == "length"]
+        frames = [row for row in rows if row["budget"] == "frames"]
+        for row in (frames[1], lengths[0], lengths[-2], lengths[-1]):
+            budget = ["--max-frames", row["max_frames"]]
+            budget += ["--max-length", row["max_length_m"]] if row["max_length_m"] else []
+            planned = json.loads(run("plan", self.room, "--json", *budget).stdout)
+            for name in ["capture_rate", "well_captured_rate", "frames", "path_length_m"]:
+                self.assertAlmostEqual(float(row[name]), planned[name], 6, name)
+            if row["max_length_m"]:
+                self.assertLessEqual(planned["path_length_m"], float(row["max_length_m"]))
+        svg = plot.read_text()
+        xml.etree.ElementTree.fromstring(svg)
+        self.assertIn("well captured", svg)
+
+    def test_a_coverage_of_another_kind_is_a_usage_error(self):
+        result = run("plan", self.room, "--coverage", self.folder / "coverage.txt")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(".csv, .svg or .png", result.stderr)
+
     def test_wrong_sweeps_are_usage_errors(self):
         for arguments, word in [
             (("--param", "fil=1:2:1"), "fill"),
