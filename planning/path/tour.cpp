@@ -1,135 +1,255 @@
 #include "planning/path/tour.h"
 
-#include "engine/jobs/parallel.h"
+#include "engine/core/random.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr std::size_t kStarts = 8;
-constexpr double kGain = 1e-9;  // smaller improvements are rounding
-constexpr int kRounds = 60;
-constexpr double kNever = 1e6;  // cost of an end that is not the one asked for
+constexpr std::size_t kNeighbours = 8;
+constexpr double kGain = 1e-9;    // smaller improvements are rounding
+constexpr double kNever = 1e6;    // cost of an end that is not the one asked for
+constexpr int kLongestMoved = 3;  // stops of a stretch that is moved
+constexpr int kKicksPerStop = 4;
+constexpr std::uint32_t kKicked = 30;  // stops of a stretch that a kick swaps with the next one
 
+/// For each stop those that cost least to go to. A shorter tour has a link to one of them where
+/// the old one had a longer link, so that the search need not look at every pair.
+std::vector<std::vector<int>> nearestOf(const CostMatrix& cost) {
+    const std::size_t count = std::min(kNeighbours, cost.size() - 1);
+    std::vector<std::vector<int>> nearest(cost.size());
+    std::vector<int> others(cost.size());
+    for (std::size_t i = 0; i < cost.size(); ++i) {
+        std::iota(others.begin(), others.end(), 0);
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto end = others.begin() + static_cast<std::ptrdiff_t>(count);
+        const auto nearer = [&](int a, int b) {
+            return std::pair(cost[i][static_cast<std::size_t>(a)], a) <
+                   std::pair(cost[i][static_cast<std::size_t>(b)], b);
+        };
+        std::partial_sort(others.begin(), end, others.end(), nearer);
+        nearest[i].assign(others.begin(), end);
+        others.resize(cost.size());
+    }
+    return nearest;
+}
+
+/// A tour that is improved by reversing stretches. All changes are reversals, so that they can be
+/// undone.
 class Tour {
   public:
-    Tour(const CostMatrix& cost, std::size_t start, const TourEnds& ends)
-        : cost_(cost), ends_(ends) {
-        std::vector<bool> used(cost.size(), false);
-        stops_.push_back(static_cast<int>(start));
-        used[start] = true;
-        const bool last_waits = ends.last >= 0 && stops_.front() != ends.last;
-        if (last_waits) used[static_cast<std::size_t>(ends.last)] = true;
-        while (stops_.size() + (last_waits ? 1 : 0) < cost.size()) {
-            std::size_t best = 0;
-            double least = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i < cost.size(); ++i) {
-                const double step = between(stops_.back(), static_cast<int>(i));
-                if (used[i] || step >= least) continue;
-                least = step;
-                best = i;
-            }
-            stops_.push_back(static_cast<int>(best));
-            used[best] = true;
-        }
-        if (last_waits) stops_.push_back(ends.last);
+    Tour(const CostMatrix& cost, const TourEnds& ends)
+        : cost_(cost),
+          ends_(ends),
+          nearest_(nearestOf(cost)),
+          at_(cost.size()),
+          waits_(cost.size(), false) {
+        goToNearest(ends.first >= 0 ? ends.first : 0);
     }
 
-    std::vector<int> improved(const JobContext& job) && {
-        for (int round = 0; round < kRounds && !job.cancelled(); ++round) {
-            const bool reversed = reverseStretches();
-            const bool moved = moveStretches();
-            if (!reversed && !moved) break;
+    void improve(const JobContext& job) {
+        for (const int stop : stops_) lookAt(stop);
+        settle();
+        Random random(1);
+        const auto count = static_cast<std::uint32_t>(stops_.size());
+        const int kicks = count < 4 ? 0 : kKicksPerStop * static_cast<int>(count);
+        for (int kick = 0; kick < kicks && !job.cancelled(); ++kick) {
+            done_.clear();
+            gained_ = 0.0;
+            swapStretches(random);
+            settle();
+            if (gained_ >= -kGain) continue;
+            for (auto undo = done_.rbegin(); undo != done_.rend(); ++undo) {
+                turnRound(undo->first, undo->second);
+            }
         }
-        return std::move(stops_);
     }
+
+    [[nodiscard]] const std::vector<int>& stops() const { return stops_; }
 
   private:
-    [[nodiscard]] double between(int a, int b) const {
+    void goToNearest(int start) {
+        std::vector<bool> used(cost_.size(), false);
+        const auto take = [&](int stop) {
+            stops_.push_back(stop);
+            used[static_cast<std::size_t>(stop)] = true;
+        };
+        take(start);
+        const bool last_waits = ends_.last >= 0 && start != ends_.last;
+        if (last_waits) used[static_cast<std::size_t>(ends_.last)] = true;
+        while (stops_.size() + (last_waits ? 1 : 0) < cost_.size()) {
+            int best = -1;
+            for (int i = 0; i < static_cast<int>(cost_.size()); ++i) {
+                if (used[static_cast<std::size_t>(i)]) continue;
+                if (best < 0 || link(stops_.back(), i) < link(stops_.back(), best)) best = i;
+            }
+            take(best);
+        }
+        if (last_waits) take(ends_.last);
+        for (std::size_t i = 0; i < stops_.size(); ++i) {
+            at_[static_cast<std::size_t>(stops_[i])] = static_cast<int>(i);
+        }
+    }
+
+    /// Cost of the step between two stops; none before the first and after the last (-1), but for
+    /// wrong ends.
+    [[nodiscard]] double link(int a, int b) const {
         return cost_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
-    /// Cost of the step from stop i - 1 to stop i; none before the first and after the last, but
-    /// for wrong ends.
-    [[nodiscard]] double link(int from, int to) const {
-        const auto end = [](int wanted, int is) {
-            return wanted < 0 || wanted == is ? 0.0 : kNever;
-        };
-        if (from < 0 && to < 0) return 0.0;
-        if (from < 0) return end(ends_.first, to);
-        return to < 0 ? end(ends_.last, from) : between(from, to);
+    [[nodiscard]] double firstAt(int stop) const {
+        return ends_.first < 0 || ends_.first == stop ? 0.0 : kNever;
     }
-    [[nodiscard]] int stop(std::ptrdiff_t i) const {
-        return i < 0 || i >= static_cast<std::ptrdiff_t>(stops_.size())
-                   ? -1
-                   : stops_[static_cast<std::size_t>(i)];
+    [[nodiscard]] double lastAt(int stop) const {
+        return ends_.last < 0 || ends_.last == stop ? 0.0 : kNever;
+    }
+    [[nodiscard]] double step(int from, int to) const {
+        if (from < 0) return to < 0 ? 0.0 : firstAt(to);
+        return to < 0 ? lastAt(from) : link(from, to);
+    }
+    [[nodiscard]] int stop(int i) const {
+        return i < 0 || i >= static_cast<int>(stops_.size()) ? -1
+                                                             : stops_[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] int place(int stop) const { return at_[static_cast<std::size_t>(stop)]; }
+
+    void turnRound(int i, int j) {
+        for (; i < j; ++i, --j) {
+            std::swap(stops_[static_cast<std::size_t>(i)], stops_[static_cast<std::size_t>(j)]);
+            at_[static_cast<std::size_t>(stop(i))] = i;
+            at_[static_cast<std::size_t>(stop(j))] = j;
+        }
+    }
+    void reverse(int i, int j) {
+        if (i >= j) return;
+        turnRound(i, j);
+        done_.emplace_back(i, j);
+    }
+    void lookAt(int stop) {
+        if (stop < 0 || waits_[static_cast<std::size_t>(stop)]) return;
+        waits_[static_cast<std::size_t>(stop)] = true;
+        waiting_.push_back(stop);
     }
 
-    bool reverseStretches() {
-        bool any = false;
-        const auto n = static_cast<std::ptrdiff_t>(stops_.size());
-        for (std::ptrdiff_t i = 0; i < n - 1; ++i) {
-            for (std::ptrdiff_t j = i + 1; j < n; ++j) {
-                const double before = link(stop(i - 1), stop(i)) + link(stop(j), stop(j + 1));
-                const double after = link(stop(i - 1), stop(j)) + link(stop(i), stop(j + 1));
-                if (after >= before - kGain) continue;
-                std::reverse(stops_.begin() + i, stops_.begin() + j + 1);
-                any = true;
-            }
+    /// Until nothing near a stop that was touched helps.
+    void settle() {
+        while (!waiting_.empty()) {
+            const int stop = waiting_.back();
+            waiting_.pop_back();
+            waits_[static_cast<std::size_t>(stop)] = false;
+            while (reverseFrom(stop) || moveFrom(stop)) continue;
         }
-        return any;
     }
 
-    bool moveStretches() {
-        bool any = false;
-        for (std::ptrdiff_t length = 1; length <= 3; ++length) {
-            for (std::ptrdiff_t i = 0; i + length <= static_cast<std::ptrdiff_t>(stops_.size());
-                 ++i) {
-                any |= moveStretch(i, length);
-            }
-        }
-        return any;
+    /// What reversing the stretch from place i to j gains.
+    [[nodiscard]] double gainOfReversal(int i, int j) const {
+        return step(stop(i - 1), stop(i)) + step(stop(j), stop(j + 1)) -
+               step(stop(i - 1), stop(j)) - step(stop(i), stop(j + 1));
     }
 
-    bool moveStretch(std::ptrdiff_t i, std::ptrdiff_t length) {
-        const int first = stop(i);
-        const int last = stop(i + length - 1);
-        const double freed = link(stop(i - 1), first) + link(last, stop(i + length)) -
-                             link(stop(i - 1), stop(i + length));
-        std::vector<int> rest = stops_;
-        const std::vector<int> piece(rest.begin() + i, rest.begin() + i + length);
-        rest.erase(rest.begin() + i, rest.begin() + i + length);
-        double least = freed - kGain;
-        std::ptrdiff_t best = -1;
-        bool best_reversed = false;
-        for (std::ptrdiff_t at = 0; at <= static_cast<std::ptrdiff_t>(rest.size()); ++at) {
-            const int before = at > 0 ? rest[static_cast<std::size_t>(at - 1)] : -1;
-            const int after = at < static_cast<std::ptrdiff_t>(rest.size())
-                                  ? rest[static_cast<std::size_t>(at)]
-                                  : -1;
-            for (const bool reversed : {false, true}) {
-                const double added = link(before, reversed ? last : first) +
-                                     link(reversed ? first : last, after) - link(before, after);
-                if (added >= least) continue;
-                least = added;
-                best = at;
-                best_reversed = reversed;
-            }
-        }
-        if (best < 0) return false;
-        if (best_reversed) {
-            rest.insert(rest.begin() + best, piece.rbegin(), piece.rend());
-        } else {
-            rest.insert(rest.begin() + best, piece.begin(), piece.end());
-        }
-        stops_ = std::move(rest);
+    bool tryReversal(int i, int j) {
+        if (i >= j) return false;
+        const double gain = gainOfReversal(i, j);
+        if (gain <= kGain) return false;
+        for (const int k : {i - 1, i, j, j + 1}) lookAt(stop(k));
+        reverse(i, j);
+        gained_ += gain;
         return true;
+    }
+
+    /// Puts one of its nearest next to the stop, by one reversal (2-opt).
+    bool reverseFrom(int a) {
+        const int i = place(a);
+        // A shorter tour has a new link that is shorter than an old one at its stop.
+        const double longest = std::max(step(stop(i - 1), a), step(a, stop(i + 1)));
+        for (const int c : nearest_[static_cast<std::size_t>(a)]) {
+            if (link(a, c) >= longest) break;
+            const int j = place(c);
+            const auto [low, high] = std::minmax(i, j);
+            if (tryReversal(low + 1, high) || tryReversal(low, high - 1)) return true;
+        }
+        return false;
+    }
+
+    /// Puts a short stretch that ends at the stop beside one of its nearest (Or-opt).
+    bool moveFrom(int a) {
+        for (int length = 1; length <= kLongestMoved; ++length) {
+            for (const bool to_the_right : {true, false}) {
+                const int first = to_the_right ? place(a) : place(a) - length + 1;
+                const int last = first + length - 1;
+                if (first < 0 || last >= static_cast<int>(stops_.size())) continue;
+                const int before = stop(first - 1);
+                const int after = stop(last + 1);
+                const double freed =
+                    step(before, stop(first)) + step(stop(last), after) - step(before, after);
+                for (const int c : nearest_[static_cast<std::size_t>(a)]) {
+                    if (link(a, c) >= freed) break;
+                    const int j = place(c);
+                    if (j >= first && j <= last) continue;
+                    if (tryMove(first, last, j) || tryMove(first, last, j - 1)) return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Moves the stretch between the stops at places j and j + 1, the way round that costs less.
+    bool tryMove(int first, int last, int j) {
+        if (j >= first - 1 && j <= last) return false;
+        const int before = stop(first - 1);
+        const int after = stop(last + 1);
+        const double freed = step(before, stop(first)) + step(stop(last), after) -
+                             step(before, after) + step(stop(j), stop(j + 1));
+        const double straight = step(stop(j), stop(first)) + step(stop(last), stop(j + 1));
+        const double turned = step(stop(j), stop(last)) + step(stop(first), stop(j + 1));
+        const double gain = freed - std::min(straight, turned);
+        if (gain <= kGain) return false;
+        for (const int k : {first - 1, first, last, last + 1, j, j + 1}) lookAt(stop(k));
+        const int length = last - first + 1;
+        if (j > last) {
+            // The stretch and what it passes, each reversed and then both, change places.
+            reverse(first, j);
+            reverse(first, j - length);
+            if (straight <= turned) reverse(j - length + 1, j);
+        } else {
+            reverse(j + 1, last);
+            reverse(j + 1 + length, last);
+            if (straight <= turned) reverse(j + 1, j + length);
+        }
+        gained_ += gain;
+        return true;
+    }
+
+    /// Two stretches beside each other change places: what no move above undoes at once.
+    void swapStretches(Random& random) {
+        const auto count = static_cast<std::uint32_t>(stops_.size());
+        const std::uint32_t most = std::min(kKicked, (count - 2) / 2);
+        const auto one = static_cast<int>(1 + random.below(most));
+        const auto other = static_cast<int>(1 + random.below(most));
+        const auto i =
+            static_cast<int>(1 + random.below(count - 1 - static_cast<std::uint32_t>(one + other)));
+        const int middle = i + one - 1;
+        const int j = middle + other;
+        gained_ += step(stop(i - 1), stop(i)) + step(stop(middle), stop(middle + 1)) +
+                   step(stop(j), stop(j + 1)) - step(stop(i - 1), stop(middle + 1)) -
+                   step(stop(j), stop(i)) - step(stop(middle), stop(j + 1));
+        for (const int k : {i - 1, i, middle, middle + 1, j, j + 1}) lookAt(stop(k));
+        reverse(i, j);
+        reverse(i, i + other - 1);
+        reverse(i + other, j);
     }
 
     const CostMatrix& cost_;
     TourEnds ends_;
+    std::vector<std::vector<int>> nearest_;
     std::vector<int> stops_;
+    std::vector<int> at_;  // by stop, its place in the tour
+    std::vector<int> waiting_;
+    std::vector<bool> waits_;
+    std::vector<std::pair<int, int>> done_;  // reversals since the last kick
+    double gained_ = 0.0;
 };
 
 }  // namespace
@@ -143,22 +263,10 @@ double tourCost(const CostMatrix& cost, const std::vector<int>& tour) {
 }
 
 std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job, const TourEnds& ends) {
-    const std::size_t starts = ends.first >= 0 ? 1 : std::min(kStarts, cost.size());
-    std::vector<std::vector<int>> tours(starts);
-    parallelFor(starts, [&](std::size_t s) {
-        const std::size_t start =
-            ends.first >= 0 ? static_cast<std::size_t>(ends.first) : s * cost.size() / starts;
-        tours[s] = Tour(cost, start, ends).improved(job);
-    });
-    std::vector<int> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::vector<int>& tour : tours) {
-        const double length = tourCost(cost, tour);
-        if (length >= least) continue;
-        least = length;
-        best = std::move(tour);
-    }
-    return best;
+    if (cost.empty()) return {};
+    Tour tour(cost, ends);
+    tour.improve(job);
+    return tour.stops();
 }
 
 }  // namespace dollytrack::planning
