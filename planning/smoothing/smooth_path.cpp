@@ -134,7 +134,7 @@ class Smoother {
         const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
         const Pose pose = aim(position, target.position, around_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
-            const auto estimate = around_.views.estimateClosely(pose, id, kGrid);
+            const auto estimate = estimateSurely(around_.views, pose, id, kGrid);
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);

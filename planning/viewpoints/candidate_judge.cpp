@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kFractionMargin = 0.04;
 constexpr double kAreaMargin = 1.12;
+constexpr double kSure = 0.92;  // visible fraction that a close look cannot mistake by its margin
+constexpr int kExactGrid = 72;  // as estimateCaptures() counts
 // A view is worth little more when a last sliver comes into sight, so fill may decide then.
 constexpr double kFractionStep = 0.03;
 constexpr int kGlance = 4;
@@ -37,17 +39,28 @@ bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate) {
            estimate.box_share >= CaptureRules{}.min_box_share * kAreaMargin;
 }
 
+ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& pose, int object_id,
+                                       int grid) {
+    const auto close = views.estimateClosely(pose, object_id, grid);
+    if (!isSafelyCaptured(close) || close.visible_fraction >= kSure) return close;
+    const auto exact = views.estimate(pose, object_id, kExactGrid);
+    const bool well = isWellCaptured(makeView(exact, object_id, 0));
+    const bool as_good =
+        well || (!isSafelyWellCaptured(close) && isCaptured(makeView(exact, object_id, 0)));
+    return as_good ? close : exact;
+}
+
 CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
                                double wished_fill)
     : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
-    // What is wished for is an area: a thing as high as wide takes fill * fill of the shorter side's
-    // square, and a slender one less even when it spans as much. So let it span more, in the range
-    // searched; and yet more until its box takes what counts as well captured.
+    // What is wished for is an area: a thing as high as wide takes fill * fill of the shorter
+    // side's square, and a slender one less even when it spans as much. So let it span more, in the
+    // range searched; and yet more until its box takes what counts as well captured.
     const double slender = std::max(1e-3, slenderness(around.views, subject_, point.direction));
-    const double shorter = static_cast<double>(std::min(around.views.intrinsics().width,
-                                                        around.views.intrinsics().height)) /
-                           std::max(around.views.intrinsics().width,
-                                    around.views.intrinsics().height);
+    const double shorter =
+        static_cast<double>(
+            std::min(around.views.intrinsics().width, around.views.intrinsics().height)) /
+        std::max(around.views.intrinsics().width, around.views.intrinsics().height);
     const double as_square = wished_fill * std::sqrt(std::max(1.0, shorter / slender));
     const double needed = std::sqrt(1.3 * CaptureRules{}.min_box_share / slender);
     wished_fill_ = std::max({wished_fill, std::min(as_square, 0.85), std::min(needed, 0.92)});
@@ -97,7 +110,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     bool all_captured = true;
     for (const int id : point_.objects) {
         const int grid = static_cast<int>(look);
-        const auto estimate = look == Look::Fine ? around_.views.estimateClosely(pose, id, grid)
+        const auto estimate = look == Look::Fine ? estimateSurely(around_.views, pose, id, grid)
                                                  : around_.views.estimate(pose, id, grid);
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);

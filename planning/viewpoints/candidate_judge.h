@@ -19,6 +19,12 @@ struct Judged {
                             // for is reached, by its visible fraction and by its box
 };
 
+/// By a close look; where that finds the object safely captured with little to spare, and every
+/// pixel says that it is not, by every pixel. Of hundreds of places the best is often one that some
+/// rays flatter.
+[[nodiscard]] ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& pose,
+                                                     int object_id, int grid);
+
 /// How carefully a candidate is looked at: rays along each side of each object's extent.
 enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
 

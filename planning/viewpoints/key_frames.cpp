@@ -35,7 +35,7 @@ std::vector<ShownObject> shownFrom(const ViewEstimator& views, const Pose& pose)
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
         // A coarse look spares the closer one where it is clear that little shows.
         if (views.estimate(pose, object.id, kGlance).visible_fraction < kWorthALook) continue;
-        const auto estimate = views.estimateClosely(pose, object.id, kGrid);
+        const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) shown.push_back({object.id, estimate.box_share});
     }
     return shown;
