@@ -19,6 +19,7 @@ constexpr int kExactGrid = 72;       // decides about objects that can be captur
 constexpr std::size_t kRefined = 5;  // candidates looked at again with the fine grid
 constexpr int kConeDirections = 20;
 constexpr int kAroundDirections = 64;
+constexpr int kHardPlaces = 400;
 constexpr int kRandomPlaces = 160;
 constexpr int kHardDirections = 200;
 constexpr int kEnoughGood = 12;
@@ -171,6 +172,15 @@ class Search {
         if (best_ && best_->all_well) return;
         if (promising_.empty() || missing() > kWorthAnotherSearch) return;
         tryDirections(directionsAllAround(point_.direction, kHardDirections), {1.3, 0.9, 0.6});
+        if (refineBest()) return;
+        breed();
+        if (best_ && best_->all_well) return;
+        // Once more from other places: whether a gap is met is luck, and few things get here.
+        for (const Eigen::Vector3d& place :
+             randomPlaces(around_.free_space, around_.sphere, around_.views, judge_.subject(), 0.15,
+                          1.0, kHardPlaces, random_)) {
+            tryPlace(place);
+        }
         if (refineBest()) return;
         breed();
         if (best_ && best_->all_well) return;
