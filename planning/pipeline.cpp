@@ -3,6 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
+#include "planning/coverage/region_weights.h"
 #include "planning/free_space/free_space.h"
 #include "planning/free_space/surface_map.h"
 #include "planning/linking/link_groups.h"
@@ -19,6 +20,7 @@
 #include "planning/timing/drop_repeats.h"
 #include "planning/timing/shake.h"
 #include "planning/timing/time_trajectory.h"
+#include "planning/viewpoints/asked_points.h"
 #include "planning/viewpoints/hand_placed.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/viewpoints/viewpoint_search.h"
@@ -41,6 +43,7 @@ struct Paths {
 struct Metrics {
     CaptureEstimate estimate;
     TrajectoryMetrics trajectory;
+    std::vector<RegionCoverage> must_see;
     FrameSeries series;
     RepairReport repair;
 };
@@ -115,14 +118,24 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, V, PitchBand, std::vector<PinnedPoint>, std::vector<RemovedPoint>>,
           PlacedPoints>
         placed;
-    Stage<std::tuple<V, int, int, int, bool>, std::vector<int>> key_frames;
+    Stage<std::tuple<V, std::vector<Region>>, AskedPoints> asked;
+    Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
-    Stage<std::tuple<V, PathParams, RoadmapParams, int, int, bool>, Paths> paths;
+    Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool>, Paths>
+        paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
     Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
     Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
     Stage<std::tuple<V, RepairParams>, Metrics> metrics;
+
+    // Whether the last run asked for more points than objects need, so that `asked` holds.
+    bool asks = false;
+    [[nodiscard]] const PlacedPoints& points() const { return asks ? asked->placed : *placed; }
+    /// Never the same for different points.
+    [[nodiscard]] V pointsVersion() const {
+        return asks ? 2 * asked.version() + 1 : 2 * placed.version();
+    }
 
     // Searches that hold for the inputs beside them.
     SearchMemo searches;
@@ -200,16 +213,17 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     PathEnds ends;
     const TrajectoryMaker maker{
         [&](const CameraPath& path) {
-            return smoothPath(path, placed->viewpoints.position_points,
-                              placed->viewpoints.observation_points, around, params.smoothing, job);
+            return smoothPath(path, points().viewpoints.position_points,
+                              points().viewpoints.observation_points, around, params.smoothing,
+                              job);
         },
         [&](const std::vector<SmoothPath>& smooth) {
-            const Viewpoints& points = placed->viewpoints;
+            const Viewpoints& all = points().viewpoints;
             const auto within = [&](int max_frames) {
                 TimingParams timed = params.timing;
                 timed.max_frames = max_frames;
-                return timeTrajectory(smooth, points.position_points, points.observation_points,
-                                      timed, pitch);
+                return timeTrajectory(smooth, all.position_points, all.observation_points, timed,
+                                      pitch);
             };
             return within(params.timing.max_frames)
                 .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
@@ -218,8 +232,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                        *views, job);
                 })
                 .and_then([&](Trajectory&& steady) {
-                    return shakeTrajectory(std::move(steady), points.position_points, *views,
-                                           sphere, params.shake, pitch, params.seed, job);
+                    return shakeTrajectory(std::move(steady), all.position_points, *views, sphere,
+                                           params.shake, pitch, params.seed, job);
                 });
         }};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
@@ -254,16 +268,28 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     return placeByHand(*found, edits, around, &shown);
                 });
         })
+        .and_then([&]() -> Status {
+            const std::vector<Region> must_see = mustSeeAmong(edits.regions);
+            asks = !must_see.empty();
+            if (!asks) return {};
+            const JobContext part = job.stage(0.69, 0.7, "constraints");
+            return run("constraints", asked, std::tuple(placed.version(), must_see), part,
+                       [&] { return addAskedPoints(*placed, must_see, around, &shown, part); });
+        })
         .and_then([&] {
+            const std::vector<double> weights = objectWeights(*scene, edits.regions);
             ends = {pointOfPin(*placed, edits, edits.start), pointOfPin(*placed, edits, edits.end),
-                    params.constraints.loop, params.timing.max_frames};
+                    params.constraints.loop,
+                    pointWeights(points().viewpoints.position_points, weights),
+                    params.timing.max_frames};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
             return run("key_frames", key_frames,
-                       std::tuple(placed.version(), ends.visits, ends.start, ends.end, ends.loop),
+                       std::tuple(pointsVersion(), edits.regions, ends.visits, ends.start, ends.end,
+                                  ends.loop),
                        job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                           const auto& points = placed->viewpoints.position_points;
-                           return withinBudget(chooseKeyFrames(points), points, ends);
+                           const auto& all = points().viewpoints.position_points;
+                           return withinBudget(chooseKeyFrames(all, weights), all, ends);
                        });
         })
         .and_then([&] {
@@ -271,9 +297,9 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             return run("roadmap", roadmap,
                        std::tuple(key_frames.version(), params.roadmap, params.seed), part, [&] {
                            return searchRoadmap(
-                               placed->viewpoints.position_points, *key_frames,
-                               targetSizes(*scene, placed->viewpoints.observation_points,
-                                           placed->viewpoints.position_points),
+                               points().viewpoints.position_points, *key_frames,
+                               targetSizes(*scene, points().viewpoints.observation_points,
+                                           points().viewpoints.position_points),
                                sphere, params.roadmap, params.seed, part);
                        });
         })
@@ -283,7 +309,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 "linking", linking, std::tuple(roadmap.version(), params.linking, params.seed),
                 part, [&]() -> Result<Roadmap> {
                     Roadmap linked = *roadmap;
-                    return linkGroups(linked, placed->viewpoints.position_points, *key_frames,
+                    return linkGroups(linked, points().viewpoints.position_points, *key_frames,
                                       *free_space, sphere, params.linking, params.seed, part)
                         .map([&] { return std::move(linked); });
                 });
@@ -291,11 +317,11 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             const JobContext part = job.stage(0.8, 0.84, "path");
             return run("path", paths,
-                       std::tuple(linking.version(), params.path, params.roadmap, ends.start,
-                                  ends.end, ends.loop),
+                       std::tuple(linking.version(), params.path, params.roadmap, edits.regions,
+                                  ends.start, ends.end, ends.loop),
                        part, [&]() -> Result<Paths> {
                            Paths taken{*linking, {}};
-                           return takePaths(taken.roadmap, placed->viewpoints.position_points,
+                           return takePaths(taken.roadmap, points().viewpoints.position_points,
                                             sphere, params.path, params.roadmap, ends, part)
                                .map([&](std::vector<CameraPath> made) {
                                    taken.paths = std::move(made);
@@ -353,8 +379,14 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 }
                 return measureTrajectory(*views, repair->smooth_paths, trajectory,
                                          params.shake.shake != ShakeKind::None, sphere, *rays, part)
-                    .map([&](const TrajectoryMetrics& measured) {
-                        return Metrics{std::move(*estimate), measured, std::move(series), report};
+                    .and_then([&](const TrajectoryMetrics& measured) {
+                        static const std::vector<MustSee> kNone;
+                        return measureCoverage(asks ? asked->must_see : kNone, *views, trajectory,
+                                               part)
+                            .map([&](std::vector<RegionCoverage> must_see) {
+                                return Metrics{std::move(*estimate), measured, std::move(must_see),
+                                               std::move(series), report};
+                            });
                     });
             });
         });
@@ -363,15 +395,15 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
 Plan Pipeline::Stages::collectMoves() const {
     Plan plan;
     for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
-    plan.observation_points = placed->viewpoints.observation_points;
-    plan.searches = placed->viewpoints.searches;
-    plan.position_points = placed->viewpoints.position_points;
+    plan.observation_points = points().viewpoints.observation_points;
+    plan.searches = points().viewpoints.searches;
+    plan.position_points = points().viewpoints.position_points;
     plan.key_frames = *key_frames;
     plan.roadmap = paths->roadmap;
     plan.paths = repair->paths;
     plan.smooth_paths = repair->smooth_paths;
     plan.trajectory = repair->trajectory;
-    plan.refused_pins = placed->refused;
+    plan.refused_pins = points().refused;
     plan.stages = times;
     for (const StageTime& stage : times) {
         const bool maps = stage.name == "rays" || stage.name == "surfaces" ||
@@ -391,6 +423,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
     plan.repair = metrics->repair;
+    plan.must_see = metrics->must_see;
     refusePinsOverBudget(edits, plan);
     plan.ledger = captureLedger(*scene, plan);
     return plan;

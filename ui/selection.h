@@ -20,12 +20,13 @@ struct Selection {
         Frame,
         Voxel,
         NoGoBox,
+        Region,
         Candidate,
     };
     Kind kind = Kind::None;
     std::vector<int> objects;  // ids, with Object and Objects
     int index = -1;            // in the plan's list; of a box: in PlanEdits::no_go; of a
-                               // candidate: in its search
+                               // region: in PlanEdits::regions; of a candidate: in its search
     int search = -1;           // of a candidate: the observation point it was tried for
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // of a voxel, m, world
 

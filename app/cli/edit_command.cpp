@@ -154,6 +154,14 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
                          wordsOf(Eigen::Vector3d(2.0 * one.box.half_size)),
                          one.box.yaw * kDegrees)});
     }
+    for (const Region& one : edits.plan.regions) {
+        rows.push_back(
+            {"region", one.name,
+             fmt::format("at {} m, size {} m, turned {:.0f} deg, weight {:g}{}",
+                         wordsOf(one.box.center), wordsOf(Eigen::Vector3d(2.0 * one.box.half_size)),
+                         one.box.yaw * kDegrees, one.weight,
+                         one.must_see ? ", must be seen" : "")});
+    }
     return rows;
 }
 

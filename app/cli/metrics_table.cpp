@@ -87,6 +87,12 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("turning", spread("turn", "dps", "deg/s"));
     text += row("  its change", spread("turn_acceleration", "dps2", "deg/s2"));
     text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
+    for (const auto& region : m.value("must_see", nlohmann::json::array())) {
+        text += row("seen of " + region.value("region", ""),
+                    fmt::format("{:.1f} % of what can be seen ({} of {} patches)",
+                                100.0 * region.value("rate", 0.0), region.value("seen", 0),
+                                region.value("seeable", 0)));
+    }
     text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
                                     m.value("plan_ms", 0.0)));
     const auto& uncaptured = m.value("uncaptured", nlohmann::json::array());

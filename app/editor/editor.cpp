@@ -215,14 +215,19 @@ void Editor::apply(const nlohmann::json& operation, const std::string& merge_key
 }
 
 void Editor::applyRequest(const ui::EditRequest& request) {
-    const auto boxes = [&] {
-        return workspace_.isOpen() ? workspace_.state().edits.plan.no_go.size() : 0;
+    const auto counts = [&] {
+        if (!workspace_.isOpen()) return std::pair<std::size_t, std::size_t>();
+        const PlanEdits& edits = workspace_.state().edits.plan;
+        return std::pair(edits.no_go.size(), edits.regions.size());
     };
-    const std::size_t before = boxes();
+    const auto [boxes, regions] = counts();
     if (request.asks()) apply(request.operation, request.merge_key);
     // A new box is there to be moved: its handles show when it is selected.
-    if (boxes() > before) {
-        select(ui::Selection::ofItem(ui::Selection::Kind::NoGoBox, static_cast<int>(before)));
+    using Kind = ui::Selection::Kind;
+    const auto [boxes_now, regions_now] = counts();
+    if (boxes_now > boxes) select(ui::Selection::ofItem(Kind::NoGoBox, static_cast<int>(boxes)));
+    if (regions_now > regions) {
+        select(ui::Selection::ofItem(Kind::Region, static_cast<int>(regions)));
     }
     if (request.ends_merge) workspace_.endMerge();
 }
@@ -299,7 +304,7 @@ int Editor::frameCount() const {
 
 Eigen::AlignedBox3d Editor::selectedBox() const {
     if (!workspace_.shown().scene) return {};
-    return selected_.box(*workspace_.shown().scene, plan(), workspace_.state().edits.plan.no_go);
+    return selected_.box(*workspace_.shown().scene, plan(), workspace_.state().edits.plan);
 }
 
 std::optional<OrientedBox> Editor::boxAroundSelection() const {

@@ -2,6 +2,7 @@
 
 #include "planning/free_space/free_space.h"
 #include "ui/panels/edit_parts.h"
+#include "ui/panels/region_rows.h"
 #include "ui/widgets/item_map.h"
 
 #include <GLFW/glfw3.h>
@@ -149,14 +150,25 @@ void Editor::addEditCommands() {
                    [this]() -> std::string {
                        const bool can = selected_.is(Selection::Kind::PositionPoint) ||
                                         selected_.is(Selection::Kind::ObservationPoint) ||
-                                        selected_.is(Selection::Kind::NoGoBox);
-                       return can ? "" : "Select a position point or a no-go box first.";
+                                        selected_.is(Selection::Kind::NoGoBox) ||
+                                        selected_.is(Selection::Kind::Region);
+                       return can ? "" : "Select a position point or a box first.";
                    }});
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
          [this] {
              applyRequest(
                  {ui::addNoGoOperation(boxAroundSelection().value_or(boxInView())), {}, false});
+         },
+         [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
+    commands_.add(
+        {"edit.add_region",
+         "Edit",
+         "Add a region",
+         {},
+         [this] {
+             applyRequest(
+                 {ui::addRegionOperation(boxAroundSelection().value_or(boxInView())), {}, false});
          },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
     commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
@@ -285,7 +297,7 @@ void Editor::addViewCommands() {
     layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
     layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);
     layer("candidates", "Candidates of what is selected", {GLFW_KEY_F6}, layers.candidates);
-    layer("no_go", "No-go boxes", {GLFW_KEY_F7}, layers.no_go_boxes);
+    layer("no_go", "No-go boxes, regions", {GLFW_KEY_F7}, layers.no_go_boxes);
     layer("ceilings", "Look in from above", {GLFW_KEY_F8}, layers.ceiling_cut);
     commands_.add({"view.preview",
                    "View",
@@ -389,6 +401,9 @@ void Editor::deleteSelected() {
     if (selected_.is(Selection::Kind::NoGoBox)) {
         const auto& boxes = workspace_.state().edits.plan.no_go;
         if (index < boxes.size()) apply({{"op", "remove_no_go"}, {"name", boxes[index].name}});
+    } else if (selected_.is(Selection::Kind::Region)) {
+        const auto& regions = workspace_.state().edits.plan.regions;
+        if (index < regions.size()) apply({{"op", "remove_region"}, {"name", regions[index].name}});
     } else if (plan() != nullptr) {
         std::size_t target = index;
         if (selected_.is(Selection::Kind::PositionPoint)) {

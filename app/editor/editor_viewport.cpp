@@ -77,6 +77,7 @@ void Editor::requestLayers() {
     request.stepping = step_playback_.shown();
     request.selection = selected_.now();
     request.no_go = workspace_.state().edits.plan.no_go;
+    request.regions = workspace_.state().edits.plan.regions;
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
     layers_.request(request);
@@ -205,7 +206,10 @@ OrientedBox Editor::boxInView() {
 
 void Editor::editWithGizmo() {
     const PositionPoint* point = selected_.positionPoint(plan());
-    const NoGoBox* box = selected_.noGoBox(workspace_.state().edits.plan.no_go);
+    const PlanEdits& edits = workspace_.state().edits.plan;
+    const NoGoBox* no_go = selected_.noGoBox(edits.no_go);
+    const Region* region = selected_.region(edits.regions);
+    const OrientedBox* box = no_go ? &no_go->box : region ? &region->box : nullptr;
     gizmo_.begin();
     if ((point == nullptr && box == nullptr) || through_camera_) {
         if (gizmo_.dragging()) dropGizmo();
@@ -217,14 +221,13 @@ void Editor::editWithGizmo() {
     view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered;
     view.turns = point != nullptr;
     if (box != nullptr) {
-        view.pose.position = box->box.center;
-        const std::string name = box->name;
+        view.pose.position = box->center;
+        const std::string op = no_go ? "move_no_go" : "change_region";
+        const std::string name = no_go ? no_go->name : region->name;
         const ui::GizmoActions actions = gizmo_.draw(view);
         if (actions.changed) {
-            apply({{"op", "move_no_go"},
-                   {"name", name},
-                   {"center", ui::pointJson(actions.pose.position)}},
-                  "gizmo " + name);
+            apply({{"op", op}, {"name", name}, {"center", ui::pointJson(actions.pose.position)}},
+                  "gizmo " + op + name);
         }
         if (actions.finished) workspace_.endMerge();
         return;

@@ -76,6 +76,25 @@ PlanLayer noGoLayer(const std::vector<NoGoBox>& boxes, const Selection& selectio
     return layer;
 }
 
+/// Those that must be seen have thick edges.
+PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& selection) {
+    PlanLayer layer;
+    const Eigen::Vector4f green(0.30F, 0.75F, 0.45F, 0.15F);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const OrientedBox& box = regions[i].box;
+        layer.overlay.boxes.push_back({box.center, box.half_size, green, box.yaw});
+        const bool selected =
+            selection.kind == Selection::Kind::Region && selection.index == static_cast<int>(i);
+        addBoxEdges(layer.overlay, box,
+                    selected ? ui::kSelectedColor : Eigen::Vector4f(0.30F, 0.75F, 0.45F, 1.0F),
+                    regions[i].must_see ? 2.5 : 1.0);
+    }
+    layer.legend.title = "Regions";
+    layer.legend.entries.push_back(
+        {"region", ui::LegendEntry::Shape::Block, green, static_cast<int>(regions.size())});
+    return layer;
+}
+
 /// The camera of the frame shown now.
 PlanLayer cameraLayer(const LayersRequest& request) {
     PlanLayer layer;
@@ -157,7 +176,8 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
     return scene == other.scene && plan == other.plan && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
-           no_go == other.no_go && step == other.step && frame == other.frame;
+           no_go == other.no_go && regions == other.regions && step == other.step &&
+           frame == other.frame;
 }
 
 /// Belongs to the worker's thread: each layer with what it was made of.
@@ -166,7 +186,7 @@ struct LayerBuilder::Desk {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
     };
-    std::array<Made, 8> made;
+    std::array<Made, 9> made;
 
     template <class Inputs, class Make>
     void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
@@ -194,6 +214,10 @@ Layers LayerBuilder::Desk::build(const LayersRequest& request) {
     if (on.no_go_boxes && !request.no_go.empty()) {
         add(layers, 1, std::tuple(request.no_go, request.selection),
             [&] { return noGoLayer(request.no_go, request.selection); });
+    }
+    if (on.no_go_boxes && !request.regions.empty()) {
+        add(layers, 8, std::tuple(request.regions, request.selection),
+            [&] { return regionsLayer(request.regions, request.selection); });
     }
     if (request.plan) {
         const Plan& plan = *request.plan;

@@ -27,6 +27,7 @@ struct LayersRequest {
     ui::LayerSettings settings;
     ui::Selection selection;
     std::vector<NoGoBox> no_go;
+    std::vector<Region> regions;
     bool stepping = false;  // the algorithm's steps, instead of the whole roadmap
     double cone_half_angle_deg = 40.0;
     std::size_t step = 0;  // of the algorithm

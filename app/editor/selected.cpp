@@ -30,6 +30,10 @@ const NoGoBox* Selected::noGoBox(const std::vector<NoGoBox>& boxes) const {
     return is(Kind::NoGoBox) && index() < boxes.size() ? &boxes[index()] : nullptr;
 }
 
+const Region* Selected::region(const std::vector<Region>& regions) const {
+    return is(Kind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
+}
+
 void Selected::set(ui::Selection selection, const Plan* plan) {
     now_ = std::move(selection);
     objects_of_point_ = objectsOfPoint(plan);
@@ -51,7 +55,8 @@ ui::Selection Selected::withObject(int object, bool add) const {
 
 bool Selected::keepIn(const Plan* plan) {
     // Objects, cells of space and boxes are not the plan's.
-    if (is(Kind::None) || is(Kind::Voxel) || is(Kind::NoGoBox) || !now_.objects.empty()) {
+    if (is(Kind::None) || is(Kind::Voxel) || is(Kind::NoGoBox) || is(Kind::Region) ||
+        !now_.objects.empty()) {
         return true;
     }
     const auto fits = [&](std::size_t count) {
@@ -99,7 +104,7 @@ void Selected::showAll() {
 }
 
 Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
-                                  const std::vector<NoGoBox>& no_go) const {
+                                  const PlanEdits& edits) const {
     Eigen::AlignedBox3d box;
     const auto include = [&](const OrientedBox& one) {
         for (const Eigen::Vector3d& corner : one.corners()) box.extend(corner);
@@ -111,7 +116,8 @@ Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
     for (const int id : now_.objects) include(scene.object(id).box);
     if (is(Kind::Voxel)) around(now_.place);
     if (const PositionPoint* point = positionPoint(plan)) around(point->pose.position);
-    if (const NoGoBox* one = noGoBox(no_go)) include(one->box);
+    if (const NoGoBox* one = noGoBox(edits.no_go)) include(one->box);
+    if (const Region* one = region(edits.regions)) include(one->box);
     if (plan == nullptr) return box;
     if (is(Kind::ObservationPoint) && index() < plan->observation_points.size()) {
         around(plan->observation_points[index()].position);

@@ -25,6 +25,8 @@ class Selected {
     [[nodiscard]] const PositionPoint* positionPoint(const Plan* plan) const;
     /// The selected no-go box; null: none is.
     [[nodiscard]] const NoGoBox* noGoBox(const std::vector<NoGoBox>& boxes) const;
+    /// The selected region; null: none is.
+    [[nodiscard]] const Region* region(const std::vector<Region>& regions) const;
 
     void set(ui::Selection selection, const Plan* plan);
     void clear() { set({}, nullptr); }
@@ -43,7 +45,7 @@ class Selected {
 
     /// Around all that is selected; empty when nothing with a place is.
     [[nodiscard]] Eigen::AlignedBox3d box(const Scene& scene, const Plan* plan,
-                                          const std::vector<NoGoBox>& no_go) const;
+                                          const PlanEdits& edits) const;
 
   private:
     [[nodiscard]] std::vector<int> objectsOfPoint(const Plan* plan) const;

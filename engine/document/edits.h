@@ -75,11 +75,24 @@ struct NoGoBox {
     bool operator==(const NoGoBox&) const = default;
 };
 
+constexpr double kSmallestWeight = 0.01;
+constexpr double kLargestWeight = 1000.0;
+
+/// A place of more or less interest. Where regions overlap the largest weight counts.
+struct Region {
+    std::string name;  // unique among the regions
+    OrientedBox box;
+    double weight = 1.0;    // of objects whose box's centre is inside; those outside have 1
+    bool must_see = false;  // the surface inside is to be seen, whatever it belongs to
+    bool operator==(const Region&) const = default;
+};
+
 /// Everything changed by hand in a plan. Objects are those of the edited scene.
 struct PlanEdits {
     std::vector<PinnedPoint> pinned;
     std::vector<RemovedPoint> removed;
     std::vector<NoGoBox> no_go;
+    std::vector<Region> regions;
     std::string start;  // name of the pinned point where the trajectory begins; empty: anywhere
     std::string end;    // and where it ends
     bool operator==(const PlanEdits&) const = default;

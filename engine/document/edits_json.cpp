@@ -63,6 +63,13 @@ json boxJson(const NoGoBox& box) {
             {"yaw_rad", box.box.yaw}};
 }
 
+json regionJson(const Region& region) {
+    json one = boxJson({region.name, region.box});
+    one["weight"] = region.weight;
+    one["must_see"] = region.must_see;
+    return one;
+}
+
 ObjectRef readRef(const JsonReader& from) {
     return {from.at("id").integer(1, kMostObjects), from.at("name").text()};
 }
@@ -173,6 +180,16 @@ std::string readPinName(const JsonReader& from, const std::vector<PinnedPoint>& 
     return name;
 }
 
+Region readRegion(const JsonReader& from) {
+    NoGoBox box = readBox(from);
+    Region region{std::move(box.name), box.box};
+    region.weight = from.at("weight").number(kSmallestWeight, kLargestWeight);
+    const JsonReader must_see = from.at("must_see");
+    if (!must_see.json().is_boolean()) must_see.refuse("This must be true or false.");
+    if (must_see.good()) region.must_see = must_see.json().get<bool>();
+    return region;
+}
+
 /// Reads a list; entries have names of their own as far as `nameOf` gives them.
 template <class T, class Read>
 std::vector<T> readList(const JsonReader& from, Read&& read) {
@@ -180,7 +197,8 @@ std::vector<T> readList(const JsonReader& from, Read&& read) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
         list.push_back(read(from.at(i)));
-        if constexpr (std::is_same_v<T, PinnedPoint> || std::is_same_v<T, NoGoBox>) {
+        if constexpr (std::is_same_v<T, PinnedPoint> || std::is_same_v<T, NoGoBox> ||
+                      std::is_same_v<T, Region>) {
             if (!names.insert(list.back().name).second) {
                 from.at(i).at("name").refuse("Another entry has the same name.");
             }
@@ -211,6 +229,7 @@ json editsJson(const Edits& edits, const json& loaded) {
         return json{{"objects", refsJson(removed.objects)}};
     });
     section["no_go"] = list(edits.plan.no_go, boxJson);
+    section["regions"] = list(edits.plan.regions, regionJson);
     section["ignore"] = edits.scene.ignore;
     section["only"] = edits.scene.only;
     for (const auto& [key, point] :
@@ -238,6 +257,7 @@ Result<Edits> editsFromJson(const json& section) {
         from.at("removed"),
         [](const JsonReader& one) -> RemovedPoint { return {readRefs(one.at("objects"), 1)}; });
     edits.plan.no_go = readList<NoGoBox>(from.at("no_go"), readBox);
+    edits.plan.regions = readList<Region>(from.at("regions"), readRegion);
     edits.scene.ignore = readList<std::string>(from.at("ignore"), readPattern);
     edits.scene.only = readList<std::string>(from.at("only"), readPattern);
     edits.plan.start = readPinName(from.at("start"), edits.plan.pinned);

@@ -26,6 +26,11 @@ const OperationField kTurn = {"quaternion_xyzw", "list", false,
 const OperationField kPoint = {"point", "text", true, "the name of a pinned point"};
 const OperationField kBoxName = {"name", "text", true, "the name of the box"};
 
+const OperationField kWeight = {"weight", "number", false,
+                                "of the objects inside, 0.01 to 1000; outside it is 1"};
+const OperationField kMustSee = {"must_see", "flag", false,
+                                 "true: all of its surface that can be seen is to be seen"};
+
 OperationField optional(OperationField field) {
     field.required = false;
     return field;
@@ -121,6 +126,29 @@ const std::vector<OperationInfo>& infos() {
          "Gives a no-go box another name.",
          {kBoxName, {"to", "text", true, "its new name, which nothing else has"}}},
         {"remove_no_go", removeNoGo, "Removes a no-go box.", {kBoxName}},
+        {"add_region",
+         addRegion,
+         "Adds an upright box of more or less interest, or one whose surface must be seen.",
+         {{"center", "point", true, "m"},
+          {"size", "point", true, "along its own axes, m"},
+          {"yaw_deg", "number", false, "turns it about the vertical"},
+          kWeight,
+          kMustSee,
+          kName}},
+        {"change_region",
+         changeRegion,
+         "Moves, renames or weighs a region.",
+         {{"name", "text", true, "the name of the region"},
+          {"to", "text", false, "its new name, which nothing else has"},
+          {"center", "point", false, "m"},
+          {"size", "point", false, "along its own axes, m"},
+          {"yaw_deg", "number", false, "turns it about the vertical"},
+          kWeight,
+          kMustSee}},
+        {"remove_region",
+         removeRegion,
+         "Removes a region.",
+         {{"name", "text", true, "the name of the region"}}},
         {"height_band",
          setHeightBand,
          "Keeps the camera's height above the floor in a band; without limits, in none.",

@@ -21,7 +21,7 @@ std::string resetObject(ProjectState&, const OperationContext&, const OperationR
 std::string merge(ProjectState&, const OperationContext&, const OperationReader&);
 std::string split(ProjectState&, const OperationContext&, const OperationReader&);
 
-// The plan: plan_operations.cpp
+// The plan: plan_operations.cpp, region_operations.cpp
 std::string setParameter(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setHeightBand(ProjectState&, const OperationContext&, const OperationReader&);
 std::string pin(ProjectState&, const OperationContext&, const OperationReader&);
@@ -32,6 +32,9 @@ std::string removePoint(ProjectState&, const OperationContext&, const OperationR
 std::string restorePoint(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setStart(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setEnd(ProjectState&, const OperationContext&, const OperationReader&);
+std::string addRegion(ProjectState&, const OperationContext&, const OperationReader&);
+std::string changeRegion(ProjectState&, const OperationContext&, const OperationReader&);
+std::string removeRegion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string moveNoGo(ProjectState&, const OperationContext&, const OperationReader&);
 std::string renameNoGo(ProjectState&, const OperationContext&, const OperationReader&);

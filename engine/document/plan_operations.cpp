@@ -1,6 +1,6 @@
 #include "engine/document/operation_table.h"
 
-#include "engine/core/field_list.h"
+#include "engine/document/named_entries.h"
 
 #include <fmt/format.h>
 
@@ -13,48 +13,6 @@ namespace dollytrack {
 namespace {
 
 using nlohmann::json;
-
-/// An entry of a list by its name; the end, with the closest name said, when there is none.
-template <class Entry>
-auto findNamed(std::vector<Entry>& entries, const JsonReader& from, std::string_view what) {
-    const std::string name = from.text();
-    const auto found = std::find_if(entries.begin(), entries.end(),
-                                    [&](const Entry& entry) { return entry.name == name; });
-    if (found != entries.end()) return found;
-    std::vector<std::string> names;
-    for (const Entry& entry : entries) names.push_back(entry.name);
-    const std::string close = closestName(name, names);
-    from.refuse(close.empty()
-                    ? fmt::format("There is no {} '{}'.", what, name)
-                    : fmt::format("There is no {} '{}'; did you mean '{}'?", what, name, close));
-    return entries.end();
-}
-
-template <class Entry>
-bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
-    return std::any_of(entries.begin(), entries.end(),
-                       [&](const Entry& entry) { return entry.name == name; });
-}
-
-/// The name given, which must be free, or `base` with a number where it is not.
-template <class Entry>
-std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
-                     const std::string& base) {
-    if (fields.has("name")) {
-        const JsonReader from = fields.field("name");
-        std::string name = from.text();
-        if (from.good() && name.empty()) from.refuse("A name must not be empty.");
-        if (isTaken(entries, name)) {
-            from.refuse(fmt::format("Something else is called '{}' already.", name));
-        }
-        return name;
-    }
-    std::string name = base;
-    for (int number = 2; isTaken(entries, name); ++number) {
-        name = fmt::format("{} {}", base, number);
-    }
-    return name;
-}
 
 /// The name of the pinned point that the fields mean: one there is, or one made of a pose, of which
 /// there is one for each end. Nothing without any.

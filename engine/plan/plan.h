@@ -51,6 +51,18 @@ struct TrajectoryMetrics {
     MotionMetrics motion;
 };
 
+/// What the frames show of the surface in a must-see region, in patches of about 0.1 m.
+struct RegionCoverage {
+    std::string name;
+    int patches = 0;  // all of its surface
+    int seeable = 0;  // from some place where the camera may be
+    int seen = 0;     // by some frame
+    /// Share of what can be seen, 0..1; 1 where nothing can.
+    [[nodiscard]] double rate() const {
+        return seeable > 0 ? static_cast<double>(seen) / seeable : 1.0;
+    }
+};
+
 /// How many targets a dense search over all legal poses could capture.
 struct CaptureBound {
     double capturable_rate = 0.0;
@@ -79,6 +91,7 @@ struct Plan {
     FrameSeries series;
     TrajectoryMetrics trajectory_metrics;
     RepairReport repair;
+    std::vector<RegionCoverage> must_see;
     std::vector<LedgerRow> ledger;  // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;
 

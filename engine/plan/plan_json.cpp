@@ -127,6 +127,16 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     for (const RefusedPin& one : plan.refused_pins) {
         result["refused_pins"].push_back({{"point", one.name}, {"reason", one.reason}});
     }
+    double least = 1.0;
+    for (const RegionCoverage& one : plan.must_see) {
+        least = std::min(least, one.rate());
+        result["must_see"].push_back({{"region", one.name},
+                                      {"patches", one.patches},
+                                      {"seeable", one.seeable},
+                                      {"seen", one.seen},
+                                      {"rate", one.rate()}});
+    }
+    result["must_see_rate"] = least;  // 1 where nothing has to be
     return result;
 }
 

@@ -42,6 +42,8 @@ struct PositionPoint {
     std::vector<int> well_captured;  // ids of every object this frame captures well
     std::vector<int> captured;       // ids of every object it captures, the above included
     int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
+    /// A key frame at this very pose, whatever it captures: pinned, or asked for.
+    bool fixed = false;
 };
 
 /// The outcome of the search for one observation point.

@@ -118,11 +118,6 @@ double metres(const RoadmapEdge& edge) {
     return edge.length_m;
 }
 
-/// One edge of the tree counts as one vertex; what was dropped leads nowhere.
-double steps(const RoadmapEdge& edge) {
-    return edge.in_tree ? 1.0 : std::numeric_limits<double>::infinity();
-}
-
 /// The vertices from the root of the ways to the end, with the edges between them.
 std::vector<std::pair<int, int>> trace(const Part& part, const Ways& ways, int end) {
     std::vector<std::pair<int, int>> result;  // vertex, edge that leads to it
@@ -160,12 +155,28 @@ struct WayEnds {
 /// With ends given it is the longest branch from there, or the one between them.
 class BranchWalk {
   public:
-    BranchWalk(const Part& part, const WayEnds& ends)
+    BranchWalk(const Part& part, const std::vector<double>& weights, const WayEnds& ends)
         : part_(part), closed_(ends.closed), wanted_(part.keys.size(), false) {
+        const auto weightOf = [&](int key) {
+            return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(key)];
+        };
+        // Half of each end's weight: along a way every vertex but its ends counts whole. What was
+        // dropped leads nowhere.
+        const auto steps = [&](const RoadmapEdge& edge) {
+            return edge.in_tree ? 0.5 * (weightOf(edge.a) + weightOf(edge.b))
+                                : std::numeric_limits<double>::infinity();
+        };
         // In a tree the vertex furthest from anywhere is an end of the longest branch.
-        const auto furthest = [](const Ways& ways) {
-            return static_cast<int>(std::max_element(ways.cost.begin(), ways.cost.end()) -
-                                    ways.cost.begin());
+        const auto furthest = [&](const Ways& ways) {
+            int best = 0;
+            const auto worth = [&](int vertex) {
+                const auto v = static_cast<std::size_t>(vertex);
+                return ways.cost[v] + 0.5 * weightOf(part.keys[v]);
+            };
+            for (int vertex = 1; vertex < part.size(); ++vertex) {
+                if (worth(vertex) > worth(best)) best = vertex;
+            }
+            return best;
         };
         const int one_end = ends.first >= 0  ? ends.first
                             : ends.last >= 0 ? furthest(waysFrom(part, ends.last, steps))
@@ -175,7 +186,7 @@ class BranchWalk {
         std::vector<bool> on_branch(part.keys.size(), false);
         for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
         for (int i = 0; i < part.size(); ++i) {
-            if (part.point(i).pin < 0) continue;
+            if (!part.point(i).fixed) continue;
             // Back from the pinned point to the branch: the detour it takes.
             const auto way = trace(part, ways, i);
             for (auto step = way.rbegin(); step != way.rend(); ++step) {
@@ -423,7 +434,7 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
     std::vector<std::vector<PathVertex>> walks;
     if (params.path_mode == PathMode::LongestBranch) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            walks.push_back(BranchWalk(parts[i], ways[i]).walk());
+            walks.push_back(BranchWalk(parts[i], ends.weights, ways[i]).walk());
         }
     } else {
         walks = takeTours(parts, ways, sphere, params.max_length_m, weights, job);

@@ -14,20 +14,21 @@ struct RoadmapParams;
 
 /// Where the trajectory begins and ends.
 struct PathEnds {
-    int start = -1;     // position point that the first path begins with; -1: any
-    int end = -1;       // position point that the last path ends with; -1: any
-    bool loop = false;  // each path ends where it begins
-    int visits = 0;     // key frames that all paths may visit, returns counted; 0: no limit
+    int start = -1;                    // position point that the first path begins with; -1: any
+    int end = -1;                      // position point that the last path ends with; -1: any
+    bool loop = false;                 // each path ends where it begins
+    std::vector<double> weights = {};  // of the position points; empty: all alike
+    int visits = 0;  // key frames that all paths may visit, returns counted; 0: no limit
 };
 
 /// Takes a way through each connected part of the roadmap, largest part first (paper, 3.2.3).
 /// A depth-first search first marks the edges that close cycles (`in_tree` = false).
-/// `longest_branch` follows the tree's branch with most vertices, and makes detours to pinned
-/// points only. `tour` visits every key frame:
-/// the order comes from the shortest ways in the roadmap, weighed as Near weighs them; each leg
-/// then skips the corners it can; with `max_length_m` see keepWithinLength().
-/// The part with the start comes first, that with the end last; one with both comes first. Loops
-/// are closed as long as the limit of visits allows. Error: Cancelled.
+/// `longest_branch` follows the tree's branch with most vertices (of the largest weights together),
+/// and makes detours to pinned points only. `tour` visits every key frame: the order comes from the
+/// shortest ways in the roadmap, weighed as Near weighs them; each leg then skips the corners it
+/// can; with `max_length_m` see keepWithinLength(). The part with the start comes first, that with
+/// the end last; one with both comes first. Loops are closed as long as the limit of visits allows.
+/// Error: Cancelled.
 Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
                                           const std::vector<PositionPoint>& position_points,
                                           const SweptSphere& sphere, const PathParams& params,

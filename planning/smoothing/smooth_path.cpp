@@ -112,7 +112,7 @@ class Smoother {
 
     [[nodiscard]] bool isPinned(std::size_t i) const {
         const int key = path_.vertices[i].position_point;
-        return key >= 0 && points_[static_cast<std::size_t>(key)].pin >= 0;
+        return key >= 0 && points_[static_cast<std::size_t>(key)].fixed;
     }
 
     [[nodiscard]] Curve curveAt(std::size_t i, double set_back) const {

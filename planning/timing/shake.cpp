@@ -130,7 +130,7 @@ class Shaker {
         const int key = steady_[i].position_point;
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
-        if (point.pin >= 0) return false;
+        if (point.fixed) return false;
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const auto estimate = views_.estimate(pose, id, kGrid);
             const bool was_well =

@@ -55,7 +55,7 @@ class Gaze {
         if (key.position_point < 0) return key.looks_at;
         const PositionPoint& p = point(key);
         const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
-        if (p.pin < 0 && !pitch_.restricts()) return target;
+        if (!p.fixed && !pitch_.restricts()) return target;
         constexpr double kNearest_m = 0.1;
         const Pose pose = poseAt(key);
         const double distance = std::max(kNearest_m, (target - pose.position).norm());
@@ -65,7 +65,7 @@ class Gaze {
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const {
         if (key.position_point < 0) return aim(key.position, key.looks_at, pitch_);
         const PositionPoint& p = point(key);
-        if (p.pin >= 0) return {key.position, p.pose.rotation};
+        if (p.fixed) return {key.position, p.pose.rotation};
         // Smoothing moves other keys a little, and they turn to keep their target in the middle.
         const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
         return aim(key.position, target, pitch_);

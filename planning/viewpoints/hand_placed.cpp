@@ -5,6 +5,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/fixed_points.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/visibility/framing.h"
 
@@ -22,8 +23,6 @@ namespace {
 constexpr int kExactGrid = 64;
 constexpr int kGlanceGrid = 8;
 constexpr double kWorthALook = 0.6;  // visible fraction at a glance
-constexpr double kLooksAt_m = 2.0;   // where a view that meets nothing is said to look
-constexpr double kFarthest_m = 10.0;
 
 std::vector<int> idsOf(const std::vector<ObjectRef>& objects, const Scene& scene) {
     std::vector<int> ids;
@@ -187,6 +186,7 @@ class HandPlacing {
         point.pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
         point.component = around_.free_space.componentAt(point.pose.position);
         point.pin = pin;
+        point.fixed = true;
         if (!target.objects.empty()) {
             const double fill = fillFrom(around_.views, makeSubject(around_.views, target.objects),
                                          point.pose.position);
@@ -225,10 +225,7 @@ class HandPlacing {
             if (scene_.object(id).role == Role::Target) target.objects.push_back(id);
         }
         if (target.objects.empty()) {
-            const RayHit hit = around_.views.rays().cast(pose.position, pose.forward(), kFarthest_m,
-                                                         around_.views.nearDistance());
-            const double distance = hit.object_id != 0 ? hit.distance : kLooksAt_m;
-            target.position = pose.position + distance * pose.forward();
+            target.position = lookedAt(pose, around_.views);
         } else {
             target.position = makeSubject(around_.views, target.objects).center;
         }

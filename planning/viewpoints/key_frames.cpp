@@ -95,13 +95,17 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
     }
 }
 
-std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points) {
+std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
+                                 const std::vector<double>& weights) {
     std::set<int> well_missing;
     std::set<int> missing;
     for (const PositionPoint& point : position_points) {
         well_missing.insert(point.well_captured.begin(), point.well_captured.end());
         missing.insert(point.captured.begin(), point.captured.end());
     }
+    const auto weightOf = [&](int id) {
+        return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(id) - 1];
+    };
     std::vector<int> chosen;
     const auto choose = [&](std::size_t i) {
         chosen.push_back(static_cast<int>(i));
@@ -109,18 +113,18 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
         for (const int id : position_points[i].captured) missing.erase(id);
     };
     for (std::size_t i = 0; i < position_points.size(); ++i) {
-        if (position_points[i].pin >= 0) choose(i);
+        if (position_points[i].fixed) choose(i);
     }
     while (true) {
         int best = -1;
-        long best_gain = 0;
+        double best_gain = 0.0;
         for (std::size_t i = 0; i < position_points.size(); ++i) {
-            long gain = 0;
+            double gain = 0.0;
             for (const int id : position_points[i].well_captured) {
-                if (well_missing.contains(id)) gain += 1000;
+                if (well_missing.contains(id)) gain += 1000.0 * weightOf(id);
             }
             for (const int id : position_points[i].captured) {
-                if (missing.contains(id)) ++gain;
+                if (missing.contains(id)) gain += weightOf(id);
             }
             if (gain <= best_gain) continue;
             best_gain = gain;

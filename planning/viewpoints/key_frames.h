@@ -35,8 +35,9 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
                   ShownMemo* memo = nullptr);
 
 /// A small choice of position points that together capture all that all of them capture (greedy
-/// set cover; well captured counts first), in order of what each adds. Pinned ones come first, all
-/// of them.
-std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points);
+/// set cover; well captured counts first), in order of what each adds. Fixed ones come first, all
+/// of them. An object counts by its weight, of index id - 1; without weights all count alike.
+std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
+                                 const std::vector<double>& weights = {});
 
 }  // namespace dollytrack::planning

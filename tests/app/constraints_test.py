@@ -94,6 +94,22 @@ class Constraints(unittest.TestCase):
             self.assertGreaterEqual(pitch, -20 - 1e-6)
             self.assertLessEqual(pitch, 5 + 1e-6)
 
+    def test_a_must_see_region_is_measured_and_can_be_required(self):
+        project = self.folder / "seen.dolly"
+        # Around the sofa, in the world's axes.
+        operation = json.dumps({"op": "add_region", "name": "sofa corner", "must_see": True,
+                                "center": [0.5, -1.5, 0.4], "size": [1.2, 2.2, 0.9]})
+        result = run("edit", self.room, "-o", project, "--op", operation)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        metrics, _, _ = self.plan("--require", "must_see_rate>=0.95", scene=project)
+        self.assertEqual(metrics["must_see"][0]["region"], "sofa corner")
+        self.assertGreaterEqual(metrics["must_see_rate"], 0.95)
+        listed = run("edit", project)
+        self.assertIn("must be seen", listed.stdout)
+        # One frame cannot show it all.
+        few = run("plan", project, "--max-frames", 1, "--require", "must_see_rate>=0.95", "-q")
+        self.assertEqual(few.returncode, 3, few.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -166,5 +166,22 @@ TEST_F(EditsPanelTest, ATrajectoryBeginsAndEndsAtPinnedPoints) {
     EXPECT_EQ(state.edits.plan.start, "");
 }
 
+TEST_F(EditsPanelTest, RegionsAreAddedWeighedAndDeleted) {
+    ASSERT_TRUE(screen.click("edits.add_region")) << screen.names();
+    ASSERT_EQ(state.edits.plan.regions.size(), 1U);
+    EXPECT_EQ(state.edits.plan.regions[0].box.center, Eigen::Vector3d(1.0, 2.0, 0.5));
+    screen.frame(2);
+    ASSERT_TRUE(screen.typeInto("edits.region.0.weight", "7.5"));
+    EXPECT_EQ(state.edits.plan.regions[0].weight, 7.5);
+    ASSERT_TRUE(screen.click("edits.region.0.must_see"));
+    EXPECT_TRUE(state.edits.plan.regions[0].must_see);
+    ASSERT_TRUE(screen.typeInto("edits.region.0.size.z", "1.25"));
+    EXPECT_DOUBLE_EQ(state.edits.plan.regions[0].box.half_size.z(), 0.625);
+    ASSERT_TRUE(screen.typeInto("edits.region.0.name", "altar"));
+    EXPECT_EQ(state.edits.plan.regions[0].name, "altar");
+    ASSERT_TRUE(screen.click("edits.region.0.delete"));
+    EXPECT_TRUE(state.edits.plan.regions.empty());
+}
+
 }  // namespace
 }  // namespace dollytrack::ui

@@ -326,9 +326,21 @@ TEST_F(SelectionPanelTest, NoGoBoxIsRenamedWhenItsNameIsWhole) {
     EXPECT_EQ(name(), "well");
 }
 
+TEST_F(SelectionPanelTest, RegionIsWeighedAndDeleted) {
+    apply({{"op", "add_region"}, {"center", {2.0, 1.5, 1.0}}, {"size", {1.0, 0.5, 2.0}}});
+    show(Selection::ofItem(Kind::Region, 0));
+    ASSERT_TRUE(screen.typeInto("selection.region.weight", "3")) << screen.names();
+    EXPECT_EQ(state.edits.plan.regions[0].weight, 3.0);
+    ASSERT_TRUE(screen.click("selection.region.must_see"));
+    EXPECT_TRUE(state.edits.plan.regions[0].must_see);
+    ASSERT_TRUE(screen.click("selection.delete"));
+    EXPECT_TRUE(state.edits.plan.regions.empty());
+}
+
 TEST_F(SelectionPanelTest, WhatIsGoneFromThePlanShowsNothing) {
-    for (const Kind kind : {Kind::ObservationPoint, Kind::PositionPoint, Kind::Edge,
-                            Kind::RefusedEdge, Kind::Frame, Kind::NoGoBox, Kind::Voxel}) {
+    for (const Kind kind :
+         {Kind::ObservationPoint, Kind::PositionPoint, Kind::Edge, Kind::RefusedEdge, Kind::Frame,
+          Kind::NoGoBox, Kind::Region, Kind::Voxel}) {
         show(Selection::ofItem(kind, 99));
         EXPECT_TRUE(screen.names().empty()) << screen.names();
     }

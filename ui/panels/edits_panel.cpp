@@ -3,6 +3,7 @@
 #include "engine/document/apply_scene_edits.h"
 #include "engine/scene/labels.h"
 #include "ui/panels/edit_parts.h"
+#include "ui/panels/region_rows.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/drag_fields.h"
@@ -238,6 +239,39 @@ void drawBoxes(const EditsView& view, EditsActions& actions) {
     }
 }
 
+void drawRegions(const EditsView& view, EditsActions& actions) {
+    const auto& regions = view.edits->plan.regions;
+    if (!section("Regions", regions.size(), "edits.regions")) return;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const std::string name = "edits.region." + std::to_string(i);
+        ImGui::PushID(name.c_str());
+        if (link(regions[i].name, name + ".select")) {
+            actions.select = Selection::ofItem(Selection::Kind::Region, static_cast<int>(i));
+        }
+        if (beginForm("region")) {
+            regionRows(regions[i], name, actions.edit);
+            endForm();
+        }
+        if (view.plan != nullptr && view.plan_is_current) {
+            if (const auto seen = seenText(*view.plan, regions[i])) {
+                ImGui::TextColored(palette().text_dim, "%s", seen->c_str());
+            }
+        }
+        if (button("Go to", name + ".go_to")) actions.frame = regions[i].box;
+        ImGui::SameLine();
+        if (button("Delete", name + ".delete")) {
+            actions.edit.operation = {{"op", "remove_region"}, {"name", regions[i].name}};
+        }
+        ImGui::PopID();
+        ImGui::Spacing();
+    }
+    if (button("Add region", "edits.add_region",
+               {.tip = "Of more or less interest, or one to be seen as a whole"})) {
+        actions.edit.operation =
+            addRegionOperation(view.around_selection ? *view.around_selection : view.new_box);
+    }
+}
+
 void drawHeights(const EditsView& view, EditsActions& actions) {
     heading("Camera height");
     if (!beginForm("heights")) return;
@@ -287,6 +321,7 @@ EditsActions drawEditsPanel(const EditsView& view) {
     drawPins(view, actions);
     drawRemoved(view, actions);
     drawBoxes(view, actions);
+    drawRegions(view, actions);
     drawHeights(view, actions);
     drawTargetLists(view, actions);
     ImGui::EndChild();

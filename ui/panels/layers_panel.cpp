@@ -226,7 +226,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
         ImGui::Unindent();
     }
     drawFreeSpace(view, settings, switches);
-    switches.check("No-go boxes", "no_go_boxes", settings.no_go_boxes);
+    switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
     switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
                    "To look into rooms from above");
     switches.check("Grid", "grid", settings.grid, "On the floor, a metre a square");

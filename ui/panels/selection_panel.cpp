@@ -1,6 +1,7 @@
 #include "ui/panels/selection_panel.h"
 
 #include "ui/panels/edit_parts.h"
+#include "ui/panels/region_rows.h"
 #include "ui/panels/selection_details.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
@@ -30,6 +31,9 @@ bool isThere(const SelectionView& view) {
             return std::ranges::all_of(selection.objects, is_object);
         case Kind::NoGoBox:
             return view.edits != nullptr && within(selection.index, view.edits->plan.no_go.size());
+        case Kind::Region:
+            return view.edits != nullptr &&
+                   within(selection.index, view.edits->plan.regions.size());
         case Kind::Voxel:
             return view.free_space != nullptr;
         default:
@@ -74,6 +78,28 @@ void drawNoGoBox(const SelectionView& view, SelectionActions& actions) {
     }
 }
 
+void drawRegion(const SelectionView& view, SelectionActions& actions) {
+    const Region& region =
+        view.edits->plan.regions[static_cast<std::size_t>(view.selection->index)];
+    heading(region.name.c_str());
+    paragraph("A place of more or less interest, or one to be seen as a whole.",
+              palette().text_dim);
+    if (beginForm("region")) {
+        regionRows(region, "selection.region", actions.edit);
+        endForm();
+    }
+    if (view.plan != nullptr) {
+        if (const auto seen = seenText(*view.plan, region)) {
+            paragraph(*seen, palette().text_dim);
+        }
+    }
+    if (button("Go to", "selection.frame")) actions.frame = true;
+    ImGui::SameLine();
+    if (button("Delete", "selection.delete")) {
+        actions.edit.operation = {{"op", "remove_region"}, {"name", region.name}};
+    }
+}
+
 void drawKind(const SelectionView& view, SelectionState& state, SelectionActions& actions) {
     switch (view.selection->kind) {
         case Kind::None:
@@ -106,6 +132,9 @@ void drawKind(const SelectionView& view, SelectionState& state, SelectionActions
             break;
         case Kind::NoGoBox:
             drawNoGoBox(view, actions);
+            break;
+        case Kind::Region:
+            drawRegion(view, actions);
             break;
         case Kind::Candidate:
             drawCandidate(view, actions);

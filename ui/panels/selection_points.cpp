@@ -49,6 +49,8 @@ Handle findHandle(const SelectionView& view, const PositionPoint& point) {
         handle.objects = view.plan->observation_points[index].objects;
     }
     if (view.edits == nullptr) return handle;
+    // What a region or an anchor asks for is no pin's, whatever it captures.
+    if (point.fixed && point.pin < 0) return handle;
     const auto& pinned = view.edits->plan.pinned;
     const bool by_number = point.pin >= 0 && point.pin < static_cast<int>(pinned.size()) &&
                            pinned[static_cast<std::size_t>(point.pin)].objects.empty();
@@ -195,7 +197,9 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
             Selection::ofItem(Selection::Kind::ObservationPoint, point.observation_point);
     }
     ImGui::TextColored(handle.pin != nullptr ? palette().accent : palette().text_dim, "%s",
-                       handle.pin != nullptr ? "\u25a0 pinned" : "found by the search");
+                       handle.pin != nullptr ? "\u25a0 pinned"
+                       : point.fixed         ? "kept as it is: a region or an anchor asks for it"
+                                             : "found by the search");
     if (beginForm("pose")) {
         drawPose(view, handle, actions.edit);
         formText("Fill", fmt::format("{:.0f} %", 100.0 * point.fill),

@@ -370,7 +370,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 24U);
+    EXPECT_EQ(listOperations().size(), 27U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;

@@ -1,0 +1,279 @@
+#include "planning/coverage/must_see.h"
+
+#include "engine/core/random.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kSpacing_m = 0.1;
+constexpr std::size_t kPlaces = 500;
+// More than the 95 % that are asked for: frames count by what is drawn, views by rays.
+constexpr double kEnough = 0.98;
+constexpr std::size_t kMostViews = 60;
+// Of what can be seen: what a key frame must show of it to be kept as it is for that.
+constexpr double kWorthKeeping = 0.02;
+constexpr std::size_t kPlacesTried = 16;  // with the most to show, for each next view
+constexpr std::size_t kAimsTried = 24;
+
+bool inImage(const ViewEstimator& views, const Pose& pose, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d p = pose.toCamera(point);
+    if (p.z() < views.nearDistance()) return false;
+    const Intrinsics& k = views.intrinsics();
+    const Eigen::Vector2d px = k.project(p);
+    return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < k.width && px.y() < k.height;
+}
+
+/// Places near the region where the camera may stand.
+std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const OrientedBox& box,
+                                        double farthest_m) {
+    std::vector<Eigen::Vector3d> near;
+    for (std::size_t room = 0; room < around.free_space.rooms().size(); ++room) {
+        for (const Eigen::Vector3f& cell : around.sphere.cells(static_cast<int>(room))) {
+            const Eigen::Vector3d place = cell.cast<double>();
+            if (box.distance(place) < farthest_m) near.push_back(place);
+        }
+    }
+    std::vector<Eigen::Vector3d> places;
+    Random random(1);
+    for (std::size_t i = 0; i < 4 * kPlaces && places.size() < kPlaces && !near.empty(); ++i) {
+        const Eigen::Vector3d& place = near[random.below(static_cast<std::uint32_t>(near.size()))];
+        if (around.sphere.fits(place)) places.push_back(place);
+    }
+    return places;
+}
+
+/// Chooses views of one region.
+class Covering {
+  public:
+    Covering(const Surroundings& around, const Region& region)
+        : around_(around), views_(around.views) {
+        result_.name = region.name;
+        result_.surface = patchesIn(views_.scene(), region.box, kSpacing_m);
+        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
+        places_ = placesNear(around, region.box, sight.farthest_m());
+        const double half_height =
+            std::atan(0.5 * views_.intrinsics().height / views_.intrinsics().fy);
+        const auto& patches = result_.surface.patches;
+        seen_from_.resize(places_.size());
+        parallelFor(places_.size(), [&](std::size_t i) {
+            for (std::size_t p = 0; p < patches.size(); ++p) {
+                const double elevation = elevationOf(patches[p].point - places_[i]);
+                if (elevation < around_.pitch.lowest - half_height ||
+                    elevation > around_.pitch.highest + half_height) {
+                    continue;
+                }
+                if (sight.reaches(places_[i], patches[p])) {
+                    seen_from_[i].push_back(static_cast<int>(p));
+                }
+            }
+        });
+        result_.seeable.assign(patches.size(), 0);
+        for (const auto& list : seen_from_) {
+            for (const int p : list) result_.seeable[static_cast<std::size_t>(p)] = 1;
+        }
+        wanted_ = result_.seeable;
+    }
+
+    /// Takes the views that stay anyway, and of the others those worth keeping, best first.
+    void takeGiven(const std::vector<GivenView>& given) {
+        std::vector<std::vector<int>> shown(given.size());
+        parallelFor(given.size(), [&](std::size_t i) { shown[i] = shownBy(given[i].pose); });
+        const auto take = [&](std::size_t i) {
+            for (const int p : shown[i]) wanted_[static_cast<std::size_t>(p)] = 0;
+            shown[i].clear();
+        };
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            if (given[i].fixed) take(i);
+        }
+        const auto least = static_cast<std::ptrdiff_t>(
+            std::ceil(kWorthKeeping * static_cast<double>(countOf(result_.seeable))));
+        while (true) {
+            std::size_t best = 0;
+            std::ptrdiff_t most = 0;
+            for (std::size_t i = 0; i < given.size(); ++i) {
+                const auto count = std::count_if(shown[i].begin(), shown[i].end(), [&](int p) {
+                    return wanted_[static_cast<std::size_t>(p)] != 0;
+                });
+                if (count > most) {
+                    most = count;
+                    best = i;
+                }
+            }
+            if (most == 0 || most < least) return;
+            take(best);
+            result_.kept.push_back(static_cast<int>(best));
+        }
+    }
+
+    MustSee run(const JobContext& job) && {
+        const auto seeable = countOf(result_.seeable);
+        const auto left = [&] { return countOf(wanted_); };
+        while (static_cast<double>(left()) > (1.0 - kEnough) * static_cast<double>(seeable) &&
+               result_.views.size() < kMostViews && !job.cancelled()) {
+            const auto before = left();
+            const Pose best = nextView();
+            for (const int p : shownBy(best)) wanted_[static_cast<std::size_t>(p)] = 0;
+            if (left() == before) break;
+            result_.views.push_back(best);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    struct Tried {
+        int shown = 0;
+        Pose pose;
+    };
+
+    static std::ptrdiff_t countOf(const std::vector<char>& marked) {
+        return std::count(marked.begin(), marked.end(), 1);
+    }
+
+    /// Those wanted patches that a view shows.
+    [[nodiscard]] std::vector<int> shownBy(const Pose& pose) const {
+        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
+        const auto& patches = result_.surface.patches;
+        std::vector<int> shown;
+        for (std::size_t p = 0; p < patches.size(); ++p) {
+            if (wanted_[p] != 0 && inImage(views_, pose, patches[p].point) &&
+                sight.reaches(pose.position, patches[p])) {
+                shown.push_back(static_cast<int>(p));
+            }
+        }
+        return shown;
+    }
+
+    [[nodiscard]] std::vector<int> wantedFrom(std::size_t place) const {
+        std::vector<int> list;
+        for (const int p : seen_from_[place]) {
+            if (wanted_[static_cast<std::size_t>(p)] != 0) list.push_back(p);
+        }
+        return list;
+    }
+
+    /// The best of a few aims at what is wanted, from the places that could show most of it.
+    [[nodiscard]] Pose nextView() const {
+        std::vector<std::pair<int, std::size_t>> order;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            order.emplace_back(-static_cast<int>(wantedFrom(i).size()), i);
+        }
+        const std::size_t count = std::min(kPlacesTried, order.size());
+        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                          order.end());
+        std::vector<Tried> tried(count);
+        parallelFor(count, [&](std::size_t i) { tried[i] = bestAim(order[i].second); });
+        Tried best;
+        for (const Tried& one : tried) {
+            if (one.shown > best.shown) best = one;
+        }
+        return best.pose;
+    }
+
+    [[nodiscard]] Tried bestAim(std::size_t place) const {
+        const std::vector<int> list = wantedFrom(place);
+        const auto& patches = result_.surface.patches;
+        Tried best;
+        const std::size_t aims = std::min(kAimsTried, list.size());
+        for (std::size_t i = 0; i <= aims && !list.empty(); ++i) {
+            // At single patches, and at the middle of all.
+            Eigen::Vector3d at = Eigen::Vector3d::Zero();
+            if (i < aims) {
+                at = patches[static_cast<std::size_t>(list[i * list.size() / aims])].point;
+            } else {
+                for (const int p : list) at += patches[static_cast<std::size_t>(p)].point;
+                at /= static_cast<double>(list.size());
+            }
+            if ((at - places_[place]).norm() < 1e-6) continue;
+            Tried one{0, aim(places_[place], at, around_.pitch)};
+            for (const int p : list) {
+                one.shown +=
+                    inImage(views_, one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
+            }
+            if (one.shown > best.shown) best = one;
+        }
+        return best;
+    }
+
+    const Surroundings& around_;
+    const ViewEstimator& views_;
+    MustSee result_;
+    std::vector<Eigen::Vector3d> places_;
+    std::vector<std::vector<int>> seen_from_;  // patches, by place
+    std::vector<char> wanted_;                 // by patch
+};
+
+}  // namespace
+
+std::vector<Region> mustSeeAmong(const std::vector<Region>& regions) {
+    std::vector<Region> wanted;
+    for (const Region& region : regions) {
+        if (!region.must_see) continue;
+        wanted.push_back(region);
+        wanted.back().weight = 1.0;
+    }
+    return wanted;
+}
+
+Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
+                                         const std::vector<Region>& regions,
+                                         std::vector<GivenView> given, const JobContext& job) {
+    std::vector<MustSee> all;
+    for (const Region& region : regions) {
+        Covering covering(around, region);
+        covering.takeGiven(given);
+        all.push_back(std::move(covering).run(job));
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        for (const int kept : all.back().kept) given[static_cast<std::size_t>(kept)].fixed = true;
+        for (const Pose& view : all.back().views) given.push_back({view, true});
+    }
+    return all;
+}
+
+Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& must_see,
+                                                    const ViewEstimator& views,
+                                                    const Trajectory& trajectory,
+                                                    const JobContext& job) {
+    // Key frames first: they show most, and what is seen once is not asked about again.
+    std::vector<const TrajectoryFrame*> frames;
+    for (const bool keys : {true, false}) {
+        for (const TrajectoryFrame& frame : trajectory.frames) {
+            if ((frame.position_point >= 0) == keys) frames.push_back(&frame);
+        }
+    }
+    std::vector<RegionCoverage> all;
+    for (const MustSee& region : must_see) {
+        const auto& patches = region.surface.patches;
+        const PatchSight sight(views.rays(), views.intrinsics(), region.surface.spacing_m);
+        std::vector<char> seen(patches.size(), 0);
+        parallelFor(patches.size(), [&](std::size_t p) {
+            for (const TrajectoryFrame* frame : frames) {
+                if (job.cancelled()) return;
+                if (inImage(views, frame->pose, patches[p].point) &&
+                    sight.reaches(frame->pose.position, patches[p])) {
+                    seen[p] = 1;
+                    break;
+                }
+            }
+        });
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        RegionCoverage coverage;
+        coverage.name = region.name;
+        coverage.patches = static_cast<int>(patches.size());
+        for (std::size_t p = 0; p < patches.size(); ++p) {
+            coverage.seeable += seen[p] != 0 || region.seeable[p] != 0 ? 1 : 0;
+            coverage.seen += seen[p];
+        }
+        all.push_back(std::move(coverage));
+    }
+    return all;
+}
+
+}  // namespace dollytrack::planning

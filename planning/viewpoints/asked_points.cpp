@@ -1,0 +1,55 @@
+#include "planning/viewpoints/asked_points.h"
+
+#include "planning/free_space/free_space.h"
+#include "planning/viewpoints/fixed_points.h"
+#include "planning/viewpoints/key_frames.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+
+namespace dollytrack::planning {
+namespace {
+
+std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
+                               const std::vector<int>& keys) {
+    std::vector<GivenView> views;
+    for (const int key : keys) {
+        const PositionPoint& point = points[static_cast<std::size_t>(key)];
+        views.push_back({point.pose, point.fixed});
+    }
+    return views;
+}
+
+}  // namespace
+
+Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
+                                   const Surroundings& around, ShownMemo* memo,
+                                   const JobContext& job) {
+    AskedPoints asked;
+    asked.placed = placed;
+    Viewpoints& viewpoints = asked.placed.viewpoints;
+    std::vector<PositionPoint>& points = viewpoints.position_points;
+    const std::size_t before = points.size();
+    const std::vector<int> keys = must_see.empty() ? std::vector<int>() : chooseKeyFrames(points);
+    auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
+    if (!found) return tl::unexpected<Error>(std::move(found.error()));
+    asked.must_see = std::move(*found);
+    for (const MustSee& region : asked.must_see) {
+        for (const int kept : region.kept) {
+            // Those beyond are views of earlier regions, which are fixed.
+            if (static_cast<std::size_t>(kept) < keys.size()) {
+                points[static_cast<std::size_t>(keys[static_cast<std::size_t>(kept)])].fixed = true;
+            }
+        }
+        for (const Pose& view : region.views) addFixedPoint(view, around, viewpoints);
+    }
+    if (points.size() > before) findCaptured(around.views, points, memo);
+    for (std::size_t i = before; i < points.size(); ++i) {
+        // As a point placed by hand, it stands for what it captures.
+        const auto target = static_cast<std::size_t>(points[i].observation_point);
+        viewpoints.observation_points[target].objects = points[i].captured;
+    }
+    return asked;
+}
+
+}  // namespace dollytrack::planning
