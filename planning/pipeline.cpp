@@ -14,6 +14,7 @@
 #include "planning/repair/low_runs.h"
 #include "planning/repair/repair.h"
 #include "planning/roadmap/roadmap_search.h"
+#include "planning/rooms/room_plan.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/stage.h"
 #include "planning/targets/observation_points.h"
@@ -81,8 +82,11 @@ std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionP
         if (found != keys.end()) std::rotate(keys.begin(), found, found + 1);
     }
     const auto visits = [&] {
-        std::set<int> rooms;
-        for (const int key : keys) rooms.insert(points[static_cast<std::size_t>(key)].component);
+        std::set<std::pair<int, int>> rooms;
+        for (const int key : keys) {
+            const PositionPoint& point = points[static_cast<std::size_t>(key)];
+            rooms.emplace(point.component, point.room);
+        }
         return keys.size() + (ends.loop && keys.size() > rooms.size() ? rooms.size() : 0);
     };
     while (ends.visits > 0 && visits() > static_cast<std::size_t>(ends.visits)) keys.pop_back();
@@ -118,7 +122,8 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, V, PitchBand, std::vector<PinnedPoint>, std::vector<RemovedPoint>>,
           PlacedPoints>
         placed;
-    Stage<std::tuple<V, std::vector<Region>>, AskedPoints> asked;
+    Stage<std::tuple<V, std::vector<int>>, RoomPlan> rooms;
+    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours>, AskedPoints> asked;
     Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
@@ -211,11 +216,15 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const PitchBand pitch = pitchBand(params.constraints);
     const Surroundings around{*views, *free_space, sphere, pitch};
     PathEnds ends;
+    // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
+    std::optional<SweptSphere> in_room;
+    const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
+    const auto around_moves = [&] { return Surroundings{*views, *free_space, moves(), pitch}; };
     const TrajectoryMaker maker{
         [&](const CameraPath& path) {
             return smoothPath(path, points().viewpoints.position_points,
-                              points().viewpoints.observation_points, around, params.smoothing,
-                              job);
+                              points().viewpoints.observation_points, around_moves(),
+                              params.smoothing, job);
         },
         [&](const std::vector<SmoothPath>& smooth) {
             const Viewpoints& all = points().viewpoints;
@@ -232,7 +241,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                        *views, job);
                 })
                 .and_then([&](Trajectory&& steady) {
-                    return shakeTrajectory(std::move(steady), all.position_points, *views, sphere,
+                    return shakeTrajectory(std::move(steady), all.position_points, *views, moves(),
                                            params.shake, pitch, params.seed, job);
                 });
         }};
@@ -269,12 +278,33 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 });
         })
         .and_then([&]() -> Status {
+            if (!asksForRooms(params.constraints)) return {};
+            return run("rooms", rooms, std::tuple(free_space.version(), structureClasses(*scene)),
+                       job.stage(0.69, 0.69, "rooms"),
+                       [&]() -> Result<RoomPlan> {
+                           return RoomPlan(*scene, *rays, *free_space,
+                                           params.camera.camera_radius_m);
+                       })
+                .map([&] {
+                    if (params.constraints.rooms != RoomTours::Each) return;
+                    in_room.emplace(*rays, *free_space, params.camera.camera_radius_m, &*region,
+                                    &*rooms);
+                });
+        })
+        .and_then([&]() -> Status {
             const std::vector<Region> must_see = mustSeeAmong(edits.regions);
-            asks = !must_see.empty();
+            asks = asksForRooms(params.constraints) || !must_see.empty();
             if (!asks) return {};
             const JobContext part = job.stage(0.69, 0.7, "constraints");
-            return run("constraints", asked, std::tuple(placed.version(), must_see), part,
-                       [&] { return addAskedPoints(*placed, must_see, around, &shown, part); });
+            return run("constraints", asked,
+                       std::tuple(placed.version(), rooms.version(), must_see,
+                                  params.constraints.anchors, params.constraints.rooms),
+                       part, [&] {
+                           return addAskedPoints(
+                               *placed, must_see, params.constraints,
+                               asksForRooms(params.constraints) ? &*rooms : nullptr, around, &shown,
+                               part);
+                       });
         })
         .and_then([&] {
             const std::vector<double> weights = objectWeights(*scene, edits.regions);
@@ -300,7 +330,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                points().viewpoints.position_points, *key_frames,
                                targetSizes(*scene, points().viewpoints.observation_points,
                                            points().viewpoints.position_points),
-                               sphere, params.roadmap, params.seed, part);
+                               moves(), params.roadmap, params.seed, part);
                        });
         })
         .and_then([&] {
@@ -310,7 +340,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 part, [&]() -> Result<Roadmap> {
                     Roadmap linked = *roadmap;
                     return linkGroups(linked, points().viewpoints.position_points, *key_frames,
-                                      *free_space, sphere, params.linking, params.seed, part)
+                                      *free_space, moves(), params.linking, params.seed, part)
                         .map([&] { return std::move(linked); });
                 });
         })
@@ -322,7 +352,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        part, [&]() -> Result<Paths> {
                            Paths taken{*linking, {}};
                            return takePaths(taken.roadmap, points().viewpoints.position_points,
-                                            sphere, params.path, params.roadmap, ends, part)
+                                            moves(), params.path, params.roadmap, ends, part)
                                .map([&](std::vector<CameraPath> made) {
                                    taken.paths = std::move(made);
                                    return std::move(taken);
@@ -354,7 +384,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        part, [&]() -> Result<Repaired> {
                            const Repaired as_timed{paths->paths, *smoothing, *timing, {}};
                            if (!asksForRepair(params.repair)) return as_timed;
-                           return repairTrajectory(as_timed, maker, around, params.repair,
+                           return repairTrajectory(as_timed, maker, around_moves(), params.repair,
                                                    params.seed, part, &seen);
                        });
         })
@@ -378,7 +408,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     report.before = report.after = tally(series.score, report.threshold);
                 }
                 return measureTrajectory(*views, repair->smooth_paths, trajectory,
-                                         params.shake.shake != ShakeKind::None, sphere, *rays, part)
+                                         params.shake.shake != ShakeKind::None, moves(), *rays,
+                                         part)
                     .and_then([&](const TrajectoryMetrics& measured) {
                         static const std::vector<MustSee> kNone;
                         return measureCoverage(asks ? asked->must_see : kNone, *views, trajectory,
@@ -403,6 +434,7 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.paths = repair->paths;
     plan.smooth_paths = repair->smooth_paths;
     plan.trajectory = repair->trajectory;
+    if (asks) plan.tour_rooms = asked->tour_rooms;
     plan.refused_pins = points().refused;
     plan.stages = times;
     for (const StageTime& stage : times) {

@@ -213,11 +213,19 @@ void visitImuParams(Params& p, Visitor&& visit) {
     visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
 }
 
+/// Openings that the trajectory visits for their own sake.
+enum class Anchors { None, Doorways, Openings, Corridors, All };
+
+/// One trajectory through all rooms, or one for each.
+enum class RoomTours { Joined, Each };
+
 /// What a person asks of a trajectory beside what it shows.
 struct ConstraintParams {
     double min_pitch_deg = -90.0;
     double max_pitch_deg = 90.0;
     bool loop = false;
+    Anchors anchors = Anchors::None;
+    RoomTours rooms = RoomTours::Joined;
     bool operator==(const ConstraintParams&) const = default;
 };
 
@@ -228,6 +236,14 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
     visit("max_pitch_deg", p.max_pitch_deg,
           FieldInfo{-90, 90, "deg", "The camera never looks higher; 90: straight up"});
     visit("loop", p.loop, SwitchInfo{"The trajectory ends where it begins"});
+    visit("anchors", p.anchors,
+          ChoiceInfo{{"none", "doorways", "openings", "corridors", "all"},
+                     "What the trajectory visits beside its objects: it goes through doorways, "
+                     "looks out of openings, and looks along corridors from both ends"});
+    visit("rooms", p.rooms,
+          ChoiceInfo{{"joined", "each"},
+                     "joined: one trajectory through all rooms that doorways join; each: one for "
+                     "each room, exported to a folder of its own"});
 }
 
 /// Everything that shapes a plan. Field names are unique across the sections.

@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
+#include "app/cli/room_exports.h"
 #include "app/cli/scene_arguments.h"
 #include "engine/document/edits_json.h"
 #include "engine/geometry/ray_caster.h"
@@ -31,19 +32,19 @@ struct ExportArguments {
     bool as_json = false;
 };
 
-nlohmann::json summaryJson(const render::DatasetSummary& summary, const ExportArguments& arguments,
+nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::string& folder,
                            const nlohmann::json& planned) {
-    return {{"out", arguments.out},
+    return {{"out", folder},
             {"frames", summary.frames},
             {"contact_sheet", summary.contact_sheet.string()},
             {"planned", planned},
             {"counted", captureMetricsJson(summary.counted)}};
 }
 
-void printSummary(const render::DatasetSummary& summary, const ExportArguments& arguments,
+void printSummary(const render::DatasetSummary& summary, const std::string& folder,
                   const nlohmann::json& planned) {
     const CaptureMetrics& counted = summary.counted;
-    fmt::print("{} frames in {}\n\n", summary.frames, arguments.out);
+    fmt::print("{} frames in {}\n\n", summary.frames, folder);
     fmt::print("  {:<22} {:>10} {:>10}\n", "", "planned", "counted");
     const auto row = [&](std::string_view what, const char* name, int value) {
         fmt::print("  {:<22} {:>10} {:>10}\n", what, planned.value(name, 0), value);
@@ -63,6 +64,13 @@ void printSummary(const render::DatasetSummary& summary, const ExportArguments& 
                    planned.value("frames", 0), summary.frames);
     }
     fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+}
+
+/// One line a room: rates of all targets say nothing of one room's.
+void printRoom(const std::string& room, const render::DatasetSummary& summary,
+               const std::string& folder) {
+    fmt::print("{:<14} {:>6} frames, {} objects captured, {} well; in {}\n", room, summary.frames,
+               summary.counted.captured, summary.counted.well_captured, folder);
 }
 
 template <class Row>
@@ -85,6 +93,27 @@ std::string names(std::span<const Row> rows) {
     return all;
 }
 
+/// Renders one trajectory into a folder.
+Result<render::DatasetSummary> renderTrajectory(
+    const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
+    const std::string& folder, render::DatasetSettings settings, const OpenedScene& opened,
+    const PlannedScene& planned, const JobContext& job) {
+    settings.folder = folder;
+    settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
+    settings.score = planning::scoreWeights(planned.params.repair);
+    render::DatasetOrigin origin;
+    origin.product_version = DOLLYTRACK_VERSION;
+    origin.seed = static_cast<std::uint64_t>(planned.params.seed);
+    planning::PlanParams params = planned.params;
+    origin.edits_json = jsonText(editsJson(opened.edits));
+    origin.parameters_json = toJson(planning::listFields(params)).dump();
+    origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
+    origin.rooms = planned.rooms;
+    return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
+                                 planned.params.camera, std::move(settings), std::move(origin),
+                                 job);
+}
+
 Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
     render::DatasetSettings settings;
     const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
@@ -96,7 +125,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
     // Said before the work, not after it.
-    if (Status status = render::checkSettings(settings); !status) {
+    render::DatasetSettings checked = settings;
+    // Datasets of rooms lie in folders of their own, each of which is asked about when it is begun.
+    checked.overwrite = checked.overwrite || holdsRooms(settings.folder);
+    if (Status status = render::checkSettings(checked); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
 
@@ -115,25 +147,46 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                     arguments.scene.path);
     }
 
-    settings.imu_rate_hz = planned->params.imu.imu_rate_hz;
-    settings.score = planning::scoreWeights(planned->params.repair);
-    render::DatasetOrigin origin;
-    origin.product_version = DOLLYTRACK_VERSION;
-    origin.seed = static_cast<std::uint64_t>(planned->params.seed);
-    planning::PlanParams params = planned->params;
-    origin.edits_json = jsonText(editsJson(opened->edits));
-    origin.parameters_json = toJson(planning::listFields(params)).dump();
-    origin.planned_metrics_json = jsonText(withoutTimes(planned->metrics));
-    origin.rooms = planned->rooms;
+    const Result<std::vector<RoomExport>> exports = roomExports(*planned);
+    if (!exports) return tl::unexpected<Error>(exports.error());
     const RayCaster rays(*planned->scene);
-    const Result<render::DatasetSummary> summary = render::exportDataset(
-        std::move(*context), *planned->scene, rays, planned->trajectory, planned->params.camera,
-        settings, std::move(origin), job.stage(0.06, 1.0, ""));
-    if (!summary) return tl::unexpected<Error>(summary.error());
+    const auto render = [&](const Trajectory& trajectory, const std::string& folder,
+                            const JobContext& part) -> Result<render::DatasetSummary> {
+        if (!*context) context = gl::createOsMesaContext();  // the dataset before took it
+        if (!context) return tl::unexpected<Error>(std::move(context.error()));
+        return renderTrajectory(trajectory, std::move(*context), rays, folder, settings, *opened,
+                                *planned, part);
+    };
+    const JobContext rendering = job.stage(0.06, 1.0, "");
+    if (exports->empty()) {
+        const auto summary = render(planned->trajectory, arguments.out, rendering);
+        if (!summary) return tl::unexpected<Error>(summary.error());
+        if (arguments.as_json) {
+            fmt::print("{}\n", jsonText(summaryJson(*summary, arguments.out, planned->metrics)));
+        } else {
+            printSummary(*summary, arguments.out, planned->metrics);
+        }
+        return kDone;
+    }
+    if (Status status = claimForRooms(arguments.out, *exports); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    nlohmann::json rooms = nlohmann::json::array();
+    const int all = static_cast<int>(planned->trajectory.frames.size());
+    int before = 0;
+    for (const RoomExport& one : *exports) {
+        const std::string folder = (settings.folder / one.room).string();
+        const int count = static_cast<int>(one.trajectory.frames.size());
+        const auto summary = render(one.trajectory, folder,
+                                    countedOn(rendering, session.cancelled, before, count, all));
+        if (!summary) return tl::unexpected<Error>(summary.error());
+        before += count;
+        rooms.push_back(summaryJson(*summary, folder, planned->metrics));
+        rooms.back()["room"] = one.room;
+        if (!arguments.as_json) printRoom(one.room, *summary, folder);
+    }
     if (arguments.as_json) {
-        fmt::print("{}\n", jsonText(summaryJson(*summary, arguments, planned->metrics)));
-    } else {
-        printSummary(*summary, arguments, planned->metrics);
+        fmt::print("{}\n", jsonText({{"out", arguments.out}, {"rooms", std::move(rooms)}}));
     }
     return kDone;
 }
@@ -183,6 +236,8 @@ void addExportCommand(CLI::App& app, Session& session) {
         "An export that is stopped keeps its finished frames; the same command with --resume goes "
         "on\n"
         "from there and ends with the same files. Without it, an unfinished dataset begins anew.\n"
+        "Planned with rooms=each, every room becomes a dataset in a folder of its own, "
+        "DIR/room_1.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runExport(*arguments, session); };

@@ -93,6 +93,11 @@ std::string metricsTable(const nlohmann::json& m) {
                                 100.0 * region.value("rate", 0.0), region.value("seen", 0),
                                 region.value("seeable", 0)));
     }
+    for (const auto& room : m.value("rooms", nlohmann::json::array())) {
+        text +=
+            row(room.value("name", ""), fmt::format("{} frames, {:.1f} m", room.value("frames", 0),
+                                                    room.value("path_length_m", 0.0)));
+    }
     text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
                                     m.value("plan_ms", 0.0)));
     const auto& uncaptured = m.value("uncaptured", nlohmann::json::array());

@@ -8,11 +8,13 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -56,6 +58,24 @@ std::vector<std::string> commandFor(const fs::path& program, const fs::path& pro
 bool isProgram(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+}
+
+/// The dataset's, or the first room's where each has a dataset; empty without one.
+fs::path contactSheetIn(const fs::path& folder) {
+    std::vector<fs::path> sheets = {folder / "contact_sheet.jpg"};
+    std::ifstream list(folder / "rooms.json");
+    const auto rooms = nlohmann::json::parse(list, nullptr, false);
+    if (rooms.is_object() && rooms.contains("rooms")) {
+        for (const auto& room : rooms["rooms"]) {
+            if (room.is_object())
+                sheets.push_back(folder / room.value("name", "") / sheets[0].filename());
+        }
+    }
+    std::error_code error;
+    const auto found = std::find_if(sheets.begin(), sheets.end(), [&](const fs::path& sheet) {
+        return fs::exists(sheet, error);
+    });
+    return found != sheets.end() ? *found : fs::path();
 }
 
 }  // namespace
@@ -439,13 +459,14 @@ void ExportQueue::follow(int id, ChildProcess& process) {
     fs::path folder;
     update(id, [&](Entry& entry) { folder = entry.job.request.folder; });
     std::error_code error;
-    const bool dataset = fs::exists(folder / "dataset.json", error);
-    const bool sheet = fs::exists(folder / "contact_sheet.jpg", error);
+    const bool dataset =
+        fs::exists(folder / "dataset.json", error) || fs::exists(folder / "rooms.json", error);
+    const fs::path sheet = contactSheetIn(folder);
     update(id, [&](Entry& entry) {
         readProgressLine(lines.rest(), entry.job);
         concludeJob({*process.end(), asked_at.has_value(), dataset}, entry.job);
-        if (entry.job.state == ui::ExportState::Done && sheet) {
-            entry.job.contact_sheet = folder / "contact_sheet.jpg";
+        if (entry.job.state == ui::ExportState::Done && !sheet.empty()) {
+            entry.job.contact_sheet = sheet;
         }
     });
 }

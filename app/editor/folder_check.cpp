@@ -21,7 +21,7 @@ FolderFinding lookAtFolder(const fs::path& folder) {
         const auto has = [&](const char* name) { return fs::exists(folder / name, error); };
         if (!fs::is_directory(folder, error)) {
             found.kind = Kind::NoFolder;
-        } else if (has("dataset.json")) {
+        } else if (has("dataset.json") || has("rooms.json")) {
             found.kind = Kind::Dataset;
         } else if (has(".dollytrack-export")) {
             found.kind = Kind::Unfinished;

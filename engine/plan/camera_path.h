@@ -16,6 +16,7 @@ struct PathVertex {
 /// The polyline through one component of free space.
 struct CameraPath {
     int component = 0;
+    int room = 0;  // see PositionPoint::room
     std::vector<PathVertex> vertices;
 };
 

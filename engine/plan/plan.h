@@ -63,6 +63,12 @@ struct RegionCoverage {
     }
 };
 
+/// A room that has a trajectory of its own, see CameraPath::room.
+struct TourRoom {
+    std::string name;         // a folder's name, too
+    Eigen::AlignedBox3d box;  // of the camera's places in it
+};
+
 /// How many targets a dense search over all legal poses could capture.
 struct CaptureBound {
     double capturable_rate = 0.0;
@@ -82,6 +88,7 @@ struct Plan {
     std::vector<CameraPath> paths;  // one a component of free space, largest room first
     std::vector<SmoothPath> smooth_paths;
     Trajectory trajectory;
+    std::vector<TourRoom> tour_rooms;  // by number; empty: one trajectory for all
 
     std::vector<ObjectCapture> captures;  // estimated by rays
     CaptureMetrics capture_metrics;

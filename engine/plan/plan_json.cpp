@@ -42,6 +42,33 @@ json pathJson(const CameraPath& path) {
     return {{"component", path.component}, {"vertices", std::move(vertices)}};
 }
 
+/// One entry a room with a trajectory of its own, as far as there is one in it.
+json roomToursJson(const Plan& plan) {
+    json list = json::array();
+    for (std::size_t room = 0; room < plan.tour_rooms.size(); ++room) {
+        std::vector<int> paths;
+        double length_m = 0.0;
+        for (std::size_t p = 0; p < plan.paths.size(); ++p) {
+            if (plan.paths[p].room != static_cast<int>(room)) continue;
+            paths.push_back(static_cast<int>(p));
+            length_m += plan.smooth_paths[p].length_m;
+        }
+        if (paths.empty()) continue;
+        const auto inRoom = [&](const TrajectoryFrame& frame) {
+            return std::find(paths.begin(), paths.end(), frame.path) != paths.end();
+        };
+        const auto& frames = plan.trajectory.frames;
+        const TourRoom& one = plan.tour_rooms[room];
+        list.push_back({{"name", one.name},
+                        {"low", vectorJson(one.box.min())},
+                        {"high", vectorJson(one.box.max())},
+                        {"paths", paths},
+                        {"frames", std::count_if(frames.begin(), frames.end(), inRoom)},
+                        {"path_length_m", length_m}});
+    }
+    return list;
+}
+
 /// The one list of what is published of captures.
 template <class Metrics, class Visitor>
 void visitMetrics(Metrics& m, Visitor&& visit) {
@@ -137,6 +164,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
                                       {"rate", one.rate()}});
     }
     result["must_see_rate"] = least;  // 1 where nothing has to be
+    if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     return result;
 }
 

@@ -44,6 +44,7 @@ struct PositionPoint {
     int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
     /// A key frame at this very pose, whatever it captures: pinned, or asked for.
     bool fixed = false;
+    int room = 0;  // points of different rooms are on trajectories of their own
 };
 
 /// The outcome of the search for one observation point.

@@ -3,6 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
+#include "planning/rooms/room_plan.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,11 +21,12 @@ constexpr double kLongestStep = 0.25;
 }  // namespace
 
 SweptSphere::SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m,
-                         const AllowedRegion* region)
+                         const AllowedRegion* region, const RoomPlan* rooms)
     : rays_(&rays),
       free_space_(&free_space),
       radius_m_(radius_m),
-      region_(region && region->restricts() ? region : nullptr) {}
+      region_(region && region->restricts() ? region : nullptr),
+      rooms_(rooms) {}
 
 double SweptSphere::clearance(const Eigen::Vector3d& position, double limit) const {
     const double bound = free_space_->clearanceLowerBound(position);
@@ -77,6 +79,11 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
     if (region_ && !region_->bandHolds(start, control, end, sweep.collision)) {
         sweep.min_clearance_m = clearance(sweep.collision, radius_m_ + kPlenty);
         sweep.reason = Verdict::HeightBand;
+        return sweep;
+    }
+    if (rooms_ && !rooms_->inOneRoom(start, control, end, sweep.collision)) {
+        sweep.min_clearance_m = clearance(sweep.collision, radius_m_ + kPlenty);
+        sweep.reason = Verdict::OutsideRoom;
         return sweep;
     }
     double t = 0.0;

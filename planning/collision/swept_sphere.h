@@ -14,6 +14,7 @@ namespace dollytrack::planning {
 
 class AllowedRegion;
 class FreeSpace;
+class RoomPlan;
 
 /// Result of moving the camera sphere along a curve.
 struct Sweep {
@@ -32,9 +33,10 @@ struct Sweep {
 /// proven on its own. Keeps references. Const, many threads.
 class SweptSphere {
   public:
-    /// Without a region everything is allowed that surfaces allow.
+    /// Without a region everything is allowed that surfaces allow. With a plan of rooms no move
+    /// leaves the room it begins in.
     SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m,
-                const AllowedRegion* region = nullptr);
+                const AllowedRegion* region = nullptr, const RoomPlan* rooms = nullptr);
 
     /// Places keep this much more than the radius, so that proofs end in few steps.
     static constexpr double kMargin = 0.01;
@@ -70,6 +72,7 @@ class SweptSphere {
     const FreeSpace* free_space_;
     double radius_m_;
     const AllowedRegion* region_;  // null where it would restrict nothing
+    const RoomPlan* rooms_;        // null where moves may go on through doorways
 };
 
 }  // namespace dollytrack::planning

@@ -81,7 +81,7 @@ std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<Position
             const PositionPoint& pa = points[static_cast<std::size_t>(a)];
             const PositionPoint& pb = points[static_cast<std::size_t>(b)];
             if (roadmap.group[static_cast<std::size_t>(b)] == group) continue;
-            if (pa.component != pb.component) continue;
+            if (pa.component != pb.component || pa.room != pb.room) continue;
             ends.push_back({(pa.pose.position - pb.pose.position).norm(), a, b});
         }
     }

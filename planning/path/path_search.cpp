@@ -418,6 +418,10 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
     }
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.size() > b.size(); });
+    // Rooms that have trajectories of their own in their order, largest first.
+    std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+        return a.point(0).room < b.point(0).room;
+    });
     const auto holds = [](int point) {
         return [point](const Part& part) { return part.vertexOf(point) >= 0; };
     };
@@ -445,6 +449,7 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         if (walks[i].empty()) continue;  // no length left for this part
         CameraPath path;
         path.component = parts[i].point(0).component;
+        path.room = parts[i].point(0).room;
         path.vertices = std::move(walks[i]);
         addVisitSteps(path, static_cast<int>(paths.size()), roadmap.steps);
         paths.push_back(std::move(path));

@@ -29,6 +29,7 @@ CameraPath partBy(const CameraPath& path, std::size_t from, std::size_t to,
                   const std::vector<Eigen::Vector3d>& corners) {
     CameraPath part;
     part.component = path.component;
+    part.room = path.room;
     part.vertices.push_back(path.vertices[from]);
     for (const Eigen::Vector3d& corner : corners) part.vertices.push_back({corner, -1});
     part.vertices.push_back(path.vertices[to]);

@@ -49,6 +49,7 @@ std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std:
     std::vector<std::pair<double, int>> order;
     for (const int other : keys) {
         if (other == sample || at(other).component != at(sample).component) continue;
+        if (at(other).room != at(sample).room) continue;
         order.emplace_back(
             cost(at(other), at(sample), sizes[static_cast<std::size_t>(other)], params).sum(),
             other);

@@ -1,6 +1,9 @@
 #include "planning/viewpoints/asked_points.h"
 
 #include "planning/free_space/free_space.h"
+#include "planning/plan_params.h"
+#include "planning/rooms/anchors.h"
+#include "planning/rooms/room_plan.h"
 #include "planning/viewpoints/fixed_points.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/visibility/view_estimator.h"
@@ -22,7 +25,12 @@ std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
 
 }  // namespace
 
+bool asksForRooms(const ConstraintParams& constraints) {
+    return constraints.anchors != Anchors::None || constraints.rooms == RoomTours::Each;
+}
+
 Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
+                                   const ConstraintParams& constraints, const RoomPlan* rooms,
                                    const Surroundings& around, ShownMemo* memo,
                                    const JobContext& job) {
     AskedPoints asked;
@@ -30,6 +38,11 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
     Viewpoints& viewpoints = asked.placed.viewpoints;
     std::vector<PositionPoint>& points = viewpoints.position_points;
     const std::size_t before = points.size();
+    if (rooms != nullptr) {
+        for (const Pose& view : anchorViews(*rooms, constraints.anchors, around)) {
+            addFixedPoint(view, around, viewpoints);
+        }
+    }
     const std::vector<int> keys = must_see.empty() ? std::vector<int>() : chooseKeyFrames(points);
     auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
     if (!found) return tl::unexpected<Error>(std::move(found.error()));
@@ -42,6 +55,12 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
             }
         }
         for (const Pose& view : region.views) addFixedPoint(view, around, viewpoints);
+    }
+    if (constraints.rooms == RoomTours::Each) {
+        for (const PlanRoom& room : rooms->rooms()) {
+            asked.tour_rooms.push_back({room.name, room.box});
+        }
+        for (PositionPoint& point : points) point.room = rooms->roomAt(point.pose.position);
     }
     if (points.size() > before) findCaptured(around.views, points, memo);
     for (std::size_t i = before; i < points.size(); ++i) {

@@ -10,15 +10,24 @@
 
 namespace dollytrack::planning {
 
-/// Points with those added that a person asks for beside the objects'.
+class RoomPlan;
+struct ConstraintParams;
+
+/// Points with those added that a person asks for beside the objects', each with its room.
 struct AskedPoints {
     PlacedPoints placed;
     std::vector<MustSee> must_see;
+    std::vector<TourRoom> tour_rooms;
 };
 
-/// Adds the views of must-see regions as fixed points and completes what they capture. Error:
-/// Cancelled.
+/// Whether the plan of rooms is needed.
+bool asksForRooms(const ConstraintParams& constraints);
+
+/// Adds the views of must-see regions and of anchors as fixed points, completes what they capture,
+/// and numbers the rooms when each has a trajectory of its own. `rooms` is given when
+/// asksForRooms(). Error: Cancelled.
 Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
+                                   const ConstraintParams& constraints, const RoomPlan* rooms,
                                    const Surroundings& around, ShownMemo* memo,
                                    const JobContext& job);
 

@@ -6,11 +6,32 @@ Usage: constraints_test.py PROGRAM [unittest arguments]
 import json
 import math
 import pathlib
+import shutil
 import tempfile
 import unittest
 
 import tiny_room
-from program import run
+from program import hashes, run
+
+
+def write_two_rooms(path):
+    """Two rooms of 3 x 3 m side by side in x, a door of 0.9 m between them, a box in each; y up."""
+    lines, count = [], 0
+    for name, low, high in [
+        ("floor", (0, -0.1, 0), (6.1, 0, 3)),
+        ("ceiling", (0, 2.5, 0), (6.1, 2.6, 3)),
+        ("wall_1", (-0.1, 0, 0), (0, 2.5, 3)),
+        ("wall_2", (6.1, 0, 0), (6.2, 2.5, 3)),
+        ("wall_3", (0, 0, -0.1), (6.1, 2.5, 0)),
+        ("wall_4", (0, 0, 3), (6.1, 2.5, 3.1)),
+        ("wall_5", (3, 0, 0), (3.1, 2.5, 1.05)),
+        ("wall_6", (3, 0, 1.95), (3.1, 2.5, 3)),
+        ("wall_7", (3, 2, 1.05), (3.1, 2.5, 1.95)),
+        ("chest", (0.2, 0, 0.2), (0.8, 0.6, 0.8)),
+        ("stool", (5.2, 0, 2.2), (5.7, 0.5, 2.7)),
+    ]:
+        count = tiny_room.box(name, low, high, lines, count)
+    path.write_text("\n".join(lines) + "\n")
 
 
 class Constraints(unittest.TestCase):
@@ -93,6 +114,46 @@ class Constraints(unittest.TestCase):
             pitch = math.degrees(math.asin(1 - 2 * (x * x + y * y)))
             self.assertGreaterEqual(pitch, -20 - 1e-6)
             self.assertLessEqual(pitch, 5 + 1e-6)
+
+    def test_rooms_become_datasets_of_their_own(self):
+        scene = self.folder / "two_rooms.obj"
+        write_two_rooms(scene)
+        metrics, frames, project = self.plan("--set", "rooms=each", "--max-frames", 12, scene=scene)
+        self.assertEqual(len(metrics["rooms"]), 2)
+        self.assertEqual(sum(room["frames"] for room in metrics["rooms"]), len(frames))
+        out = self.folder / "rooms"
+        arguments = ("export", project, "--out", out, "--modalities", "rgb", "--json")
+        result = run(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        summary = json.loads(result.stdout)
+        self.assertEqual([room["room"] for room in summary["rooms"]], ["room_1", "room_2"])
+        sides = []
+        for room, planned in zip(summary["rooms"], metrics["rooms"]):
+            folder = out / room["room"]
+            cameras = json.loads((folder / "camera.json").read_text())
+            self.assertEqual(len(cameras), planned["frames"])
+            self.assertEqual(len(list((folder / "rgb").glob("*.png"))), planned["frames"])
+            self.assertEqual(cameras[0]["time"], 0)
+            sides.append({camera["pos"][0] < 3.05 for camera in cameras})
+        self.assertEqual(sorted(sides, key=str), [{False}, {True}])
+        listed = json.loads((out / "rooms.json").read_text())["rooms"]
+        self.assertEqual([room["name"] for room in listed], ["room_1", "room_2"])
+        before = hashes(out)
+        self.assertEqual(run(*arguments, "--resume").returncode, 0)
+        self.assertEqual(hashes(out), before)
+        # Progress counts the frames of all rooms, and what is missing is made anew.
+        shutil.rmtree(out / "room_2")
+        lines = run(*arguments, "--resume", "--progress", "json").stderr.splitlines()
+        last = json.loads(lines[-1])
+        self.assertEqual((last["frames_done"], last["frames"]), (len(frames), len(frames)))
+        self.assertEqual(hashes(out), before)
+        # Joined, all is one dataset again.
+        joined = self.folder / "joined"
+        result = run("export", scene, "--out", joined, "--modalities", "rgb", "--max-frames", 8)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue((joined / "camera.json").exists())
+        mixed = run("export", project, "--out", joined, "--modalities", "rgb")
+        self.assertEqual(mixed.returncode, 6, mixed.stderr)
 
     def test_a_must_see_region_is_measured_and_can_be_required(self):
         project = self.folder / "seen.dolly"

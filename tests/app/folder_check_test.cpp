@@ -14,11 +14,11 @@ TEST(FolderCheck, KnowsWhatADatasetWouldFind) {
     const test::TempFolder temporary;
     const fs::path& root = temporary.path();
     fs::create_directories(root / "empty");
-    for (const char* folder : {"others", "dataset", "unfinished"}) {
+    for (const char* folder : {"others", "dataset", "unfinished", "rooms"}) {
         fs::create_directories(root / folder);
     }
-    for (const char* file :
-         {"file", "others/note.txt", "dataset/dataset.json", "unfinished/.dollytrack-export"}) {
+    for (const char* file : {"file", "others/note.txt", "dataset/dataset.json",
+                             "unfinished/.dollytrack-export", "rooms/rooms.json"}) {
         ASSERT_TRUE(fs::exists(temporary.write(file, "{}")));
     }
     const auto kindOf = [](const fs::path& folder) { return lookAtFolder(folder).kind; };
@@ -31,6 +31,7 @@ TEST(FolderCheck, KnowsWhatADatasetWouldFind) {
     EXPECT_EQ(kindOf(root / "file" / "below"), Kind::NoFolder);
     EXPECT_EQ(kindOf(root / "others"), Kind::OtherFiles);
     EXPECT_EQ(kindOf(root / "dataset"), Kind::Dataset);
+    EXPECT_EQ(kindOf(root / "rooms"), Kind::Dataset);
     EXPECT_EQ(kindOf(root / "unfinished"), Kind::Unfinished);
 }
 

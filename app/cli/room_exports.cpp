@@ -1,0 +1,97 @@
+#include "app/cli/room_exports.h"
+
+#include "engine/io/durable_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+namespace dollytrack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kList = "rooms.json";
+
+/// A name from a file becomes a folder's: it must not lead out of it.
+bool isPlain(const std::string& name) {
+    return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
+}
+
+RoomExport takeRoom(const nlohmann::json& room, const Trajectory& all) {
+    RoomExport one{room.at("name").get<std::string>(), room, {all.frame_interval_s, {}}};
+    one.about.erase("paths");  // numbers in the trajectory of all
+    const auto paths = room.at("paths").get<std::set<int>>();
+    for (const TrajectoryFrame& frame : all.frames) {
+        if (!paths.contains(frame.path)) continue;
+        const auto number = static_cast<double>(one.trajectory.frames.size());
+        one.trajectory.frames.push_back(frame);
+        one.trajectory.frames.back().time_s = number * all.frame_interval_s;
+    }
+    return one;
+}
+
+}  // namespace
+
+Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned) {
+    std::vector<RoomExport> exports;
+    const auto rooms = planned.metrics.find("rooms");
+    if (rooms == planned.metrics.end()) return exports;
+    try {
+        for (const nlohmann::json& room : *rooms) {
+            RoomExport one = takeRoom(room, planned.trajectory);
+            if (!isPlain(one.room)) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("'{}' cannot be a folder's name.", one.room),
+                            "metrics.rooms");
+            }
+            if (!one.trajectory.frames.empty()) exports.push_back(std::move(one));
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    "metrics.rooms");
+    }
+    return exports;
+}
+
+Status claimForRooms(const fs::path& folder, const std::vector<RoomExport>& exports) {
+    std::error_code error;
+    if (fs::exists(folder / "dataset.json", error)) {
+        return fail(ErrorCode::CannotWrite,
+                    "the folder holds a dataset of all rooms; choose another one for a dataset a "
+                    "room, or plan with rooms=joined",
+                    folder.string());
+    }
+    fs::create_directories(folder, error);
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    nlohmann::json list = {{"rooms", nlohmann::json::array()}};
+    for (const RoomExport& one : exports) list["rooms"].push_back(one.about);
+    return io::writeWhole(folder / kList, list.dump(2) + "\n");
+}
+
+bool holdsRooms(const fs::path& folder) {
+    std::ifstream file(folder / kList);
+    const auto list = nlohmann::json::parse(file, nullptr, false);
+    return list.is_object() && list.contains("rooms");
+}
+
+JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,
+                     int before, int count, int total) {
+    const auto share = [total](int frames) {
+        return total > 0 ? static_cast<double>(frames) / total : 1.0;
+    };
+    const JobContext whole(
+        std::move(cancel_flag),
+        [job](double fraction, std::string_view stage) {
+            job.stage(0.0, 1.0, stage).report(fraction);
+        },
+        [job, before, total](int done, int) {
+            job.stage(0.0, 1.0, "frames").reportItems(before + done, total);
+        });
+    return whole.stage(share(before), share(before + count), "");
+}
+
+}  // namespace dollytrack::cli

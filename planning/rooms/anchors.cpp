@@ -1,0 +1,104 @@
+#include "planning/rooms/anchors.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/rooms/room_plan.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kStep_m = 0.1;
+constexpr double kHighest_m = 0.8;   // up and down from where a place is wanted
+constexpr double kFarthest_m = 1.5;  // that a view stands before an opening
+constexpr double kNearest_m = 0.3;
+constexpr double kLooksAhead_m = 2.0;
+
+class Finder {
+  public:
+    explicit Finder(const Surroundings& around) : around_(around) {}
+
+    /// The legal place nearest above or below.
+    [[nodiscard]] std::optional<Eigen::Vector3d> legalNear(const Eigen::Vector3d& wish) const {
+        const Eigen::Vector3d start = around_.sphere.inBand(wish);
+        for (double off = 0.0; off <= kHighest_m; off += kStep_m) {
+            for (const double sign : {1.0, -1.0}) {
+                const Eigen::Vector3d place = start + sign * off * Eigen::Vector3d::UnitZ();
+                if (around_.sphere.fits(place)) return place;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void doorway(const Doorway& door, std::vector<Pose>& views) const {
+        // Some way to both sides as well: the narrowest place may be no cell's middle.
+        for (const double along : {0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3}) {
+            const auto place = legalNear(door.center + along * door.through);
+            if (!place) continue;
+            views.push_back(aim(*place, *place + kLooksAhead_m * door.through, around_.pitch));
+            return;
+        }
+    }
+
+    void opening(const Opening& hole, std::vector<Pose>& views) const {
+        if (std::abs(hole.outwards.z()) > 0.5) return;  // a missing ceiling is no window
+        for (double back = kFarthest_m; back >= kNearest_m; back -= kStep_m) {
+            const auto place = legalNear(hole.center_in_world - back * hole.outwards);
+            if (!place || around_.free_space.componentAt(*place) != hole.component) continue;
+            // The centre of a large opening may have something before it.
+            const Eigen::Vector3d way = hole.center_in_world - *place;
+            const RayHit hit = around_.views.rays().cast(*place, way, 1.0);
+            if (hit.object_id != 0) continue;
+            views.push_back(aim(*place, hole.center_in_world, around_.pitch));
+            return;
+        }
+    }
+
+    void corridor(const PlanRoom& room, std::vector<Pose>& views) const {
+        for (const bool there : {true, false}) {
+            const Eigen::Vector3d from = there ? room.near_end : room.far_end;
+            const Eigen::Vector3d to = there ? room.far_end : room.near_end;
+            const double length = (to - from).norm();
+            for (double in = 0.0; in < 0.5 * length; in += kStep_m) {
+                const auto place = legalNear(from + in / length * (to - from));
+                if (!place) continue;
+                views.push_back(aim(*place, {to.x(), to.y(), place->z()}, around_.pitch));
+                break;
+            }
+        }
+    }
+
+  private:
+    const Surroundings& around_;
+};
+
+}  // namespace
+
+std::vector<Pose> anchorViews(const RoomPlan& rooms, Anchors wanted, const Surroundings& around) {
+    const Finder finder(around);
+    const auto wants = [&](Anchors kind) { return wanted == kind || wanted == Anchors::All; };
+    std::vector<Pose> views;
+    if (wants(Anchors::Doorways)) {
+        for (Doorway door : rooms.doorways()) {
+            // Rooms are numbered by size.
+            if (door.room_a > door.room_b) door.through = -door.through;
+            finder.doorway(door, views);
+        }
+    }
+    if (wants(Anchors::Openings)) {
+        for (const Opening& hole : around.free_space.leaks().openings) finder.opening(hole, views);
+    }
+    if (wants(Anchors::Corridors)) {
+        for (const PlanRoom& room : rooms.rooms()) {
+            if (room.corridor) finder.corridor(room, views);
+        }
+    }
+    return views;
+}
+
+}  // namespace dollytrack::planning
