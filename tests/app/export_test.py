@@ -176,7 +176,7 @@ class Export(unittest.TestCase):
 
     def test_a_full_disk_is_said_and_continued_from(self):
         disk = self.new_folder()
-        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", disk],
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=32m", "tmpfs", disk],
                                  capture_output=True)
         if mounted.returncode != 0:
             self.skipTest("no small disk can be mounted here")

@@ -14,20 +14,21 @@
 namespace dollytrack::planning {
 namespace {
 
-/// A long hall with things at both ends and a few along one wall: on the way from end to end the
-/// camera passes much bare wall.
+/// A long hall with small things far apart: on its way the camera passes much bare wall.
 Scene longHall() {
     test::SceneBuilder builder;
-    builder.room({0, 0, 0}, {9, 3, 2.6});
+    builder.room({0, 0, 0}, {14, 4, 2.6});
     const auto thing = [&](const std::string& name, double x, double y, double size) {
         builder.object(name).box({x, y, 0.5 * size}, {size, size, size});
     };
-    thing("west", 0.6, 1.5, 0.6);
-    thing("east", 8.4, 1.5, 0.6);
-    thing("south 1", 3.0, 0.4, 0.5);
-    thing("south 2", 4.5, 0.4, 0.5);
-    thing("south 3", 6.0, 0.4, 0.5);
-    thing("north", 5.2, 2.7, 0.4);
+    thing("west 1", 0.6, 0.8, 0.4);
+    thing("west 2", 0.6, 3.2, 0.5);
+    thing("east 1", 13.4, 0.8, 0.5);
+    thing("east 2", 13.4, 3.2, 0.4);
+    for (const int i : {1, 2, 3}) {
+        thing("south " + std::to_string(i), 3.5 * i, 0.3, 0.3);
+        thing("north " + std::to_string(i), 3.5 * i + 0.6, 3.8, 0.2);
+    }
     return builder.build();
 }
 
@@ -41,6 +42,7 @@ std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params)
 PlanParams repaired(int rounds) {
     PlanParams params;
     params.repair.repair_rounds = rounds;
+    params.repair.score_threshold = 0.9;
     return params;
 }
 
@@ -76,7 +78,7 @@ TEST(LowRuns, EndAtKeyFramesAndWhereAPathEnds) {
 
 TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     const Scene scene = longHall();
-    const auto before = planOf(scene, {});
+    const auto before = planOf(scene, repaired(0));
     const auto after = planOf(scene, repaired(4));
     ASSERT_GT(before->repair.after.low, 0);
     EXPECT_EQ(before->repair.rounds, 0);
@@ -131,7 +133,7 @@ TEST(Repair, KeepsTheSphereOutOfAllTriangles) {
 TEST(Repair, LeavesOutLowFramesButNoneThatIsNeeded) {
     const Scene scene = longHall();
     const auto before = planOf(scene, {});
-    PlanParams params;
+    PlanParams params = repaired(0);
     params.repair.drop_low_frames = true;
     const auto after = planOf(scene, params);
     EXPECT_GT(after->repair.dropped, 0);
