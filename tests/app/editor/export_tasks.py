@@ -83,7 +83,7 @@ class Exporting(Task):
             self.editor.click(name)
 
     def test_cancel_an_export_and_continue_it(self):
-        self.start_project("--max-frames", "60")
+        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
         out = self.folder / "dataset"
         job = self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
@@ -95,7 +95,7 @@ class Exporting(Task):
         self.assertEqual(len(list((out / "depth").glob("*.png"))), 60)
 
     def test_leaving_while_an_export_runs_asks(self):
-        self.start_project("--max-frames", "60")
+        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
         out = self.folder / "dataset"
         self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
@@ -118,7 +118,7 @@ class Exporting(Task):
         self.assertEqual(self.hashes(out), self.hashes(same))
 
     def test_an_export_that_a_crash_cut_off_is_offered_again(self):
-        self.start_project("--max-frames", "60")
+        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
         out = self.folder / "dataset"
         self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 3, "three frames")
