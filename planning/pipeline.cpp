@@ -378,7 +378,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*smoothing); });
         })
         .and_then([&] {
-            const JobContext part = job.stage(0.91, 0.92, "repair");
+            const JobContext part =
+                job.stage(0.91, asksForRepair(params.repair) ? 0.97 : 0.92, "repair");
             return run("repair", repair,
                        std::tuple(timing.version(), views.version(), params.repair, params.seed),
                        part, [&]() -> Result<Repaired> {

@@ -31,8 +31,8 @@ std::string scoreRows(const nlohmann::json& repair) {
     return row("image score", tallyText(repair["before"])) +
            row("  after repair", tallyText(repair["after"])) +
            row("  by", fmt::format("{} glances, {} other ways, {} frames left out; {} rounds",
-                                   repair.value("nudged", 0), repair.value("replanned", 0), dropped,
-                                   repair.value("rounds", 0)));
+                                   repair.value("glances", 0), repair.value("replanned", 0),
+                                   dropped, repair.value("rounds", 0)));
 }
 
 }  // namespace

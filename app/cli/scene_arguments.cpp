@@ -51,8 +51,7 @@ Result<nlohmann::json> endOperation(const std::string& option, const std::string
         char* after = nullptr;
         numbers.push_back(std::strtod(at, &after));
         if (after == at || (*after != ',' && *after != 0)) break;
-        at = *after == ',' ? after + 1 : after;
-        if (*at == 0 && *after == ',') break;
+        at = *after == ',' && after[1] != 0 ? after + 1 : after;
     }
     if (*at != 0 || text.empty()) {
         operation["point"] = text;

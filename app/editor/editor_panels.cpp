@@ -203,6 +203,7 @@ void Editor::drawTimeline() {
     if (const Plan* now = plan()) {
         view.frame_count = frameCount();
         view.frame_interval_s = now->trajectory.frame_interval_s;
+        view.times_s = &plan_timeline_.times();
         view.keys = &plan_timeline_.keys();
         view.bands = &plan_timeline_.bands();
         view.series = &now->series;

@@ -1,5 +1,6 @@
 #include "app/editor/export_note.h"
 
+#include "app/editor/files_in.h"
 #include "app/editor/owner_mark.h"
 #include "engine/core/log.h"
 #include "engine/io/durable_file.h"
@@ -46,7 +47,14 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
                        {"snapshot", note.snapshot},
                        {"frames_done", note.frames_done},
                        {"frames", note.frames}};
-    return io::writeWhole(file, text.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    try {
+        return io::writeWhole(file, text.dump(1) + "\n");
+    } catch (const json::exception&) {
+        // Another name in its place would be another folder.
+        return fail(ErrorCode::CannotWrite,
+                    "A path of this export is not UTF-8; it cannot be noted for later.",
+                    file.string());
+    }
 }
 
 Result<ExportNote> readNote(const fs::path& file) {
@@ -75,7 +83,7 @@ std::vector<fs::path> findLeftNotes(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> notes;
     std::vector<fs::path> left_over;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
+    for (const fs::directory_entry& entry : filesIn(folder)) {
         const std::string mark = markOf(entry.path());
         if (mark.empty() || OwnerMark::isHeld(folder, mark)) continue;
         fs::path note = entry.path();

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -268,7 +269,11 @@ void ExportQueue::update(int id, const std::function<void(Entry&)>& change) {
 /// All programs are started from this thread, which lives as long as the queue: the system ends
 /// them when it ends.
 void ExportQueue::loop() {
-    adoptLeftJobs();
+    try {
+        adoptLeftJobs();
+    } catch (const std::exception& e) {
+        log::warn("export", std::string("Unfinished exports cannot be looked for: ") + e.what());
+    }
     while (true) {
         storeNewJobs();
         int id = 0;
@@ -288,7 +293,11 @@ void ExportQueue::loop() {
             id = job.id;
         }
         changed();
-        runEntry(id);
+        try {
+            runEntry(id);
+        } catch (const std::exception& e) {
+            failEntry(id, {ErrorCode::Failed, e.what(), {}});
+        }
         bool gone = false;
         update(id, [&](Entry& entry) { gone = entry.remove_asked; });
         storeNote(id);
@@ -313,13 +322,26 @@ void ExportQueue::adoptLeftJobs() {
             const std::lock_guard lock(mutex_);
             entry.job.id = ++last_id_;
         }
-        fs::rename(left, exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json"), error);
-        if (error) continue;
+        // The snapshot first, which is nothing without its note: a crash in between must not leave
+        // one that counts as left over.
+        const fs::path note_file =
+            exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json");
         entry.project_file = note->project_file;
         if (note->snapshot) {
             entry.project_file = exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".dolly");
-            fs::rename(note->project_file, entry.project_file, error);
+            fs::copy_file(note->project_file, entry.project_file,
+                          fs::copy_options::overwrite_existing, error);
+            if (error) {
+                log::warn("export",
+                          "An unfinished export cannot be taken over: " + error.message());
+                continue;
+            }
         }
+        ExportNote renamed = *note;
+        renamed.project_file = entry.project_file;
+        if (!writeNote(note_file, renamed)) continue;
+        fs::remove(left, error);
+        if (note->snapshot) fs::remove(note->project_file, error);
         entry.adopted_snapshot = note->snapshot;
         entry.snapshot_written = true;
         entry.stored = true;
@@ -333,7 +355,6 @@ void ExportQueue::adoptLeftJobs() {
             found_.push_back(id);
             entries_.push_back(std::move(entry));
         }
-        storeNote(id);  // with the snapshot's new name
     }
     OwnerMark::tidy(snapshot_folder_);
     changed();
@@ -374,6 +395,14 @@ void ExportQueue::storeNote(int id) {
     } else if (const Status written = writeNote(file, note); !written) {
         log::debug("export", describe(written.error()));
     }
+    removeIfGone(id, file);
+}
+
+/// A job may be removed while one of its files is being written.
+void ExportQueue::removeIfGone(int id, const fs::path& file) {
+    const std::lock_guard lock(mutex_);
+    std::error_code ignored;
+    if (find(id) == nullptr) fs::remove(file, ignored);
 }
 
 Status ExportQueue::writeSnapshot(int id) {
@@ -393,17 +422,20 @@ Status ExportQueue::writeSnapshot(int id) {
                     file.parent_path().string());
     }
     if (Status saved = io::saveProject(*project, file); !saved) return saved;
+    removeIfGone(id, file);
     update(id, [](Entry& entry) { entry.snapshot_written = true; });
     return {};
 }
 
+void ExportQueue::failEntry(int id, const Error& error) {
+    update(id, [&](Entry& entry) {
+        entry.job.state = ui::ExportState::Failed;
+        entry.job.error = error;
+    });
+}
+
 void ExportQueue::runEntry(int id) {
-    const auto failed = [&](const Error& error) {
-        update(id, [&](Entry& entry) {
-            entry.job.state = ui::ExportState::Failed;
-            entry.job.error = error;
-        });
-    };
+    const auto failed = [&](const Error& error) { failEntry(id, error); };
     if (const Status written = writeSnapshot(id); !written) return failed(written.error());
     std::vector<std::string> command;
     update(id,

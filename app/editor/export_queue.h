@@ -86,6 +86,8 @@ class ExportQueue {
     void adoptLeftJobs();
     void storeNewJobs();
     void storeNote(int id);
+    void removeIfGone(int id, const std::filesystem::path& file);
+    void failEntry(int id, const Error& error);
     void removeFiles(const Entry& entry) const;
     void runEntry(int id);
     Status writeSnapshot(int id);

@@ -1,5 +1,7 @@
 #include "app/editor/owner_mark.h"
 
+#include "app/editor/files_in.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -110,7 +112,7 @@ bool OwnerMark::isHeld(const fs::path& folder, std::string_view mark) {
 void OwnerMark::tidy(const fs::path& folder) {
     std::error_code ignored;
     std::vector<fs::path> left_over;
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    for (const fs::directory_entry& entry : filesIn(folder)) {
         const fs::path& file = entry.path();
         if (file.extension() != kLockEnding) continue;
         // One that is just being made is not locked yet, but its process runs.

@@ -13,6 +13,12 @@ bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) 
     const bool is_measured =
         seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
     if (seen_ == nullptr || is_measured) measured_ = seen_;
+    times_s_.clear();
+    if (seen_ != nullptr) {
+        for (const TrajectoryFrame& frame : seen_->trajectory.frames) {
+            times_s_.push_back(frame.time_s);
+        }
+    }
     keys_.clear();
     bands_.clear();
     if (seen_ != nullptr && scene != nullptr) {

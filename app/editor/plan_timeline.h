@@ -21,6 +21,7 @@ class PlanTimeline {
     }
     [[nodiscard]] const std::vector<ui::TimelineKey>& keys() const { return keys_; }
     [[nodiscard]] const std::vector<ui::TimelineBand>& bands() const { return bands_; }
+    [[nodiscard]] const std::vector<double>& times() const { return times_s_; }
     /// Rises with every plan.
     [[nodiscard]] std::uint64_t serial() const { return serial_; }
 
@@ -28,6 +29,7 @@ class PlanTimeline {
     std::shared_ptr<const Plan> seen_;  // held, so that no other plan gets its address
     std::shared_ptr<const Plan> measured_;
     std::uint64_t serial_ = 0;
+    std::vector<double> times_s_;  // of the frames
     std::vector<ui::TimelineKey> keys_;
     std::vector<ui::TimelineBand> bands_;
 };

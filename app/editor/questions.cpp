@@ -198,12 +198,13 @@ void Questions::drawDoubt() {
     ui::MessageBox box;
     box.title = doubt_->title;
     box.text = doubt_->text;
-    box.buttons = {doubt_->yes, "Cancel"};
-    box.escape = 1;
+    // Enter does what can be undone.
+    box.buttons = {"Cancel", doubt_->yes};
+    box.escape = 0;
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     const Doubt answered = *std::exchange(doubt_, std::nullopt);
-    if (pressed == 0) answered.then();
+    if (pressed == 1) answered.then();
 }
 
 void Questions::drawNotice() {

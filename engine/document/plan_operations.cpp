@@ -14,10 +14,17 @@ namespace {
 
 using nlohmann::json;
 
-/// The name of the pinned point that the fields mean: one there is, or one made of a pose, of which
-/// there is one for each end. Nothing without any.
+/// A trajectory cannot begin or end at a pinned point that is gone.
+void forgetLostEnds(PlanEdits& plan) {
+    for (std::string* end : {&plan.start, &plan.end}) {
+        if (!isTaken(plan.pinned, *end)) end->clear();
+    }
+}
+
+/// The name of the pinned point that the fields mean: one there is, or one made of a pose. That one
+/// is called `name`; when `current`, the end so far, was made so it is moved. Nothing without any.
 std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fields,
-                     const std::string& name) {
+                     const std::string& name, const std::string& current) {
     const bool by_pose = fields.has("position");
     if (fields.has("point")) {
         if (by_pose) fields.field("point").refuse("Give either a point or a position.");
@@ -31,14 +38,16 @@ std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fi
         return {};
     }
     const Pose pose = fields.pose({});
-    const auto same = std::find_if(pinned.begin(), pinned.end(),
-                                   [&](const PinnedPoint& pin) { return pin.name == name; });
-    if (same == pinned.end()) {
-        pinned.push_back({name, pose, {}});
-    } else {
+    const bool made_so = current.starts_with(name);
+    const auto same = std::find_if(pinned.begin(), pinned.end(), [&](const PinnedPoint& pin) {
+        return made_so && pin.name == current && pin.objects.empty();
+    });
+    if (same != pinned.end()) {
         same->pose = pose;
+        return current;
     }
-    return name;
+    pinned.push_back({freeName(pinned, fields, name), pose, {}});
+    return pinned.back().name;
 }
 
 /// Whether an edit stands for exactly these objects of the scene.
@@ -154,10 +163,8 @@ std::string unpin(ProjectState& state, const OperationContext&, const OperationR
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
     std::string name = "Unpin " + found->name;
-    for (std::string* end : {&state.edits.plan.start, &state.edits.plan.end}) {
-        if (*end == found->name) end->clear();
-    }
     pinned.erase(found);
+    forgetLostEnds(state.edits.plan);
     return name;
 }
 
@@ -169,6 +176,7 @@ std::string removePoint(ProjectState& state, const OperationContext& context,
     std::erase_if(plan.pinned, [&](const PinnedPoint& point) {
         return !point.objects.empty() && standsFor(point.objects, objects, context.scene);
     });
+    forgetLostEnds(plan);
     const bool already =
         std::any_of(plan.removed.begin(), plan.removed.end(), [&](const RemovedPoint& removed) {
             return standsFor(removed.objects, objects, context.scene);
@@ -194,13 +202,13 @@ std::string restorePoint(ProjectState& state, const OperationContext& context,
 
 std::string setStart(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     PlanEdits& plan = state.edits.plan;
-    plan.start = endPoint(plan.pinned, fields, "start");
+    plan.start = endPoint(plan.pinned, fields, "start", plan.start);
     return plan.start.empty() ? "Begin anywhere" : "Begin at " + plan.start;
 }
 
 std::string setEnd(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     PlanEdits& plan = state.edits.plan;
-    plan.end = endPoint(plan.pinned, fields, "end");
+    plan.end = endPoint(plan.pinned, fields, "end", plan.end);
     return plan.end.empty() ? "End anywhere" : "End at " + plan.end;
 }
 

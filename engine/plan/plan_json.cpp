@@ -111,7 +111,7 @@ json repairJson(const RepairReport& report) {
             {"threshold", report.threshold},
             {"before", tallyJson(report.before)},
             {"after", tallyJson(report.after)},
-            {"nudged", report.nudged},
+            {"glances", report.glances},
             {"replanned", report.replanned},
             {"dropped", report.dropped}};
 }

@@ -12,11 +12,11 @@ struct ScoreTally {
 
 /// What repair did to a trajectory's low frames.
 struct RepairReport {
-    int rounds = 0;          // 0: none was asked for
+    int rounds = 0;          // in which something could be tried
     double threshold = 0.0;  // a frame below it is low
     ScoreTally before;
     ScoreTally after;
-    int nudged = 0;     // stretches between key frames on which the camera now looks aside
+    int glances = 0;    // stretches between key frames on which the camera now looks aside
     int replanned = 0;  // stretches that take another way
     int dropped = 0;    // frames left out
     bool operator==(const RepairReport&) const = default;

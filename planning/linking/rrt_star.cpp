@@ -126,7 +126,7 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         best_end = node;
         if (problem.on_shorter) problem.on_shorter(best_cost);
     };
-    tryGoal(0);
+    if (!problem.detour) tryGoal(0);
     int stop = problem.max_iterations;
     for (int i = 0; i < stop; ++i) {
         if (problem.is_cancelled && problem.is_cancelled()) break;

@@ -22,6 +22,7 @@ struct RrtStarProblem {
     // Once there, half the work spent so far, and at least this many samples, go into shortening
     // the way.
     int improve_at_least = 60;
+    bool detour = false;  // does without the straight way, where it is free
 };
 
 struct RrtStarResult {

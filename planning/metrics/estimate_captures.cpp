@@ -56,7 +56,7 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     return frames;
 }
 
-using Glances = std::vector<ViewMemo::Glance>;
+using Glances = std::vector<ViewMemo::Look>;
 using ObjectViews = std::vector<ObjectView>;  // of one object, by rising frame
 
 /// A glance from each frame at all targets, by frame; those from known poses are remembered.
@@ -72,7 +72,7 @@ std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
         if (entries[f] == nullptr) fresh.push_back(f);
     }
     // Object by object, since neighbouring frames see much the same of one.
-    std::vector<std::vector<std::pair<std::size_t, ViewMemo::Glance>>> seen(scene.objects.size());
+    std::vector<std::vector<std::pair<std::size_t, ViewMemo::Look>>> seen(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = scene.objects[i].id;
         if (scene.objects[i].role != Role::Target) return;
@@ -80,7 +80,7 @@ std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
             const Pose& pose = frames[fresh[f]].pose;
             if (!mayCapture(views, pose, id)) continue;
             const auto glance = views.estimate(pose, id, kGlanceGrid);
-            seen[i].emplace_back(f, ViewMemo::Glance{makeView(glance, id, 0), glance.visible_box});
+            seen[i].emplace_back(f, ViewMemo::Look{makeView(glance, id, 0), glance.visible_box});
         }
     });
     if (job.cancelled()) return {};
@@ -110,7 +110,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     estimate.frame_boxes.resize(entries.size());
     std::vector<ObjectViews> coarse(scene.objects.size());
     for (std::size_t f = 0; f < entries.size(); ++f) {
-        for (const ViewMemo::Glance& glance : entries[f]->glances) {
+        for (const ViewMemo::Look& glance : entries[f]->looks) {
             ObjectView view = glance.view;
             view.frame = static_cast<int>(f);
             coarse[static_cast<std::size_t>(view.object_id) - 1].push_back(view);

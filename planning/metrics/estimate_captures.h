@@ -17,7 +17,8 @@ struct CaptureEstimate {
 };
 
 /// How every target shows along a trajectory, estimated by rays: a coarse look at all frames that
-/// may show it, then a look at every pixel for the best few. Error: Cancelled.
+/// may show it, then a look at every pixel for the best few. `memo`, unless null,
+/// spares looks from poses it knows, and learns the others. Error: Cancelled.
 Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job, ViewMemo* memo = nullptr);
 

@@ -84,10 +84,9 @@ TightestPlace findTightestPlace(const std::vector<SmoothPath>& paths, const Traj
         pieces.insert(pieces.end(), path.pieces.begin(), path.pieces.end());
     }
     for (std::size_t i = 0; shaken && i + 1 < trajectory.frames.size(); ++i) {
-        const TrajectoryFrame& from = trajectory.frames[i];
-        const TrajectoryFrame& to = trajectory.frames[i + 1];
-        if (from.path != to.path) continue;
-        pieces.push_back(straight(from.pose.position, to.pose.position));
+        if (!followsOn(trajectory, i + 1)) continue;
+        pieces.push_back(
+            straight(trajectory.frames[i].pose.position, trajectory.frames[i + 1].pose.position));
     }
     // All pieces start from the same bound, so the result is the same for any number of threads.
     std::vector<Near> on_pieces(pieces.size());

@@ -1,21 +1,14 @@
 #include "planning/metrics/view_memo.h"
 
+#include "engine/math/pose_key.h"
+
 #include <utility>
 
 namespace dollytrack::planning {
-namespace {
-
-std::array<double, 7> keyOf(const Pose& pose) {
-    const auto& p = pose.position;
-    const auto& q = pose.rotation;
-    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
-}
-
-}  // namespace
-
 void ViewMemo::begin() {
     ++now_;
-    std::erase_if(entries_, [&](const auto& entry) { return entry.second.used + kKept < now_; });
+    const unsigned kept = entries_.size() > kMany ? 1 : kKept;
+    std::erase_if(entries_, [&](const auto& entry) { return entry.second.used + kept < now_; });
 }
 
 ViewMemo::Entry* ViewMemo::find(const Pose& pose) {
@@ -25,9 +18,9 @@ ViewMemo::Entry* ViewMemo::find(const Pose& pose) {
     return &found->second;
 }
 
-ViewMemo::Entry& ViewMemo::keep(const Pose& pose, std::vector<Glance> glances) {
+ViewMemo::Entry& ViewMemo::keep(const Pose& pose, std::vector<Look> looks) {
     Entry& entry = entries_[keyOf(pose)];
-    entry.glances = std::move(glances);
+    entry.looks = std::move(looks);
     entry.used = now_;
     return entry;
 }

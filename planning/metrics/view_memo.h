@@ -15,12 +15,12 @@ namespace dollytrack::planning {
 /// keeps one clears it when the camera or the scene changes. For one thread.
 class ViewMemo {
   public:
-    struct Glance {
+    struct Look {
         ObjectView view;  // its frame is not kept up to date
         Eigen::AlignedBox2d box;
     };
     struct Entry {
-        std::vector<Glance> glances;        // by rising object id
+        std::vector<Look> looks;            // by rising object id
         std::map<int, ObjectView> closely;  // by object id
         unsigned used = 0;
     };
@@ -29,11 +29,12 @@ class ViewMemo {
     void begin();
     /// Null when the pose was not looked at. Valid until begin().
     [[nodiscard]] Entry* find(const Pose& pose);
-    Entry& keep(const Pose& pose, std::vector<Glance> glances);
+    Entry& keep(const Pose& pose, std::vector<Look> looks);
     void clear() { entries_.clear(); }
 
   private:
-    static constexpr unsigned kKept = 4;  // trajectories
+    static constexpr unsigned kKept = 4;          // trajectories
+    static constexpr std::size_t kMany = 20'000;  // frames; beyond, only the last one's are kept
     std::map<std::array<double, 7>, Entry> entries_;
     unsigned now_ = 0;
 };

@@ -55,6 +55,7 @@ std::optional<CameraPath> findOtherWay(const RepairContext& context, const Camer
         problem.goal = goal;
         problem.max_iterations = kIterations;
         problem.improve_at_least = 0;
+        problem.detour = true;
         problem.sample = [&](Random& r) {
             return cells[r.below(static_cast<std::uint32_t>(cells.size()))].cast<double>();
         };

@@ -98,6 +98,11 @@ class Repair {
         Result<Trajectory> trajectory = context_.maker.time(trial.smooth);
         if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
         trial.trajectory = std::move(*trajectory);
+        return lookAt(std::move(trial));
+    }
+
+    /// The trial, whose trajectory is there, with what its frames show.
+    [[nodiscard]] Result<Trial> lookAt(Trial trial) const {
         Result<CaptureEstimate> estimate =
             estimateCaptures(context_.around.views, trial.trajectory, job_, memo_);
         if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
@@ -175,6 +180,14 @@ class Repair {
             }
         }
         return good;
+    }
+
+    /// The first half of the changes; the others count as refused.
+    std::vector<Change> keepHalf(std::vector<Change> changes) {
+        const std::size_t half = changes.size() / 2;
+        for (std::size_t i = half; i < changes.size(); ++i) refused_[changes[i].stretch] += 1;
+        changes.resize(half);
+        return changes;
     }
 
   private:
@@ -261,7 +274,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
     RepairContext context{maker, around, scoreWeights(params), 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
-    Result<Trial> first = repair.carryOut(design);
+    Result<Trial> first = repair.lookAt({found.smooth_paths, found.trajectory, {}, {}});
     if (!first) return tl::unexpected<Error>(std::move(first.error()));
     Trial best = std::move(*first);
     context.threshold = lowThreshold(best.scores, params.score_threshold);
@@ -281,14 +294,17 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
         for (int attempt = 0; attempt < kAttempts && !changes.empty(); ++attempt) {
             const std::size_t tried = changes.size();
             const Result<Design> changed = repair.apply(design, changes);
-            // A budget of frames may be too small for more glances.
             Result<Trial> trial =
                 changed ? repair.carryOut(*changed) : tl::unexpected<Error>(changed.error());
             if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-            if (!trial) break;
-            const bool loses = !lostOn(best, *trial).empty();
-            changes = repair.keepGood(changes, best, *trial);
-            if (changes.size() < tried || loses) continue;
+            if (trial) changes = repair.keepGood(changes, best, *trial);
+            const bool loses = !trial || !lostOn(best, *trial).empty();
+            if (changes.size() < tried) continue;
+            // A budget of frames may be too small for all, or a change far off costs a capture.
+            if (loses) {
+                changes = repair.keepHalf(std::move(changes));
+                continue;
+            }
             for (const Change& change : changes) {
                 if (change.other_way) rerouted.insert(change.stretch);
             }
@@ -302,7 +318,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
         best.scores = imageScores(best.trajectory, best.estimate.frame_boxes, context.weights);
     }
     report.after = tally(best.scores, context.threshold);
-    report.nudged = countStretches(design.glances);
+    report.glances = countStretches(design.glances);
     report.replanned = static_cast<int>(rerouted.size());
     result.paths = std::move(design.paths);
     result.smooth_paths = std::move(best.smooth);

@@ -1,6 +1,7 @@
 #include "planning/viewpoints/key_frames.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/pose_key.h"
 #include "planning/viewpoints/candidate_judge.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -12,6 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kGlance = 6;
+constexpr int kEnoughRays = 6;       // fewer on the object say nothing
 constexpr double kWorthALook = 0.6;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
@@ -34,17 +36,13 @@ std::vector<ShownObject> shownFrom(const ViewEstimator& views, const Pose& pose)
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
         // A coarse look spares the closer one where it is clear that little shows.
-        if (views.estimate(pose, object.id, kGlance).visible_fraction < kWorthALook) continue;
+        const auto glance = views.estimate(pose, object.id, kGlance);
+        const bool tells = glance.rays_on_silhouette >= kEnoughRays;
+        if (tells && glance.visible_fraction < kWorthALook) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) shown.push_back({object.id, estimate.box_share});
     }
     return shown;
-}
-
-std::array<double, 7> keyOf(const Pose& pose) {
-    const Eigen::Vector3d& p = pose.position;
-    const Eigen::Quaterniond& q = pose.rotation;
-    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
 }  // namespace

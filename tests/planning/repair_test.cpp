@@ -1,6 +1,7 @@
 #include "planning/repair/low_runs.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/linking/rrt_star.h"
 #include "planning/pipeline.h"
 #include "tests/planning/slow_checker.h"
 #include "tests/support/scene_builder.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace dollytrack::planning {
 namespace {
@@ -46,7 +48,6 @@ PlanParams repaired(int rounds) {
     return params;
 }
 
-/// The median times the share, and the frames below it, counted the plain way.
 int countLow(std::vector<double> scores, double threshold) {
     return static_cast<int>(std::ranges::count_if(scores, [&](double s) { return s < threshold; }));
 }
@@ -85,7 +86,7 @@ TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     EXPECT_EQ(after->repair.before, before->repair.after);
     EXPECT_LT(after->repair.after.low, after->repair.before.low);
     EXPECT_GE(after->repair.after.mean, after->repair.before.mean);
-    EXPECT_GT(after->repair.nudged + after->repair.replanned, 0);
+    EXPECT_GT(after->repair.glances + after->repair.replanned, 0);
     // What it says is what the frames' scores are.
     EXPECT_EQ(after->repair.after.low, countLow(after->series.score, after->repair.threshold));
     ASSERT_EQ(before->captures.size(), after->captures.size());
@@ -111,6 +112,30 @@ TEST(Repair, KeepsEveryKeyFrameToTheLastBit) {
         EXPECT_EQ(after.at(point).position, pose.position) << point;
         EXPECT_EQ(after.at(point).rotation.coeffs(), pose.rotation.coeffs()) << point;
     }
+}
+
+// Both key frames see each other, and nothing is to be seen on the straight way.
+TEST(OtherWay, LeadsAroundThoughTheStraightWayIsFree) {
+    RrtStarProblem problem;
+    problem.start = {0, 0, 0};
+    problem.goal = {4, 0, 0};
+    problem.max_iterations = 400;
+    problem.improve_at_least = 0;
+    problem.sample = [](Random& r) {
+        return Eigen::Vector3d(r.uniform(0.0, 4.0), r.uniform(-2.0, 2.0), 0.0);
+    };
+    problem.is_free = [](const Eigen::Vector3d&) { return true; };
+    problem.is_move_free = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return true; };
+    EXPECT_TRUE(rrtStar(problem, Random(1)).corners.empty());
+    problem.detour = true;
+    std::set<double> sides;
+    for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+        const RrtStarResult way = rrtStar(problem, Random(seed));
+        ASSERT_TRUE(way.found);
+        ASSERT_FALSE(way.corners.empty());
+        sides.insert(way.corners.front().y());
+    }
+    EXPECT_EQ(sides.size(), 4U) << "each seed another way";
 }
 
 TEST(Repair, KeepsTheSphereOutOfAllTriangles) {

@@ -79,7 +79,7 @@ SlowChecker::Found SlowChecker::check(const Plan& plan, double radius_m, bool sh
     for (std::size_t i = 0; i < frames.size(); ++i) {
         look(frames[i].pose.position);
         // A shaken camera leaves its path; from frame to frame it goes straight.
-        if (shaken && i + 1 < frames.size() && frames[i].path == frames[i + 1].path) {
+        if (shaken && i + 1 < frames.size() && followsOn(plan.trajectory, i + 1)) {
             look(0.5 * (frames[i].pose.position + frames[i + 1].pose.position));
         }
     }

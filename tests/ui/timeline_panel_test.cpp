@@ -1,5 +1,7 @@
 #include "ui/panels/timeline_panel.h"
 
+#include "ui/panels/timeline_time.h"
+
 #include "tests/ui/screen.h"
 
 #include <gtest/gtest.h>
@@ -131,6 +133,23 @@ TEST(TimelinePanel, SwitchesStrips) {
     screen.click("timeline.strips");
     ASSERT_TRUE(screen.click("timeline.strip.turn")) << screen.names();
     EXPECT_FALSE(timeline.state.strips[static_cast<std::size_t>(TimelineStrip::Turn)]);
+}
+
+TEST(TimelineTime, FollowsTheTimesWhereFramesWereLeftOut) {
+    const std::vector<double> times = {0.0, 0.1, 0.5, 0.6};
+    TimelineView view;
+    view.frame_count = 4;
+    view.frame_interval_s = 0.1;
+    EXPECT_NEAR(timeOf(view, 3), 0.3, 1e-12);
+    view.times_s = &times;
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(timeOf(view, i), times[static_cast<std::size_t>(i)]);
+        EXPECT_NEAR(frameAt(view, times[static_cast<std::size_t>(i)]), i, 1e-12);
+    }
+    EXPECT_NEAR(timeOf(view, 1.25), 0.2, 1e-12);
+    EXPECT_NEAR(frameAt(view, 0.2), 1.25, 1e-12);
+    EXPECT_NEAR(frameAt(view, 0.8), 5.0, 1e-12);
+    EXPECT_NEAR(timeOf(view, -1.0), -0.1, 1e-12);
 }
 
 TEST(TimelinePanel, SaysWhyNothingCanBePlayed) {

@@ -55,6 +55,13 @@ void drawCaptures(const Plan& plan) {
     ImGui::EndTable();
 }
 
+/// From the first frame to the end of the last.
+double durationOf(const Trajectory& trajectory) {
+    if (trajectory.frames.empty()) return 0.0;
+    return trajectory.frames.back().time_s - trajectory.frames.front().time_s +
+           trajectory.frame_interval_s;
+}
+
 void drawScores(const RepairReport& repair) {
     constexpr const char* kMeaning =
         "The mean image score, and frames that score low: they show few objects, or none";
@@ -69,7 +76,8 @@ void drawScores(const RepairReport& repair) {
     row("  repaired", text(repair.after),
         fmt::format("{} stretches got a glance aside, {} another way, {} frames were left out, in "
                     "{} rounds",
-                    repair.nudged, repair.replanned, repair.dropped, repair.rounds).c_str());
+                    repair.glances, repair.replanned, repair.dropped, repair.rounds)
+            .c_str());
 }
 
 void drawTrajectory(const Plan& plan, bool measured) {
@@ -80,7 +88,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
         std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
                       [](const TrajectoryFrame& frame) { return frame.position_point >= 0; });
     row("Frames", fmt::format("{}, {} key frames", frames, keys));
-    row("Duration", fmt::format("{:.1f} s", frames * plan.trajectory.frame_interval_s));
+    row("Duration", fmt::format("{:.1f} s", durationOf(plan.trajectory)));
     double length = 0.0;
     double clearance = plan.smooth_paths.empty() ? 0.0 : 1e9;
     for (const SmoothPath& path : plan.smooth_paths) {

@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_panel.h"
 
 #include "ui/panels/timeline_strips.h"
+#include "ui/panels/timeline_time.h"
 #include "ui/panels/timeline_tracks.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
@@ -85,14 +86,13 @@ void drawPlace(const TimelineView& view, TimelineActions& actions) {
     nameItem("timeline.frame", any);
     tooltip(any ? "Drag, or Ctrl+click to type a frame" : kNoFrames);
     ImGui::SameLine();
-    auto time = static_cast<float>(view.frame * view.frame_interval_s);
+    auto time = static_cast<float>(timeOf(view, view.frame));
     ImGui::SetNextItemWidth(scaled(78));
     if (ImGui::DragFloat("##time", &time, static_cast<float>(0.3 * view.frame_interval_s), 0.0F,
-                         static_cast<float>(last * view.frame_interval_s), "%.2f s",
+                         static_cast<float>(timeOf(view, last)), "%.2f s",
                          ImGuiSliderFlags_AlwaysClamp) &&
         view.frame_interval_s > 0.0) {
-        actions.go_to =
-            std::clamp(static_cast<int>(std::lround(time / view.frame_interval_s)), 0, last);
+        actions.go_to = std::clamp(static_cast<int>(std::lround(frameAt(view, time))), 0, last);
     }
     nameItem("timeline.time", any);
     tooltip(any ? "Drag, or Ctrl+click to type a time" : kNoFrames);

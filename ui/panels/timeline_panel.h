@@ -27,7 +27,8 @@ struct TimelineBand {
 struct TimelineView {
     int frame_count = 0;
     double frame_interval_s = 0.1;
-    int frame = 0;  // shown now
+    const std::vector<double>* times_s = nullptr;  // of the frames; null: at even intervals
+    int frame = 0;                                 // shown now
     bool playing = false;
     const std::vector<TimelineKey>* keys = nullptr;  // by rising frame
     const std::vector<TimelineBand>* bands = nullptr;

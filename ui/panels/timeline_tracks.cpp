@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_tracks.h"
 
 #include "ui/panels/timeline_strips.h"
+#include "ui/panels/timeline_time.h"
 #include "ui/theme.h"
 #include "ui/widgets/frame_axis.h"
 #include "ui/widgets/item_map.h"
@@ -44,10 +45,10 @@ void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows
     const ImU32 line = ImGui::GetColorU32(palette().panel_line);
     const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
     const double step = tickSeconds(interval / axis.pixelsPerFrame());
-    const auto first = static_cast<long>(std::ceil(axis.first() * interval / step));
+    const auto first = static_cast<long>(std::ceil(timeOf(view, axis.first()) / step));
     for (long i = first;; ++i) {
         const double seconds = static_cast<double>(i) * step;
-        const auto x = static_cast<float>(axis.xOf(seconds / interval));
+        const auto x = static_cast<float>(axis.xOf(frameAt(view, seconds)));
         if (x > axis.right()) break;
         list->AddLine({x, rows.ruler}, {x, rows.bottom}, line);
         const std::string text = fmt::format("{:.{}f} s", seconds, step < 1.0 ? 1 : 0);
@@ -138,7 +139,7 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(360));
     if (key != nullptr) frame = key->frame;
-    ImGui::Text("Frame %d, %.2f s%s", frame, frame * view.frame_interval_s,
+    ImGui::Text("Frame %d, %.2f s%s", frame, timeOf(view, frame),
                 key != nullptr ? ", a key frame" : "");
     if (key != nullptr && !key->text.empty()) ImGui::TextUnformatted(key->text.c_str());
     if (view.bands != nullptr && view.bands->size() > 1) {

@@ -314,6 +314,30 @@ TEST(Operation, PointsAndBoxesAreNamedMovedAndRemoved) {
     EXPECT_EQ(editing.state, ProjectState{});
 }
 
+TEST(Operation, EndsGoWithTheirPointsAndTakeNobodyElses) {
+    Editing editing;
+    const PlanEdits& plan = editing.state.edits.plan;
+    ASSERT_TRUE(editing.apply({
+        {{"op", "pin"},
+         {"objects", {"lamp"}},
+         {"name", "start"},
+         {"position", {1, 1, 1}},
+         {"yaw_deg", 0}},
+        {{"op", "set_start"}, {"position", {2, 1, 1}}, {"yaw_deg", 0}},
+    }));
+    ASSERT_EQ(plan.pinned.size(), 2U);
+    EXPECT_EQ(plan.pinned[0].pose.position, Eigen::Vector3d(1, 1, 1));
+    EXPECT_EQ(plan.start, "start 2");
+    ASSERT_TRUE(editing.apply(
+        json::array({{{"op", "set_start"}, {"position", {3, 1, 1}}, {"yaw_deg", 0}}})));
+    EXPECT_EQ(plan.pinned.size(), 2U) << "the end that was made is moved";
+    EXPECT_EQ(plan.pinned[1].pose.position, Eigen::Vector3d(3, 1, 1));
+    ASSERT_TRUE(editing.apply({{{"op", "set_end"}, {"point", "start"}},
+                               {{"op", "remove_point"}, {"objects", {"lamp"}}}}));
+    EXPECT_EQ(plan.end, "") << "its point is gone";
+    EXPECT_EQ(plan.start, "start 2");
+}
+
 // The gizmo and the fields of numbers hand over the whole box or view: what differs counts.
 TEST(Operation, NamesWhatWasDoneToABoxOrAView) {
     Editing editing;

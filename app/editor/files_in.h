@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// What is in a folder, in any order; as much as can be read of it. Throws nothing but bad_alloc:
+/// a range over a directory_iterator may throw on a failing disk.
+[[nodiscard]] inline std::vector<std::filesystem::directory_entry> filesIn(
+    const std::filesystem::path& folder) {
+    std::vector<std::filesystem::directory_entry> entries;
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
+        entries.push_back(*at);
+    }
+    return entries;
+}
+
+}  // namespace dollytrack::editor

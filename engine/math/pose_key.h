@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/math/pose.h"
+
+#include <array>
+
+namespace dollytrack {
+
+/// A pose as numbers that can be ordered, for memories of what was found at exactly that pose.
+[[nodiscard]] inline std::array<double, 7> keyOf(const Pose& pose) {
+    const Eigen::Vector3d& p = pose.position;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+}  // namespace dollytrack
