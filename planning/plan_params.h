@@ -24,7 +24,7 @@ void visitTargetParams(Params& p, Visitor&& visit) {
 
 /// Where position points are searched (paper, eq. 1).
 struct ViewpointParams {
-    double fill = 0.6;
+    double fill = 0.72;
     double yaw_offset_deg = 0.0;
     double pitch_offset_deg = 15.0;
     double cone_half_angle_deg = 40.0;

@@ -35,9 +35,9 @@ struct TrajectoryMaker {
 /// between two key frames the camera first glances at objects on its way (the paper's fine-tuning
 /// of poses), and takes another way, found by RRT*, where that does not help. A stretch keeps its
 /// change only when fewer of its frames are low and their mean score is no less. With
-/// `drop_low_frames` those that still are low are left out. Key frames stay as they are, and no
-/// object that was captured, or captured well, is lost. `memo`, unless null,
-/// remembers what frames show. Error: Cancelled.
+/// `drop_low_frames` those that still are low are left out. Key frames stay as they are, but where
+/// another way rounds their corner otherwise, and no object that was captured, or captured well, is
+/// lost. `memo`, unless null, remembers what frames show. Error: Cancelled.
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
                                   const Surroundings& around, const RepairParams& params, int seed,
                                   const JobContext& job, ViewMemo* memo = nullptr);

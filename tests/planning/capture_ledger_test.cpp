@@ -103,7 +103,7 @@ TEST(CaptureLedger, ARowSaysWhatTheDecidingFrameShows) {
         const Eigen::Vector3d center = scene.object(row.object_id).box.center;
         EXPECT_NEAR(row.distance_m, (center - frame.pose.position).norm(), 1e-9);
         const double counted = pixelsOf(rays, frame.pose, row.object_id) / (640.0 * 480.0);
-        EXPECT_NEAR(row.mask_share, counted, 0.03 * counted + 1e-4);
+        EXPECT_NEAR(row.mask_share, counted, 0.05 * counted + 1e-4);
     }
 }
 

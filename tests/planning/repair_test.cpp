@@ -96,7 +96,8 @@ TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     }
 }
 
-TEST(Repair, KeepsEveryKeyFrameToTheLastBit) {
+// Another way rounds the corners at both of its key frames otherwise; glances change none.
+TEST(Repair, KeepsKeyFramesToTheLastBitButAtTheEndsOfOtherWays) {
     const Scene scene = longHall();
     const auto keyPoses = [](const Plan& plan) {
         std::map<int, Pose> poses;
@@ -106,11 +107,13 @@ TEST(Repair, KeepsEveryKeyFrameToTheLastBit) {
         return poses;
     };
     const auto before = keyPoses(*planOf(scene, {}));
-    const auto after = keyPoses(*planOf(scene, repaired(1)));
-    ASSERT_EQ(before.size(), after.size());
-    for (const auto& [point, pose] : before) {
-        EXPECT_EQ(after.at(point).position, pose.position) << point;
-        EXPECT_EQ(after.at(point).rotation.coeffs(), pose.rotation.coeffs()) << point;
+    for (const int rounds : {1, 4}) {
+        const auto plan = planOf(scene, repaired(rounds));
+        const auto after = keyPoses(*plan);
+        ASSERT_EQ(before.size(), after.size());
+        int changed = 0;
+        for (const auto& [point, pose] : before) changed += !(after.at(point) == pose);
+        EXPECT_LE(changed, 2 * plan->repair.replanned);
     }
 }
 

@@ -105,7 +105,7 @@ TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
     const auto cube = f.search(f.idOf("cube"), 1).best;
     const auto pole = f.search(f.idOf("pole"), 1).best;
     ASSERT_TRUE(cube && pole);
-    EXPECT_NEAR(cube->fill, 0.6, 0.08);
+    EXPECT_NEAR(cube->fill, 0.72, 0.08);
     EXPECT_NEAR(pole->fill, 0.85, 0.1);
 }
 

@@ -103,7 +103,7 @@ class Files(Task):
         self.dismiss("reload")
         state = self.editor.wait(lambda state: state["edits"], "the other program's edits")
         state = self.editor.idle()
-        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.6)
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.72)
         self.assertEqual(state["edits"]["changes"][0]["object"]["name"], "sofa")
         self.assertFalse(state["unsaved"])
         self.assertEqual(self.project.read_bytes(), theirs)
@@ -237,7 +237,7 @@ class Files(Task):
         self.editor.key("ctrl+z")
         state = self.editor.idle()
         self.assertEqual(state["plan"], planned)
-        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.6)
+        self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.72)
         self.editor.key("ctrl+shift+z")
         self.assertEqual(self.editor.idle()["parameters"]["viewpoints"]["fill"], 0.45)
 

@@ -22,7 +22,7 @@ class Crash:
         self.folder = folder
         self.dice = dice
         self.project = folder / "room.dolly"
-        self.changes = [(0.0, 0.6)]  # when, and the fill that was chosen then
+        self.changes = [(0.0, 0.72)]  # when, and the fill that was chosen then
 
     def start(self, *arguments):
         return Editor(Programs.editor, self.screen, *arguments, home=self.folder / "home")
