@@ -113,6 +113,12 @@ std::string wordsOf(const ObjectChange& change) {
                                     std::atan2(change.front->y(), change.front->x()) * kDegrees));
     }
     if (change.large) parts.emplace_back(*change.large ? "large" : "small");
+    if (change.move && !change.move->offset_m.isZero(0.0)) {
+        parts.push_back(fmt::format("moved by ({}) m", wordsOf(change.move->offset_m)));
+    }
+    if (change.move && change.move->turn_rad != 0.0) {
+        parts.push_back(fmt::format("turned by {:.1f} deg", change.move->turn_rad * kDegrees));
+    }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

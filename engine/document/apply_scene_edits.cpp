@@ -3,11 +3,13 @@
 #include "engine/document/regroup.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/facing.h"
+#include "engine/scene/move_object.h"
 #include "engine/scene/object_size.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -69,6 +71,9 @@ void change(Scene& scene, const ObjectChange& wanted) {
         object.large = *wanted.large;
         object.size_given = true;
     }
+    // Last, so that a front set by hand turns with its object. Sizes and the fronts of others stay:
+    // what was moved is still what it was.
+    if (wanted.move) moveObject(scene, object.id, wanted.move->offset_m, wanted.move->turn_rad);
 }
 
 /// The numbers of an edit's objects brought up to date; false when one is gone.
@@ -133,7 +138,14 @@ PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,
 }
 
 bool sameGeometry(const SceneEdits& a, const SceneEdits& b) {
-    return a.definitions == b.definitions;
+    const auto moves = [](const SceneEdits& edits) {
+        std::vector<std::pair<ObjectRef, ObjectMove>> list;
+        for (const ObjectChange& change : edits.changes) {
+            if (change.move) list.emplace_back(change.object, *change.move);
+        }
+        return list;
+    };
+    return a.definitions == b.definitions && moves(a) == moves(b);
 }
 
 }  // namespace dollytrack

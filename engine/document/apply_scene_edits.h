@@ -30,8 +30,8 @@ int findObject(const Scene& scene, const ObjectRef& wanted);
 PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,
                       std::vector<std::string>& warnings);
 
-/// Whether the two give scenes of the same triangles in the same objects: then what was made of
-/// the geometry (ray structures, free space) holds for both.
+/// Whether the two give scenes of the same triangles in the same objects and places: then what was
+/// made of the geometry (ray structures, free space) holds for both.
 bool sameGeometry(const SceneEdits& a, const SceneEdits& b);
 
 }  // namespace dollytrack

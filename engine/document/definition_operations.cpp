@@ -51,6 +51,20 @@ void followAll(Edits& edits, const Scene& before, const Successors& successors) 
     for (RemovedPoint& removed : edits.plan.removed) follow(removed.objects, before, successors);
 }
 
+/// A new object stands where its parts stand in the file: what was moved would jump back, unseen.
+void refuseMoved(const ProjectState& state, const OperationContext& context,
+                 const std::vector<ObjectRef>& objects, const JsonReader& where) {
+    for (const ObjectChange& change : state.edits.scene.changes) {
+        const int id = findObject(context.scene, change.object);
+        if (!change.move || id == 0) continue;
+        if (std::ranges::find(objects, id, &ObjectRef::id) == objects.end()) continue;
+        where.refuse(
+            fmt::format("'{}' was moved; put it back first (move_object with offset "
+                        "[0, 0, 0] and turn_deg 0), and move what comes of it.",
+                        change.object.name));
+    }
+}
+
 bool isTaken(const Scene& scene, const std::string& name, const std::vector<ObjectRef>& but) {
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
         return object.name == name &&
@@ -70,6 +84,9 @@ std::string merge(ProjectState& state, const OperationContext& context,
     if (fields.has("class")) definition.nyu40 = fields.nyu40("class");
     if (fields.good() && definition.objects.size() < 2) {
         fields.field("objects").refuse("It takes two objects or more to make one of them.");
+    }
+    if (fields.good()) {
+        refuseMoved(state, context, definition.objects, fields.field("objects"));
     }
     if (fields.good() && definition.name.empty()) {
         fields.field("name").refuse("The new object needs a name.");
@@ -117,6 +134,7 @@ std::string split(ProjectState& state, const OperationContext& context,
                   const OperationReader& fields) {
     const Scene& scene = context.scene;
     const ObjectRef object = fields.object("object");
+    if (fields.good()) refuseMoved(state, context, {object}, fields.field("object"));
     if (!fields.good()) return {};
     const std::size_t pieces = findPieces(scene, scene.object(object.id)).size();
     if (pieces < 2) {

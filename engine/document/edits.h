@@ -30,16 +30,26 @@ struct ObjectDefinition {
     bool operator==(const ObjectDefinition&) const = default;
 };
 
+/// Where an object was put: turned about the vertical through the middle of its box, then moved.
+struct ObjectMove {
+    Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
+    double turn_rad = 0.0;  // counter-clockwise seen from above
+    bool operator==(const ObjectMove&) const = default;
+
+    [[nodiscard]] bool isNone() const { return offset_m.isZero(0.0) && turn_rad == 0.0; }
+};
+
 /// What a person says of one object; what they do not say stays as import found it.
 struct ObjectChange {
     ObjectRef object;                      // in the scene with all definitions applied
     std::optional<Role> role;              // Target or Excluded
     std::optional<int> nyu40;              // 0..40
-    std::optional<Eigen::Vector3d> front;  // horizontal, unit
+    std::optional<Eigen::Vector3d> front;  // horizontal, unit; of the object where the file has it
     std::optional<bool> large;
+    std::optional<ObjectMove> move;  // from where the file has it
     bool operator==(const ObjectChange&) const = default;
 
-    [[nodiscard]] bool saysNothing() const { return !role && !nyu40 && !front && !large; }
+    [[nodiscard]] bool saysNothing() const { return !role && !nyu40 && !front && !large && !move; }
 };
 
 /// Everything changed by hand in a scene. Definitions come first, in order, then the lists, then

@@ -39,12 +39,17 @@ json definitionJson(const ObjectDefinition& definition) {
             {"nyu40", definition.nyu40}};
 }
 
+json moveJson(const ObjectMove& move) {
+    return {{"offset_m", vectorJson(move.offset_m)}, {"turn_rad", move.turn_rad}};
+}
+
 json changeJson(const ObjectChange& change) {
     json one = {{"object", refsJson({change.object}).front()}};
     if (change.role) one["role"] = *change.role == Role::Excluded ? "excluded" : "target";
     if (change.nyu40) one["nyu40"] = *change.nyu40;
     if (change.front) one["front"] = vectorJson(*change.front);
     if (change.large) one["large"] = *change.large;
+    if (change.move) one["move"] = moveJson(*change.move);
     return one;
 }
 
@@ -109,6 +114,11 @@ Eigen::Vector3d readFront(const JsonReader& from) {
     return front;
 }
 
+ObjectMove readMove(const JsonReader& from) {
+    return {from.at("offset_m").point(),
+            from.at("turn_rad").number(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi)};
+}
+
 ObjectChange readChange(const JsonReader& from) {
     ObjectChange change;
     change.object = readRef(from.at("object"));
@@ -127,6 +137,7 @@ ObjectChange readChange(const JsonReader& from) {
         if (!large.json().is_boolean()) large.refuse("This must be true or false.");
         if (large.good()) change.large = large.json().get<bool>();
     }
+    if (const JsonReader move = from.at("move"); !move.absent()) change.move = readMove(move);
     return change;
 }
 

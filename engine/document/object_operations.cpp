@@ -1,13 +1,17 @@
 #include "engine/document/operation_table.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/move_object.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace dollytrack {
 namespace {
+
+constexpr double kFarthestMove_m = 1e4;
 
 /// The change of an object, begun when there is none. A change that says nothing any more goes.
 template <class Alter>
@@ -89,8 +93,41 @@ std::string setFront(ProjectState& state, const OperationContext& context,
     const ObjectRef object = fields.object("object");
     const Eigen::Vector3d front = fields.front("front");
     if (!fields.good()) return {};
-    alter(state, context, object, [&](ObjectChange& change) { change.front = front; });
+    alter(state, context, object, [&](ObjectChange& change) {
+        // Kept as it was before its object was turned, so that it goes on turning with it.
+        change.front = turnLevel(front, change.move ? -change.move->turn_rad : 0.0);
+    });
     return "Turn the front of " + object.name;
+}
+
+std::string moveObjectBy(ProjectState& state, const OperationContext& context,
+                         const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    const bool moves = fields.has("offset");
+    const bool turns = fields.has("turn_deg");
+    if (!moves && !turns) fields.field("object").refuse("Say how: give an offset or turn_deg.");
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    if (moves) offset = fields.field("offset").point();
+    if (offset.cwiseAbs().maxCoeff() > kFarthestMove_m) {
+        fields.field("offset").refuse("An object can be moved by at most 10000 m.");
+    }
+    const double turn_deg = turns ? fields.field("turn_deg").number(-360.0, 360.0) : 0.0;
+    if (!fields.good()) return {};
+    ObjectMove before;
+    ObjectMove move;
+    alter(state, context, object, [&](ObjectChange& change) {
+        move = before = change.move.value_or(ObjectMove{});
+        if (moves) move.offset_m = offset;
+        if (turns) move.turn_rad = turn_deg * std::numbers::pi / 180.0;
+        change.move = move.isNone() ? std::nullopt : std::optional(move);
+    });
+    const bool moved = move.offset_m != before.offset_m;
+    const bool turned = move.turn_rad != before.turn_rad;
+    const char* what = move.isNone()     ? "Put back "
+                       : moved && turned ? "Move and turn "
+                       : turned          ? "Turn "
+                                         : "Move ";
+    return what + object.name;
 }
 
 std::string setSize(ProjectState& state, const OperationContext& context,

@@ -12,6 +12,7 @@ std::string excludeObject(ProjectState&, const OperationContext&, const Operatio
 std::string includeObject(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setClass(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setFront(ProjectState&, const OperationContext&, const OperationReader&);
+std::string moveObjectBy(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setSize(ProjectState&, const OperationContext&, const OperationReader&);
 std::string ignoreObjects(ProjectState&, const OperationContext&, const OperationReader&);
 std::string onlyObjects(ProjectState&, const OperationContext&, const OperationReader&);

@@ -56,6 +56,13 @@ std::string changeText(const ObjectChange& change) {
         parts.push_back(fmt::format("front {:.0f}\u00b0", angle * 180.0 / std::numbers::pi));
     }
     if (change.large) parts.emplace_back(*change.large ? "large" : "small");
+    if (change.move && !change.move->offset_m.isZero(0.0)) {
+        parts.push_back(fmt::format("moved {:.2f} m", change.move->offset_m.norm()));
+    }
+    if (change.move && change.move->turn_rad != 0.0) {
+        parts.push_back(
+            fmt::format("turned {:.0f}\u00b0", change.move->turn_rad * 180.0 / std::numbers::pi));
+    }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

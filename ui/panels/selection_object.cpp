@@ -1,4 +1,5 @@
 #include "engine/scene/labels.h"
+#include "engine/scene/move_object.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/selection_details.h"
 #include "ui/theme.h"
@@ -42,18 +43,20 @@ struct Said {
     Eigen::Vector3d front;
     std::string front_source;
     int size;  // 0: auto, 1: small, 2: large
+    ObjectMove move;
 };
 
 Said whatIsSaid(const Object& object, const ObjectChange* change) {
-    Said said{object.nyu40, object.role, object.front, sourceText(object.front_source), 0};
+    Said said{object.nyu40, object.role, object.front, sourceText(object.front_source), 0, {}};
     if (change == nullptr) return said;
     said.nyu40 = change->nyu40.value_or(object.nyu40);
     said.role = change->role.value_or(object.role);
     if (change->front) {
-        said.front = *change->front;
+        said.front = turnLevel(*change->front, change->move.value_or(ObjectMove{}).turn_rad);
         said.front_source = "set by hand";
     }
     if (change->large) said.size = *change->large ? 2 : 1;
+    said.move = change->move.value_or(ObjectMove{});
     return said;
 }
 
@@ -103,6 +106,25 @@ void drawFront(const Said& said, const json& key, EditRequest& edit) {
     formText("", said.front_source);
 }
 
+void drawMove(const Said& said, const json& key, EditRequest& edit) {
+    const auto request = [&](const FieldEdit& field, const char* what, json value) {
+        if (field.changed) {
+            edit.operation = {{"op", "move_object"}, {"object", key}};
+            edit.operation[what] = std::move(value);
+            edit.merge_key = std::string("move.") + what + key.dump();
+        }
+        edit.ends_merge = edit.ends_merge || field.finished;
+    };
+    formLabel("Moved", "From where the scene file has it, m");
+    Eigen::Vector3d offset = said.move.offset_m;
+    const FieldEdit moved = dragPoint(offset, kPlaceRange, "selection.move");
+    request(moved, "offset", pointJson(offset));
+    formLabel("Turned", "About the vertical through its middle; positive is counter-clockwise");
+    double turn = said.move.turn_rad * 180.0 / std::numbers::pi;
+    const FieldEdit turned = dragNumber(turn, kAngleRange, "selection.turn");
+    request(turned, "turn_deg", turn);
+}
+
 void drawProperties(const SelectionView& view, const Object& object, SelectionState& state,
                     SelectionActions& actions) {
     const json key = objectKey(*view.scene, object.id);
@@ -117,6 +139,7 @@ void drawProperties(const SelectionView& view, const Object& object, SelectionSt
     drawRole(object, said, key, actions.edit);
     drawSize(object, said, key, actions.edit);
     drawFront(said, key, actions.edit);
+    drawMove(said, key, actions.edit);
     formText("Size", sizeText(2.0 * object.box.half_size));
     formText("Centre", placeText(object.box.center) + " m");
     formText("Triangles", fmt::format("{}", object.triangle_count));

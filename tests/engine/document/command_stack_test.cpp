@@ -31,7 +31,7 @@ json anyOperation() {
     const auto object = [] { return *rc::gen::elementOf(names); };
     const auto number = [](int low, int high) { return 0.1 * *rc::gen::inRange(low, high); };
     const auto point = [&] { return json{number(0, 40), number(0, 30), number(1, 25)}; };
-    switch (*rc::gen::inRange(0, 12)) {
+    switch (*rc::gen::inRange(0, 13)) {
         case 0:
             return {{"op", "exclude"}, {"object", object()}};
         case 1:
@@ -58,6 +58,11 @@ json anyOperation() {
                     {"yaw_deg", number(0, 900)}};
         case 10:
             return {{"op", "remove_no_go"}, {"name", "no-go box"}};
+        case 11:
+            return {{"op", "move_object"},
+                    {"object", object()},
+                    {"offset", point()},
+                    {"turn_deg", number(-1800, 1800)}};
         default:
             return {{"op", "set"}, {"name", "fill"}, {"value", number(1, 10)}};
     }
