@@ -82,7 +82,8 @@ struct ClosestSearch {
     Eigen::Vector3d query;
     double best_squared = 0.0;
     ClosestPoint best;
-    bool any = false;  // the first surface within reach will do
+    bool any = false;       // the first surface within reach will do
+    float rounding = 0.0F;  // of the query point, m
 };
 
 bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
@@ -93,12 +94,16 @@ bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
         closestOnTriangle(search.query, object.corner(triangle, 0), object.corner(triangle, 1),
                           object.corner(triangle, 2));
     const double squared = (point - search.query).squaredNorm();
-    if (squared >= search.best_squared) return false;
+    const int id = static_cast<int>(arguments->geomID) + 1;
+    // Of things that touch there, the one of the lowest number: which one the tree comes to first
+    // depends on everything else in the scene.
+    const bool as_near = squared == search.best_squared && id < search.best.object_id;
+    if (squared >= search.best_squared && !as_near) return false;
     search.best_squared = squared;
-    search.best = {static_cast<int>(arguments->geomID) + 1, std::sqrt(squared), point};
-    // Rounded up, so that float rounding never hides a closer triangle.
+    search.best = {id, std::sqrt(squared), point};
+    // Rounded up, so that float rounding never hides a triangle as close or closer.
     arguments->query->radius =
-        search.any ? 0.0F : static_cast<float>(search.best.distance) * 1.000001F;
+        search.any ? 0.0F : static_cast<float>(search.best.distance) * 1.000001F + search.rounding;
     return true;
 }
 
@@ -110,6 +115,7 @@ ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& obje
     search.query = point;
     search.any = any;
     search.best_squared = max_distance * max_distance;
+    search.rounding = 1e-6F + static_cast<float>(point.cwiseAbs().maxCoeff()) * 2.5e-7F;
     RTCPointQuery query{};
     query.x = static_cast<float>(search.query.x());
     query.y = static_cast<float>(search.query.y());

@@ -91,4 +91,27 @@ TEST(RayCaster, IsClearAsFarAsTheClosestPoint) {
     }
 }
 
+// Two boxes share a side; which of them is named must not hang on what else there is.
+TEST(RayCaster, NamesTheLowestOfThingsThatTouch) {
+    Random random(4, 2);
+    for (int others = 0; others < 60; ++others) {
+        test::SceneBuilder builder;
+        builder.object("low").box({0, 0, 0.5}, {1, 1, 1});   // 1
+        builder.object("high").box({0, 0, 1.5}, {1, 1, 1});  // 2
+        for (int i = 0; i < others; ++i) {
+            const Eigen::Vector3d at(random.uniform(-4, 4), random.uniform(-4, 4), 5.0);
+            builder.object("other").box(at, {0.3, 0.3, 0.3});
+        }
+        const Scene scene = builder.build();
+        const RayCaster rays(scene);
+        for (int i = 0; i < 20; ++i) {
+            // Beside the seam and level with it: both are as near.
+            const Eigen::Vector3d point(0.5 + random.uniform(0.01, 0.3), random.uniform(-0.4, 0.4),
+                                        1.0);
+            EXPECT_EQ(rays.closest(point, 0.5).object_id, 1) << others;
+            EXPECT_NEAR(rays.closest(point, 0.5).distance, point.x() - 0.5, 1e-12);
+        }
+    }
+}
+
 }  // namespace dollytrack
