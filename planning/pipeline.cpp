@@ -1,6 +1,7 @@
 #include "planning/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/scene/move_object.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
@@ -111,8 +112,9 @@ void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
 struct Pipeline::Stages {
     std::shared_ptr<const Scene> scene;
     V scene_version = 0;
-    Stage<std::tuple<>, RayCaster> rays;
-    Stage<std::tuple<double>, SurfaceMap> surfaces;
+    V geometry_version = 0;
+    Stage<std::tuple<V>, RayCaster> rays;
+    Stage<std::tuple<V, double>, SurfaceMap> surfaces;
     Stage<std::tuple<unsigned, double>, FreeSpace> free_space;
     Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double>, AllowedRegion>
         region;
@@ -142,14 +144,24 @@ struct Pipeline::Stages {
         return asks ? 2 * asked.version() + 1 : 2 * placed.version();
     }
 
-    // Searches that hold for the inputs beside them.
+    // Searches that hold in the region of this version, with the inputs beside it.
     SearchMemo searches;
-    std::optional<std::tuple<V, CameraParams, ViewpointParams, PitchBand, int>> searched_with;
+    std::pair<V, V> searched_in;  // map, region
+    std::optional<std::tuple<CameraParams, ViewpointParams, PitchBand, int, std::vector<NoGoBox>,
+                             FreeSpaceParams>>
+        searched_with;
 
     // What poses show in the views of this version.
     ShownMemo shown;
     ViewMemo seen;
     V shown_in = 0;
+    std::optional<CameraParams> shown_with;
+
+    // What has moved since they were made, and the map of then. Runs may have been cancelled since.
+    MovedThings moved_since_searched;
+    MovedThings moved_since_shown;
+    std::shared_ptr<const FreeSpace> map_searched;  // only while something has moved
+    std::shared_ptr<const AllowedRegion> region_searched;
 
     std::vector<StageTime> times;
 
@@ -168,6 +180,13 @@ struct Pipeline::Stages {
         return status;
     }
 
+    /// Takes a scene in which these objects stand elsewhere.
+    void noteMoves(const Scene& next, const std::vector<int>& moved);
+    /// Forgets the searches that do not hold in the region and with the parameters of now.
+    void refreshSearches(const PlanParams& params, const PlanEdits& edits, const PitchBand& pitch);
+    /// The same of what poses show.
+    void refreshShown(const PlanParams& params);
+
     Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
     Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job,
                 const OnTrajectory& on_trajectory);
@@ -175,14 +194,74 @@ struct Pipeline::Stages {
     [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };
 
+void Pipeline::Stages::noteMoves(const Scene& next, const std::vector<int>& moved) {
+    for (std::size_t i = 0; i < next.objects.size(); ++i) {
+        // What is a target now was not looked at before.
+        if (next.objects[i].role == scene->objects[i].role) continue;
+        shown_with.reset();
+        break;
+    }
+    if (moved.empty()) return;
+    ++geometry_version;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const int id : moved) {
+        boxes.push_back(cornerBox(*scene, id));
+        boxes.push_back(cornerBox(next, id));
+    }
+    if (!map_searched && searched_in == std::pair(free_space.version(), region.version())) {
+        map_searched = free_space.share();
+        region_searched = region.share();
+    }
+    moved_since_searched.add(moved, boxes);
+    moved_since_shown.add(moved, boxes);
+}
+
+void Pipeline::Stages::refreshSearches(const PlanParams& params, const PlanEdits& edits,
+                                       const PitchBand& pitch) {
+    const auto with = std::tuple(params.camera, params.viewpoints, pitch, params.seed, edits.no_go,
+                                 params.free_space);
+    const std::pair in(free_space.version(), region.version());
+    if (searched_in != in || searched_with != with) {
+        // A band of heights hangs on the floors, which may be what has moved.
+        if (searched_with != with || !map_searched || region->hasBand()) {
+            searches.clear();
+        } else {
+            searches.forget(moved_since_searched,
+                            MapChange(*map_searched, region_searched.get(), *free_space, &*region),
+                            params.camera.camera_radius_m);
+        }
+    }
+    searched_in = in;
+    searched_with = with;
+    map_searched.reset();
+    region_searched.reset();
+    moved_since_searched.clear();
+}
+
+void Pipeline::Stages::refreshShown(const PlanParams& params) {
+    if (shown_in != views.version()) {
+        if (shown_with != params.camera || moved_since_shown.empty()) {
+            shown.clear();
+            seen.clear();
+        } else {
+            shown.forget(moved_since_shown, *views);
+            seen.forget(moved_since_shown, *views);
+        }
+    }
+    shown_in = views.version();
+    shown_with = params.camera;
+    moved_since_shown.clear();
+}
+
 Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                              const JobContext& job) {
-    return run("rays", rays, std::tuple<>(), job.stage(0.0, 0.1, "rays"),
+    return run("rays", rays, std::tuple(geometry_version), job.stage(0.0, 0.1, "rays"),
                [&]() -> Result<RayCaster> { return RayCaster(*scene); })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.2, "surfaces");
-            return run("surfaces", surfaces, std::tuple(params.free_space.octree_resolution_m),
-                       part, [&] { return SurfaceMap::build(*scene, params.free_space, part); });
+            return run("surfaces", surfaces,
+                       std::tuple(geometry_version, params.free_space.octree_resolution_m), part,
+                       [&] { return SurfaceMap::build(*scene, params.free_space, part); });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.2, 0.4, "free space");
@@ -252,10 +331,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                })
         .and_then([&] {
             const JobContext part = job.stage(0.44, 0.68, "viewpoints");
-            const auto with =
-                std::tuple(region.version(), params.camera, params.viewpoints, pitch, params.seed);
-            if (searched_with != with) searches.clear();
-            searched_with = with;
+            refreshSearches(params, edits, pitch);
             return run("viewpoints", found,
                        std::tuple(targets.version(), region.version(), views.version(),
                                   params.viewpoints, pitch, params.seed),
@@ -265,11 +341,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
-            if (shown_in != views.version()) {
-                shown.clear();
-                seen.clear();
-            }
-            shown_in = views.version();
+            refreshShown(params);
             return run(
                 "by_hand", placed,
                 std::tuple(found.version(), views.version(), pitch, edits.pinned, edits.removed),
@@ -463,8 +535,13 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
 }
 
 void Pipeline::setScene(std::shared_ptr<const Scene> scene, bool same_geometry) {
-    if (!same_geometry) {
+    const Scene& before = *stages_->scene;
+    const auto moved =
+        same_geometry ? std::optional(std::vector<int>{}) : movedObjects(before, *scene);
+    if (!moved) {
         stages_ = std::make_unique<Stages>();
+    } else {
+        stages_->noteMoves(*scene, *moved);
     }
     stages_->scene = std::move(scene);
     ++stages_->scene_version;

@@ -19,8 +19,8 @@ class AllowedRegion;
 class FreeSpace;
 
 /// The whole method as a chain of stages: free space, targets, viewpoints, what was placed by hand,
-/// key frames, roadmap, linking, path, smoothing, timing, repair, metrics. Keeps what each stage made; a
-/// later run repeats only the stages whose parameters, or whose input, have changed.
+/// key frames, roadmap, linking, path, smoothing, timing, repair, metrics. Keeps what each stage
+/// made; a later run repeats only the stages whose parameters, or whose input, have changed.
 class Pipeline {
   public:
     using OnTrajectory = std::function<void(std::shared_ptr<const Plan>)>;
@@ -30,9 +30,12 @@ class Pipeline {
     Pipeline(Pipeline&&) noexcept;
     Pipeline& operator=(Pipeline&&) noexcept;
 
-    /// Plans another scene from now on. When it has the same triangles in the same objects
-    /// (sameGeometry()), and so differs in roles, classes, fronts and sizes only, ray structures
-    /// and free space are kept, and searches repeated only for observation points that change.
+    /// Plans another scene from now on. When it has the same triangles in the same objects and
+    /// places (sameGeometry()), and so differs in roles, classes, fronts and sizes only, ray
+    /// structures and free space are kept, and searches repeated only for observation points that
+    /// change. When objects have moved (movedObjects()), the map is made anew, and what was
+    /// searched and looked at is kept where they cannot have been met. The plan is the one from
+    /// scratch.
     void setScene(std::shared_ptr<const Scene> scene, bool same_geometry);
 
     /// The edits name objects by their numbers in this scene (findObjects() brings them up to

@@ -32,7 +32,8 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     const bool same_rules = size_rules.small_volume_m3 == rules.small_volume_m3 &&
                             size_rules.size_ratio == rules.size_ratio;
     if (same_file && scene && same_rules && scene_edits == edits) return {};
-    const bool same_geometry = same_file && scene && sameGeometry(scene_edits, edits);
+    const bool goes_on = same_file && scene != nullptr;
+    const bool same_geometry = goes_on && sameGeometry(scene_edits, edits);
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
     if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
     imported = request.imported;
@@ -42,10 +43,9 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     const std::size_t imported_ones = std::min(imported->report.warnings.size(), all.size());
     warnings.assign(all.begin() + static_cast<std::ptrdiff_t>(imported_ones), all.end());
     scene = std::make_shared<const Scene>(std::move(*edited));
-    if (!same_geometry) {
-        ++geometry;
-        pipeline.reset();  // frees its memory before the new one is built
-    }
+    if (!same_geometry) ++geometry;
+    // Frees its memory before the new one is built; where things have only moved much is kept.
+    if (!goes_on) pipeline.reset();
     if (pipeline) {
         pipeline->setScene(scene, same_geometry);
     } else {

@@ -13,4 +13,8 @@ namespace dollytrack {
     return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
+[[nodiscard]] inline Pose poseOf(const std::array<double, 7>& key) {
+    return {{key[0], key[1], key[2]}, Eigen::Quaterniond(key[6], key[3], key[4], key[5])};
+}
+
 }  // namespace dollytrack

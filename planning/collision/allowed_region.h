@@ -33,6 +33,9 @@ class AllowedRegion {
     /// False: everything is allowed.
     [[nodiscard]] bool restricts() const { return !no_go_.empty() || floors_ != nullptr; }
 
+    /// Whether it keeps the camera in a band of heights.
+    [[nodiscard]] bool hasBand() const { return floors_ != nullptr; }
+
     /// Legal, NoGo or HeightBand, for a sphere of this radius.
     [[nodiscard]] Verdict verdict(const Eigen::Vector3d& center, double radius_m) const;
 

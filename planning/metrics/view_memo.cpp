@@ -1,7 +1,11 @@
 #include "planning/metrics/view_memo.h"
 
 #include "engine/math/pose_key.h"
+#include "planning/viewpoints/moved_things.h"
+#include "planning/visibility/image_boxes.h"
+#include "planning/visibility/view_estimator.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dollytrack::planning {
@@ -9,6 +13,21 @@ void ViewMemo::begin() {
     ++now_;
     const unsigned kept = entries_.size() > kMany ? 1 : kKept;
     std::erase_if(entries_, [&](const auto& entry) { return entry.second.used + kept < now_; });
+}
+
+void ViewMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
+    std::erase_if(entries_, [&](const auto& entry) {
+        const Pose pose = poseOf(entry.first);
+        return std::ranges::any_of(entry.second.looks,
+                                   [&](const Look& look) {
+                                       const int id = look.view.object_id;
+                                       return moved.isOne(id) ||
+                                              moved.cross(pose.position, reachedBox(now, id));
+                                   }) ||
+               std::ranges::any_of(moved.objects(), [&](int id) {
+                   return now.scene().object(id).role == Role::Target && mayCapture(now, pose, id);
+               });
+    });
 }
 
 ViewMemo::Entry* ViewMemo::find(const Pose& pose) {

@@ -10,9 +10,13 @@
 
 namespace dollytrack::planning {
 
+class MovedThings;
+class ViewEstimator;
+
 /// Remembers how targets show from poses, for trajectories that share most of their frames with
 /// the ones looked at before: as one that is repaired, or smoothed a little differently. Whoever
-/// keeps one clears it when the camera or the scene changes. For one thread.
+/// keeps one clears it when the camera or the scene changes; when things have only moved,
+/// forgetting is enough. For one thread.
 class ViewMemo {
   public:
     struct Look {
@@ -31,6 +35,8 @@ class ViewMemo {
     [[nodiscard]] Entry* find(const Pose& pose);
     Entry& keep(const Pose& pose, std::vector<Look> looks);
     void clear() { entries_.clear(); }
+    /// Forgets what might show otherwise in the views that are now.
+    void forget(const MovedThings& moved, const ViewEstimator& now);
 
   private:
     static constexpr unsigned kKept = 4;          // trajectories

@@ -45,18 +45,21 @@ std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, in
     return directions;
 }
 
-std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const SweptSphere& sphere,
-                                          const ViewEstimator& views, const Subject& subject,
-                                          double least_fill, double most_fill, int count,
-                                          Random& random) {
-    // Cells in the shell of useful distances only: most of a large house is of no use to a mug.
+double furthestUseful(const ViewEstimator& views, const Subject& subject, double least_fill) {
     double radius = 0.0;
     for (const auto& point : subject.points) {
         radius = std::max(radius, (point - subject.center).norm());
     }
     const Intrinsics& k = views.intrinsics();
-    const double furthest =
-        radius * (1.0 + 2.0 * k.fx / (least_fill * std::min(k.width, k.height)));
+    return radius * (1.0 + 2.0 * k.fx / (least_fill * std::min(k.width, k.height)));
+}
+
+std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const SweptSphere& sphere,
+                                          const ViewEstimator& views, const Subject& subject,
+                                          double least_fill, double most_fill, int count,
+                                          Random& random) {
+    // Cells in the shell of useful distances only: most of a large house is of no use to a mug.
+    const double furthest = furthestUseful(views, subject, least_fill);
     std::vector<const Eigen::Vector3f*> nearby;
     for (std::size_t room = 0; room < free_space.rooms().size(); ++room) {
         for (const Eigen::Vector3f& cell : sphere.cells(static_cast<int>(room))) {

@@ -20,6 +20,9 @@ std::vector<Eigen::Vector3d> directionsInCone(const Eigen::Vector3d& axis, doubl
 /// and 60 down.
 std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, int count);
 
+/// From farther than this the subject fills less than this share of the image, m.
+double furthestUseful(const ViewEstimator& views, const Subject& subject, double least_fill);
+
 /// Random places where the camera may be from which the subject fills between the two shares of the
 /// image.
 std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const SweptSphere& sphere,

@@ -31,50 +31,65 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 
-std::vector<ShownObject> shownFrom(const ViewEstimator& views, const Pose& pose) {
-    std::vector<ShownObject> shown;
+ShownMemo::Entry lookFrom(const ViewEstimator& views, const Pose& pose) {
+    ShownMemo::Entry entry;
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
+        entry.looked_at.push_back(object.id);
         // A coarse look spares the closer one where it is clear that little shows.
         const auto glance = views.estimate(pose, object.id, kGlance);
         const bool tells = glance.rays_on_silhouette >= kEnoughRays;
         if (tells && glance.visible_fraction < kWorthALook) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
-        if (isSafelyWellCaptured(estimate)) shown.push_back({object.id, estimate.box_share});
+        if (isSafelyWellCaptured(estimate)) entry.shown.push_back({object.id, estimate.box_share});
     }
-    return shown;
+    return entry;
 }
 
 }  // namespace
 
-const std::vector<ShownObject>* ShownMemo::find(const Pose& pose) const {
-    const auto found = shown_.find(keyOf(pose));
-    return found == shown_.end() ? nullptr : &found->second;
+const ShownMemo::Entry* ShownMemo::find(const Pose& pose) const {
+    const auto found = entries_.find(keyOf(pose));
+    return found == entries_.end() ? nullptr : &found->second;
 }
 
-void ShownMemo::keep(const Pose& pose, std::vector<ShownObject> shown) {
+void ShownMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
+    std::erase_if(entries_, [&](const auto& entry) {
+        const Pose pose = poseOf(entry.first);
+        return std::ranges::any_of(entry.second.looked_at,
+                                   [&](int id) {
+                                       return moved.isOne(id) ||
+                                              moved.cross(pose.position, reachedBox(now, id));
+                                   }) ||
+               std::ranges::any_of(moved.objects(), [&](int id) {
+                   return now.scene().object(id).role == Role::Target && mayShowWell(now, pose, id);
+               });
+    });
+}
+
+void ShownMemo::keep(const Pose& pose, Entry entry) {
     // The drag of a point would fill it without end.
     constexpr std::size_t kMost = 20'000;
-    if (shown_.size() >= kMost) shown_.clear();
-    shown_.insert_or_assign(keyOf(pose), std::move(shown));
+    if (entries_.size() >= kMost) entries_.clear();
+    entries_.insert_or_assign(keyOf(pose), std::move(entry));
 }
 
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
                   ShownMemo* memo) {
-    std::vector<std::vector<ShownObject>> shown(position_points.size());
+    std::vector<ShownMemo::Entry> looks(position_points.size());
     parallelFor(position_points.size(), [&](std::size_t i) {
         const Pose& pose = position_points[i].pose;
         const auto* known = memo ? memo->find(pose) : nullptr;
-        shown[i] = known ? *known : shownFrom(views, pose);
+        looks[i] = known ? *known : lookFrom(views, pose);
     });
-    for (std::size_t i = 0; memo && i < shown.size(); ++i) {
-        memo->keep(position_points[i].pose, shown[i]);
+    for (std::size_t i = 0; memo && i < looks.size(); ++i) {
+        memo->keep(position_points[i].pose, looks[i]);
     }
 
     std::map<int, double> own_share;
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         const auto& own = position_points[i].well_captured;
-        for (const ShownObject& one : shown[i]) {
+        for (const ShownObject& one : looks[i].shown) {
             if (std::find(own.begin(), own.end(), one.object_id) == own.end()) continue;
             double& share = own_share[one.object_id];
             share = std::max(share, one.box_share);
@@ -83,7 +98,7 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         PositionPoint& point = position_points[i];
         std::set<int> well(point.well_captured.begin(), point.well_captured.end());
-        for (const ShownObject& one : shown[i]) {
+        for (const ShownObject& one : looks[i].shown) {
             if (one.box_share >= kRidesAlong * own_share[one.object_id]) well.insert(one.object_id);
         }
         std::set<int> captured(point.captured.begin(), point.captured.end());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/plan/viewpoint.h"
+#include "planning/viewpoints/moved_things.h"
 
 #include <array>
 #include <map>
@@ -20,12 +21,18 @@ struct ShownObject {
 /// Whoever keeps one clears it when the views change: the scene, its targets, or the camera.
 class ShownMemo {
   public:
-    [[nodiscard]] const std::vector<ShownObject>* find(const Pose& pose) const;
-    void keep(const Pose& pose, std::vector<ShownObject> shown);
-    void clear() { shown_.clear(); }
+    struct Entry {
+        std::vector<ShownObject> shown;
+        std::vector<int> looked_at;  // ids that rays went to
+    };
+    [[nodiscard]] const Entry* find(const Pose& pose) const;
+    void keep(const Pose& pose, Entry entry);
+    void clear() { entries_.clear(); }
+    /// Forgets what might show otherwise in the views that are now.
+    void forget(const MovedThings& moved, const ViewEstimator& now);
 
   private:
-    std::map<std::array<double, 7>, std::vector<ShownObject>> shown_;  // by position and rotation
+    std::map<std::array<double, 7>, Entry> entries_;  // by position and rotation
 };
 
 /// CaptureGet of the paper's Algorithm 1: completes the lists of objects that each position point

@@ -21,6 +21,7 @@ constexpr int kConeDirections = 20;
 constexpr int kAroundDirections = 64;
 constexpr int kHardPlaces = 400;
 constexpr int kRandomPlaces = 160;
+constexpr double kLeastRandomFill = 0.08;
 constexpr int kHardDirections = 200;
 constexpr int kEnoughGood = 12;
 // Where sampling found nothing, places breed: the best few, and others beside them.
@@ -36,6 +37,12 @@ constexpr double kApart = 0.25;              // of the spread: nearer parents ar
 constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
 
+/// Whether rays decided, rather than the place alone.
+bool isLookedFrom(Verdict verdict) {
+    return verdict == Verdict::Legal || verdict == Verdict::OccludedBy ||
+           verdict == Verdict::Cropped || verdict == Verdict::TooSmall;
+}
+
 class Search {
   public:
     Search(const Surroundings& around, const ObservationPoint& point, const ViewpointParams& params,
@@ -44,7 +51,9 @@ class Search {
           point_(point),
           params_(params),
           judge_(around, point, params.fill),
-          random_(random) {}
+          random_(random) {
+        for (const int id : point.objects) looked_.target.extend(reachedBox(around.views, id));
+    }
 
     FoundView run() {
         const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
@@ -56,9 +65,12 @@ class Search {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
             if (!refineBest()) {
-                for (const Eigen::Vector3d& place :
-                     randomPlaces(around_.free_space, around_.sphere, around_.views,
-                                  judge_.subject(), 0.08, 1.3, kRandomPlaces, random_)) {
+                looked_.sampled_around = judge_.subject().center;
+                looked_.sampled_within_m =
+                    furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
+                for (const Eigen::Vector3d& place : randomPlaces(
+                         around_.free_space, around_.sphere, around_.views, judge_.subject(),
+                         kLeastRandomFill, 1.3, kRandomPlaces, random_)) {
                     tryPlace(place);
                 }
                 if (!refineBest()) searchHard();
@@ -91,8 +103,15 @@ class Search {
         }
     }
 
+    /// What is judged again at the same place, finer, sees nothing that this did not.
+    Judged judge(const Eigen::Vector3d& place, Look look) {
+        Judged judged = judge_.judge(place, look);
+        looked_.places.push_back({place, isLookedFrom(judged.candidate.verdict)});
+        return judged;
+    }
+
     void tryPlace(const Eigen::Vector3d& place) {
-        Judged judged = judge_.judge(place, Look::Coarse);
+        Judged judged = judge(place, Look::Coarse);
         candidates_.push_back(judged.candidate);
         if (judged.quality < 0.0) return;
         judged.order = static_cast<int>(pending_.size());
@@ -146,7 +165,7 @@ class Search {
             for (int i = 0; i < kChildren; ++i) {
                 const Judged& parent = parents[static_cast<std::size_t>(i) % parents.size()];
                 const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
-                Judged child = judge_.judge(
+                Judged child = judge(
                     parent.candidate.position + spread * distanceOf(parent) * offset, Look::Closer);
                 if (child.quality >= 0.0) promising_.push_back(std::move(child));
             }
@@ -208,6 +227,7 @@ class Search {
     FoundView finish() {
         FoundView found;
         found.search.candidates = std::move(candidates_);
+        found.looked = std::make_shared<const LookedAt>(std::move(looked_));
         if (!best_) {
             found.not_well = point_.objects;
             return found;
@@ -245,6 +265,7 @@ class Search {
     std::vector<Judged> pending_;
     std::vector<Judged> promising_;  // legal places of a single object, for breed()
     std::optional<Judged> best_;
+    LookedAt looked_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "planning/targets/observation_points.h"
 #include "planning/viewpoints/view_search.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -26,6 +27,22 @@ const FoundView* SearchMemo::find(const ObservationPoint& point) const {
 
 void SearchMemo::keep(const ObservationPoint& point, FoundView found) {
     entries_.insert_or_assign(point.objects, Entry{point, std::move(found)});
+}
+
+std::size_t SearchMemo::forget(const MovedThings& moved, const MapChange& map,
+                               double camera_radius_m) {
+    std::vector<const Entry*> entries;
+    for (const auto& [objects, entry] : entries_) entries.push_back(&entry);
+    std::vector<std::uint8_t> touched(entries.size(), 0);
+    parallelFor(entries.size(), [&](std::size_t i) {
+        const Entry& entry = *entries[i];
+        const bool own =
+            std::ranges::any_of(entry.point.objects, [&](int id) { return moved.isOne(id); });
+        touched[i] = own || isTouched(*entry.found.looked, moved, map, camera_radius_m) ? 1 : 0;
+    });
+    std::size_t i = 0;
+    std::erase_if(entries_, [&](const auto&) { return touched[i++] != 0; });
+    return entries_.size();
 }
 
 Result<Viewpoints> searchViewpoints(const Surroundings& around,

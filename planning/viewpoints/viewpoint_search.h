@@ -4,9 +4,11 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
+#include "planning/viewpoints/moved_things.h"
 #include "planning/visibility/pitch_band.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -35,17 +37,21 @@ struct Viewpoints {
 struct FoundView {
     ViewpointSearch search;
     std::optional<PositionPoint> best;
-    std::vector<int> not_well;  // members that the best view does not capture well
+    std::vector<int> not_well;               // members that the best view does not capture well
+    std::shared_ptr<const LookedAt> looked;  // what it rests on
 };
 
 /// Remembers searches, for the next run in the same free space with the same parameters and seed:
 /// there a search depends on its observation point alone. Whoever keeps one clears it when any of
-/// those change.
+/// those change; when things have only moved, forgetting what they touch is enough.
 class SearchMemo {
   public:
     [[nodiscard]] const FoundView* find(const ObservationPoint& point) const;
     void keep(const ObservationPoint& point, FoundView found);
     void clear() { entries_.clear(); }
+    [[nodiscard]] bool empty() const { return entries_.empty(); }
+    /// Forgets the searches that might find something else now. Returns how many are left.
+    std::size_t forget(const MovedThings& moved, const MapChange& map, double camera_radius_m);
 
   private:
     struct Entry {

@@ -1,12 +1,17 @@
 // Planning as a user waits for it. DOLLYTRACK_BENCH_SCENE names a scene; else the apartment.
 #include "engine/core/log.h"
 #include "engine/io/scene_import.h"
+#include "engine/scene/move_object.h"
 #include "planning/pipeline.h"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace dollytrack {
 namespace {
@@ -84,6 +89,65 @@ void replanFromFieldOfView(benchmark::State& state) {
                 [](planning::PlanParams& p, bool odd) { p.camera.hfov_deg = odd ? 62.0 : 60.0; });
 }
 BENCHMARK(replanFromFieldOfView)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+/// From moving a thing by 0.2 m, to and fro, to the new trajectory; counters say what the map, the
+/// search and everything cost, in ms. The argument picks the thing: how large it is among all, in
+/// %.
+void moveThing(benchmark::State& state, bool keep) {
+    const auto imported = benchScene();
+    if (!imported) return state.SkipWithError("the scene cannot be loaded");
+    std::vector<const Object*> things;
+    for (const Object& object : imported->objects) {
+        if (!object.structure) things.push_back(&object);
+    }
+    if (things.empty()) return state.SkipWithError("there is nothing to move");
+    std::ranges::sort(things, {}, [](const Object* object) { return object->box.volume(); });
+    const auto share = static_cast<std::size_t>(state.range(0));
+    const Object& thing = *things[std::min(things.size() - 1, things.size() * share / 100)];
+    state.SetLabel(thing.name);
+    auto moved = std::make_shared<Scene>(*imported);
+    moveObject(*moved, thing.id, {0.2, 0.0, 0.0}, 0.0);
+    planning::Pipeline pipeline(imported);
+    if (!pipeline.run(params(), JobContext{})) return state.SkipWithError("planning failed");
+    bool there = false;
+    std::map<std::string, double> spent;
+    for (auto _ : state) {
+        there = !there;
+        const std::shared_ptr<const Scene> scene = there ? moved : imported;
+        const auto begin = std::chrono::steady_clock::now();
+        if (keep) {
+            pipeline.setScene(scene, false);
+        } else {
+            pipeline = planning::Pipeline(scene);
+        }
+        std::chrono::duration<double> until_trajectory{};
+        const auto plan = pipeline.run(params(), {}, JobContext{}, [&](const auto&) {
+            until_trajectory = std::chrono::steady_clock::now() - begin;
+        });
+        if (!plan) return state.SkipWithError("planning failed");
+        state.SetIterationTime(until_trajectory.count());
+        for (const StageTime& stage : (*plan)->stages) spent[stage.name] += stage.milliseconds;
+    }
+    for (const auto& [stage, milliseconds] : spent) {
+        state.counters[stage] =
+            benchmark::Counter(milliseconds, benchmark::Counter::kAvgIterations);
+    }
+}
+
+void replanFromMove(benchmark::State& state) {
+    moveThing(state, true);
+}
+BENCHMARK(replanFromMove)
+    ->Arg(100)
+    ->Arg(95)
+    ->Arg(50)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
+
+void moveFromScratch(benchmark::State& state) {
+    moveThing(state, false);
+}
+BENCHMARK(moveFromScratch)->Arg(95)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 /// What dragging a slider of the smoothing costs.
 void replanFromSmoothing(benchmark::State& state) {
