@@ -157,6 +157,10 @@ struct Pipeline::Stages {
     V shown_in = 0;
     std::optional<CameraParams> shown_with;
 
+    // What has moved since the ray structure was made, and that.
+    std::vector<int> moved_since_cast;  // rising
+    std::shared_ptr<const RayCaster> rays_before;
+
     // What has moved since they were made, and the map of then. Runs may have been cancelled since.
     MovedThings moved_since_searched;
     MovedThings moved_since_shown;
@@ -212,6 +216,9 @@ void Pipeline::Stages::noteMoves(const Scene& next, const std::vector<int>& move
         map_searched = free_space.share();
         region_searched = region.share();
     }
+    if (!rays_before) rays_before = rays.share();
+    moved_since_cast.insert(moved_since_cast.end(), moved.begin(), moved.end());
+    std::ranges::sort(moved_since_cast);
     moved_since_searched.add(moved, boxes);
     moved_since_shown.add(moved, boxes);
 }
@@ -256,7 +263,13 @@ void Pipeline::Stages::refreshShown(const PlanParams& params) {
 Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                              const JobContext& job) {
     return run("rays", rays, std::tuple(geometry_version), job.stage(0.0, 0.1, "rays"),
-               [&]() -> Result<RayCaster> { return RayCaster(*scene); })
+               [&]() -> Result<RayCaster> {
+                   RayCaster made = rays_before ? RayCaster(*scene, *rays_before, moved_since_cast)
+                                                : RayCaster(*scene);
+                   rays_before.reset();
+                   moved_since_cast.clear();
+                   return made;
+               })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.2, "surfaces");
             return run("surfaces", surfaces,

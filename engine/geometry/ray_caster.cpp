@@ -131,16 +131,26 @@ ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& obje
 }  // namespace
 
 struct RayCaster::Impl {
-    RTCDevice device = rtcNewDevice("threads=0");
+    RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<ObjectGeometry> objects;
 
-    explicit Impl(const Scene& source) {
+    Impl(const Scene& source, const Impl* before, const std::vector<int>& moved)
+        : device(before ? before->device : rtcNewDevice("threads=0")) {
+        if (before) rtcRetainDevice(device);
         scene = rtcNewScene(device);
         // Robust: no ray slips through the seam between two triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         objects.resize(source.objects.size());
-        parallelFor(objects.size(), [&](std::size_t i) { addObject(source, i); });
+        parallelFor(objects.size(), [&](std::size_t i) {
+            if (!before || std::ranges::binary_search(moved, static_cast<int>(i) + 1)) {
+                addObject(source, i);
+                return;
+            }
+            objects[i] = before->objects[i];
+            rtcRetainGeometry(objects[i].geometry);
+            rtcRetainScene(objects[i].alone);
+        });
         for (std::size_t i = 0; i < objects.size(); ++i) {
             rtcAttachGeometryByID(scene, objects[i].geometry, static_cast<unsigned>(i));
         }
@@ -206,7 +216,10 @@ struct RayCaster::Impl {
     }
 };
 
-RayCaster::RayCaster(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+RayCaster::RayCaster(const Scene& scene)
+    : impl_(std::make_unique<Impl>(scene, nullptr, std::vector<int>{})) {}
+RayCaster::RayCaster(const Scene& scene, const RayCaster& before, const std::vector<int>& moved)
+    : impl_(std::make_unique<Impl>(scene, before.impl_.get(), moved)) {}
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;

@@ -28,6 +28,9 @@ struct ClosestPoint {
 class RayCaster {
   public:
     explicit RayCaster(const Scene& scene);
+    /// The same as of the scene alone, made of an earlier one of which these objects (by rising id)
+    /// have moved; see movedObjects(). What it holds of the others is shared.
+    RayCaster(const Scene& scene, const RayCaster& before, const std::vector<int>& moved);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;

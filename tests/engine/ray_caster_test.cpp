@@ -1,9 +1,12 @@
 #include "engine/geometry/ray_caster.h"
 
 #include "engine/core/random.h"
+#include "engine/scene/move_object.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace dollytrack {
 
@@ -88,6 +91,34 @@ TEST(RayCaster, IsClearAsFarAsTheClosestPoint) {
         EXPECT_FALSE(rays.isClear(p, closest * (1.0 + 1e-9) + 1e-12));
         const double distance = random.uniform(0.0, 0.5);
         EXPECT_EQ(rays.isClear(p, distance), closest >= distance);
+    }
+}
+
+// What is shared with the earlier one answers as what is made anew, also when that one is gone.
+TEST(RayCaster, MadeOfAnEarlierOneAnswersAsFromTheScene) {
+    Random random(8, 2);
+    Scene scene = test::furnishedRoom();
+    auto kept = std::make_unique<RayCaster>(scene);
+    for (int step = 0; step < 20; ++step) {
+        const int id =
+            1 + static_cast<int>(random.below(static_cast<std::uint32_t>(scene.objects.size())));
+        moveObject(scene, id, {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.0},
+                   random.uniform(-3.0, 3.0));
+        auto next = std::make_unique<RayCaster>(scene, *kept, std::vector<int>{id});
+        kept = std::move(next);
+        const RayCaster fresh(scene);
+        for (int i = 0; i < 300; ++i) {
+            const Eigen::Vector3d from(random.uniform(0, 4), random.uniform(0, 3), 1.2);
+            const Eigen::Vector3d way(random.normal(), random.normal(), random.normal());
+            const RayHit a = kept->cast(from, way);
+            const RayHit b = fresh.cast(from, way);
+            EXPECT_EQ(a.object_id, b.object_id);
+            EXPECT_EQ(a.distance, b.distance);
+            EXPECT_EQ(a.triangle, b.triangle);
+            EXPECT_EQ(kept->meetsObject(id, from, way), fresh.meetsObject(id, from, way));
+            EXPECT_EQ(kept->closest(from).distance, fresh.closest(from).distance);
+            EXPECT_EQ(kept->closest(from).object_id, fresh.closest(from).object_id);
+        }
     }
 }
 
