@@ -116,6 +116,10 @@ std::string wordsOf(const ObjectChange& change) {
     if (change.move && !change.move->offset_m.isZero(0.0)) {
         parts.push_back(fmt::format("moved by ({}) m", wordsOf(change.move->offset_m)));
     }
+    if (!change.track.empty()) {
+        parts.push_back(fmt::format("track of {} keys, {:g} to {:g} s", change.track.size(),
+                                    change.track.front().time_s, change.track.back().time_s));
+    }
     if (change.move && change.move->turn_rad != 0.0) {
         parts.push_back(fmt::format("turned by {:.1f} deg", change.move->turn_rad * kDegrees));
     }

@@ -203,6 +203,11 @@ void addPlanCommand(CLI::App& app, Session& session) {
     command->add_option("-o,--out", arguments->out, "Write a project with the plan")
         ->type_name("FILE.dolly");
     command
+        ->add_option("--time", arguments->scene.time_s,
+                     "Plan with the objects that have tracks where these have them then, s; a "
+                     "project that is written keeps them there")
+        ->type_name("S");
+    command
         ->add_option("--picture", arguments->picture,
                      "Write a picture of the planned room, seen from above")
         ->type_name("FILE.png");

@@ -88,6 +88,12 @@ Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const 
             applyOperation(state, {imported, planning::setParameter}, *operation);
         if (!done) return fail(ErrorCode::Usage, done.error().message, option);
     }
+    if (arguments.time_s) {
+        const Result<std::string> done =
+            applyOperation(state, {imported, planning::setParameter},
+                           {{"op", "at_time"}, {"time_s", *arguments.time_s}});
+        if (!done) return fail(ErrorCode::Usage, done.error().message, "--time");
+    }
     return std::move(state.edits);
 }
 

@@ -36,6 +36,7 @@ struct SceneArguments {
     std::string start;  // a pinned point's name, or x,y,z,tx,ty,tz
     std::string end;
     bool loop = false;
+    std::optional<double> time_s;  // of the objects' tracks
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);

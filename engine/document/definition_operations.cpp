@@ -56,11 +56,12 @@ void refuseMoved(const ProjectState& state, const OperationContext& context,
                  const std::vector<ObjectRef>& objects, const JsonReader& where) {
     for (const ObjectChange& change : state.edits.scene.changes) {
         const int id = findObject(context.scene, change.object);
-        if (!change.move || id == 0) continue;
+        if ((!change.move && change.track.empty()) || id == 0) continue;
         if (std::ranges::find(objects, id, &ObjectRef::id) == objects.end()) continue;
         where.refuse(
-            fmt::format("'{}' was moved; put it back first (move_object with offset "
-                        "[0, 0, 0] and turn_deg 0), and move what comes of it.",
+            fmt::format("'{}' was moved, or has a track; take that back first (move_object "
+                        "with offset [0, 0, 0] and turn_deg 0, object_track with no "
+                        "keys), and move what comes of it.",
                         change.object.name));
     }
 }

@@ -39,6 +39,13 @@ struct ObjectMove {
     [[nodiscard]] bool isNone() const { return offset_m.isZero(0.0) && turn_rad == 0.0; }
 };
 
+/// Where an object is at one time of its track.
+struct TrackKey {
+    double time_s = 0.0;
+    ObjectMove move;  // from where the file has it
+    bool operator==(const TrackKey&) const = default;
+};
+
 /// What a person says of one object; what they do not say stays as import found it.
 struct ObjectChange {
     ObjectRef object;                      // in the scene with all definitions applied
@@ -47,9 +54,12 @@ struct ObjectChange {
     std::optional<Eigen::Vector3d> front;  // horizontal, unit; of the object where the file has it
     std::optional<bool> large;
     std::optional<ObjectMove> move;  // from where the file has it
+    std::vector<TrackKey> track;     // by rising time; moves nothing until a time is chosen
     bool operator==(const ObjectChange&) const = default;
 
-    [[nodiscard]] bool saysNothing() const { return !role && !nyu40 && !front && !large && !move; }
+    [[nodiscard]] bool saysNothing() const {
+        return !role && !nyu40 && !front && !large && !move && track.empty();
+    }
 };
 
 /// Everything changed by hand in a scene. Definitions come first, in order, then the lists, then

@@ -20,6 +20,8 @@ constexpr int kMostObjects = 65'535;
 // Poses and directions from files may be off by a few roundings, not more.
 constexpr double kUnitTolerance = 1e-6;
 constexpr double kLevelTolerance = 1e-6;
+constexpr double kLatest_s = 1e6;
+constexpr double kMostTurn_rad = 200.0 * std::numbers::pi;  // tracks may go round and round
 
 json vectorJson(const Eigen::Vector3d& v) {
     return json::array({v.x(), v.y(), v.z()});
@@ -50,6 +52,11 @@ json changeJson(const ObjectChange& change) {
     if (change.front) one["front"] = vectorJson(*change.front);
     if (change.large) one["large"] = *change.large;
     if (change.move) one["move"] = moveJson(*change.move);
+    for (const TrackKey& key : change.track) {
+        json at = moveJson(key.move);
+        at["time_s"] = key.time_s;
+        one["track"].push_back(std::move(at));
+    }
     return one;
 }
 
@@ -115,8 +122,18 @@ Eigen::Vector3d readFront(const JsonReader& from) {
 }
 
 ObjectMove readMove(const JsonReader& from) {
-    return {from.at("offset_m").point(),
-            from.at("turn_rad").number(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi)};
+    return {from.at("offset_m").point(), from.at("turn_rad").number(-kMostTurn_rad, kMostTurn_rad)};
+}
+
+std::vector<TrackKey> readTrack(const JsonReader& from) {
+    std::vector<TrackKey> track;
+    for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
+        track.push_back({from.at(i).at("time_s").number(0.0, kLatest_s), readMove(from.at(i))});
+        if (i > 0 && !(track[i].time_s > track[i - 1].time_s)) {
+            from.at(i).refuse("The keys of a track must be listed by rising time.");
+        }
+    }
+    return track;
 }
 
 ObjectChange readChange(const JsonReader& from) {
@@ -138,6 +155,7 @@ ObjectChange readChange(const JsonReader& from) {
         if (large.good()) change.large = large.json().get<bool>();
     }
     if (const JsonReader move = from.at("move"); !move.absent()) change.move = readMove(move);
+    change.track = readTrack(from.at("track"));
     return change;
 }
 

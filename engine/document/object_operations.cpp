@@ -1,3 +1,4 @@
+#include "engine/document/object_track.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
@@ -12,6 +13,8 @@ namespace dollytrack {
 namespace {
 
 constexpr double kFarthestMove_m = 1e4;
+constexpr double kLatest_s = 1e6;
+constexpr double kMostTurn_deg = 36'000.0;  // tracks may go round and round
 
 /// The change of an object, begun when there is none. A change that says nothing any more goes.
 template <class Alter>
@@ -30,6 +33,30 @@ void alter(ProjectState& state, const OperationContext& context, const ObjectRef
     }
     alter(*found);
     if (found->saysNothing()) changes.erase(found);
+}
+
+Eigen::Vector3d readOffset(const JsonReader& from) {
+    const Eigen::Vector3d offset = from.point();
+    if (offset.cwiseAbs().maxCoeff() > kFarthestMove_m) {
+        from.refuse("An object can be moved by at most 10000 m.");
+    }
+    return offset;
+}
+
+TrackKey readKey(const JsonReader& from) {
+    for (const auto& [name, value] : from.json().items()) {
+        if (name == "time_s" || name == "offset" || name == "turn_deg") continue;
+        from.refuse(fmt::format("A key has time_s, offset and turn_deg, and no '{}'.", name));
+    }
+    TrackKey key;
+    key.time_s = from.at("time_s").number(0.0, kLatest_s);
+    if (const JsonReader offset = from.at("offset"); !offset.absent()) {
+        key.move.offset_m = readOffset(offset);
+    }
+    if (const JsonReader turn = from.at("turn_deg"); !turn.absent()) {
+        key.move.turn_rad = turn.number(-kMostTurn_deg, kMostTurn_deg) * std::numbers::pi / 180.0;
+    }
+    return key;
 }
 
 std::vector<std::string> patterns(const OperationReader& fields) {
@@ -107,10 +134,7 @@ std::string moveObjectBy(ProjectState& state, const OperationContext& context,
     const bool turns = fields.has("turn_deg");
     if (!moves && !turns) fields.field("object").refuse("Say how: give an offset or turn_deg.");
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-    if (moves) offset = fields.field("offset").point();
-    if (offset.cwiseAbs().maxCoeff() > kFarthestMove_m) {
-        fields.field("offset").refuse("An object can be moved by at most 10000 m.");
-    }
+    if (moves) offset = readOffset(fields.field("offset"));
     const double turn_deg = turns ? fields.field("turn_deg").number(-360.0, 360.0) : 0.0;
     if (!fields.good()) return {};
     ObjectMove before;
@@ -128,6 +152,34 @@ std::string moveObjectBy(ProjectState& state, const OperationContext& context,
                        : turned          ? "Turn "
                                          : "Move ";
     return what + object.name;
+}
+
+std::string setTrack(ProjectState& state, const OperationContext& context,
+                     const OperationReader& fields) {
+    const ObjectRef object = fields.object("object");
+    const JsonReader keys = fields.field("keys");
+    if (fields.good() && !keys.json().is_array()) {
+        keys.refuse("This must be a list: [{\"time_s\": 0, \"offset\": [0, 0, 0]}, ...].");
+    }
+    std::vector<TrackKey> track;
+    for (std::size_t i = 0; fields.good() && i < keys.size(); ++i) {
+        track.push_back(readKey(keys.at(i)));
+        if (i > 0 && !(track[i].time_s > track[i - 1].time_s)) {
+            keys.at(i).refuse("The keys must be listed by rising time_s.");
+        }
+    }
+    if (!fields.good()) return {};
+    alter(state, context, object, [&](ObjectChange& change) { change.track = track; });
+    return (track.empty() ? "Remove the track of " : "Set the track of ") + object.name;
+}
+
+std::string goToTime(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    const double time_s = fields.field("time_s").number(0.0, kLatest_s);
+    if (!fields.good()) return {};
+    if (putAtTime(state.edits.scene, time_s) == 0) {
+        fields.field("time_s").refuse("No object has a track; object_track gives it one.");
+    }
+    return fmt::format("Go to {:g} s of the tracks", time_s);
 }
 
 std::string setSize(ProjectState& state, const OperationContext& context,

@@ -69,6 +69,18 @@ const std::vector<OperationInfo>& infos() {
           {"offset", "point", false, "m; [0, 0, 0] puts it back"},
           {"turn_deg", "number", false,
            "about the vertical through its middle, counter-clockwise"}}},
+        {"object_track",
+         setTrack,
+         "Gives an object a track: where it is when. It moves nothing until at_time or plan "
+         "--time.",
+         {kObject,
+          {"keys", "list", true,
+           "of {time_s, offset, turn_deg}, from where the file has it; straight on between; []: "
+           "none"}}},
+        {"at_time",
+         goToTime,
+         "Moves all objects with tracks to where these have them at a time.",
+         {{"time_s", "number", true, "s; before the first key and after the last they rest"}}},
         {"reset_object", resetObject, "Takes back everything said of an object.", {kObject}},
         {"ignore",
          ignoreObjects,

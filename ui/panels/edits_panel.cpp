@@ -59,6 +59,9 @@ std::string changeText(const ObjectChange& change) {
     if (change.move && !change.move->offset_m.isZero(0.0)) {
         parts.push_back(fmt::format("moved {:.2f} m", change.move->offset_m.norm()));
     }
+    if (!change.track.empty()) {
+        parts.push_back(fmt::format("track to {:g} s", change.track.back().time_s));
+    }
     if (change.move && change.move->turn_rad != 0.0) {
         parts.push_back(
             fmt::format("turned {:.0f}\u00b0", change.move->turn_rad * 180.0 / std::numbers::pi));

@@ -237,6 +237,12 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "move_object"}, {"object", "mug"}}, "give an offset or turn_deg"},
         {{{"op", "move_object"}, {"object", "mug"}, {"offset", {0, 2e4, 0}}}, "at most 10000 m"},
         {{{"op", "move_object"}, {"object", "mug"}, {"turn_deg", 400}}, "-360"},
+        {{{"op", "object_track"}, {"object", "mug"}, {"keys", 3}}, "must be a list"},
+        {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}}, {{"time_s", 1}}}}},
+         "rising time_s"},
+        {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}, {"turn", 9}}}}},
+         "no 'turn'"},
+        {{{"op", "at_time"}, {"time_s", 1}}, "No object has a track"},
         {{{"op", "merge"}, {"objects", {"mug"}}, {"name", "x"}}, "two objects"},
         {{{"op", "merge"}, {"objects", {"mug", "mug"}}, {"name", "x"}}, "twice"},
         {{{"op", "merge"}, {"objects", {"mug", "pair"}}, {"name", "lamp"}}, "called 'lamp'"},
@@ -444,6 +450,44 @@ TEST(Operation, AMovedObjectIsKeptInTheProjectAndGoesBackExactly) {
     EXPECT_EQ(editing.state, ProjectState{});
 }
 
+// From (0, 0, 0) at 1 s to (2, 0, 1) and half a turn at 3 s; then it rests.
+TEST(Operation, ATrackSaysWhereItsObjectIsAtATime) {
+    Editing editing;
+    ASSERT_TRUE(editing.apply({{{"op", "object_track"},
+                                {"object", "mug"},
+                                {"keys",
+                                 {{{"time_s", 1}},
+                                  {{"time_s", 3}, {"offset", {2, 0, 1}}, {"turn_deg", 180}},
+                                  {{"time_s", 4}, {"offset", {2, 4, 1}}, {"turn_deg", 180}}}}}}));
+    EXPECT_TRUE(sameGeometry({}, editing.state.edits.scene));
+    EXPECT_EQ(editing.find(editing.scene(), "mug")->box.center,
+              editing.find(editing.imported, "mug")->box.center);
+    const auto saved = editsFromJson(json::parse(editsJson(editing.state.edits).dump()));
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(*saved, editing.state.edits);
+
+    const auto at = [&](double time_s) {
+        EXPECT_TRUE(editing.apply(json::array({{{"op", "at_time"}, {"time_s", time_s}}})));
+        const auto& move = editing.state.edits.scene.changes.at(0).move;
+        return move ? *move : ObjectMove{};
+    };
+    EXPECT_EQ(at(0.5), ObjectMove{});
+    EXPECT_EQ(at(1.0), ObjectMove{});
+    EXPECT_TRUE(at(1.5).offset_m.isApprox(Eigen::Vector3d(0.5, 0, 0.25)));
+    EXPECT_NEAR(at(1.5).turn_rad, 0.25 * std::numbers::pi, 1e-12);
+    EXPECT_EQ(at(3.0).offset_m, Eigen::Vector3d(2, 0, 1));
+    EXPECT_TRUE(at(3.25).offset_m.isApprox(Eigen::Vector3d(2, 1, 1)));
+    EXPECT_EQ(at(100.0).offset_m, Eigen::Vector3d(2, 4, 1));
+    const Eigen::Vector3d was = editing.find(editing.imported, "mug")->box.center;
+    EXPECT_LT(
+        (editing.find(editing.scene(), "mug")->box.center - was - Eigen::Vector3d(2, 4, 1)).norm(),
+        1e-12);
+    ASSERT_TRUE(
+        editing.apply({{{"op", "at_time"}, {"time_s", 0}},
+                       {{"op", "object_track"}, {"object", "mug"}, {"keys", json::array()}}}));
+    EXPECT_EQ(editing.state, ProjectState{});
+}
+
 // Its pieces, or what it becomes a part of, would be where the file has them again.
 TEST(Operation, AMovedObjectIsNotRegrouped) {
     for (const json& operation :
@@ -475,7 +519,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 28U);
+    EXPECT_EQ(listOperations().size(), 30U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;

@@ -32,7 +32,7 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     edits.ignore = {"picture"};
     EXPECT_EQ(namesOf(with(edits)), (std::set<std::string>{"sofa", "table"}));
     // What is said of one object comes before the lists.
-    edits.changes = {{{7, scene.object(7).name}, Role::Target, {}, {}, {}, {}}};
+    edits.changes = {{{7, scene.object(7).name}, Role::Target, {}, {}, {}, {}, {}}};
     edits.ignore = {"*"};
     EXPECT_EQ(namesOf(with(edits)), (std::set<std::string>{scene.object(7).name}));
     // No slip goes by unsaid.
