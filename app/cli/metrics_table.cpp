@@ -51,6 +51,14 @@ std::string metricsTable(const nlohmann::json& m) {
     if (m.contains("capturable_rate")) {
         text += row("  possible", fmt::format("{} captured, {} well", percent(m, "capturable_rate"),
                                               percent(m, "well_capturable_rate")));
+        for (const auto& [label, key] : {std::pair{"  missed", "missed_capturable"},
+                                         {"  missed well", "missed_well_capturable"}}) {
+            std::string names;
+            for (const auto& name : m.value(key, nlohmann::json::array())) {
+                names += (names.empty() ? "" : ", ") + name.get<std::string>();
+            }
+            if (!names.empty()) text += row(label, names);
+        }
     }
     text += row("small, captured", percent(m, "small_capture_rate"));
     text +=

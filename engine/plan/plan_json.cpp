@@ -171,6 +171,17 @@ json metricsJson(const Scene& scene, const Plan& plan) {
 void addBound(json& metrics, const CaptureBound& bound, double milliseconds) {
     metrics["capturable_rate"] = bound.capturable_rate;
     metrics["well_capturable_rate"] = bound.well_capturable_rate;
+    const auto missed = [&](const char* how, const std::vector<int>& impossible) {
+        json names = json::array();
+        for (const json& row : metrics.value("ledger", json::array())) {
+            const int id = row.at("id").get<int>();
+            const bool possible = std::ranges::find(impossible, id) == impossible.end();
+            if (possible && !row.at(how).get<bool>()) names.push_back(row.at("object"));
+        }
+        return names;
+    };
+    metrics["missed_capturable"] = missed("captured", bound.not_capturable);
+    metrics["missed_well_capturable"] = missed("well_captured", bound.not_well_capturable);
     metrics["bound_ms"] = milliseconds;
 }
 

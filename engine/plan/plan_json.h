@@ -18,7 +18,8 @@ Result<CaptureMetrics> captureMetricsFromJson(const nlohmann::json& json);
 /// the capture ledger.
 nlohmann::json metricsJson(const Scene& scene, const Plan& plan);
 
-/// The same with the dense search's rates, when it was made.
+/// The same with the dense search's rates, when it was made, and the names of the objects that it
+/// captures (well) but the plan in `metrics` does not.
 void addBound(nlohmann::json& metrics, const CaptureBound& bound, double milliseconds);
 
 /// Poses as position and quaternion (x, y, z, w), world_from_camera, full precision.

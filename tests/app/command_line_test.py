@@ -83,6 +83,11 @@ class CommandLine(unittest.TestCase):
         metrics = json.loads(run("plan", self.room, "--json", "--bound").stdout)
         self.assertGreaterEqual(metrics["capturable_rate"], metrics["capture_rate"])
         self.assertGreaterEqual(metrics["well_capturable_rate"], metrics["well_captured_rate"])
+        missed = [row["object"] for row in metrics["ledger"] if not row["well_captured"]]
+        self.assertLessEqual(set(metrics["missed_well_capturable"]), set(missed))
+        self.assertAlmostEqual(
+            metrics["well_capturable_rate"] - metrics["well_captured_rate"],
+            len(metrics["missed_well_capturable"]) / metrics["objects"], delta=1e-9)
 
     def test_requirements_decide_the_exit_code(self):
         self.assertEqual(run("plan", self.room, "--require", "capture_rate>=0.9").returncode, 0)
