@@ -1,12 +1,14 @@
 #include "planning/free_space/floor_plan.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/free_space/column_flood.h"
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
 #include "planning/free_space/voxelize.h"
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -67,44 +69,18 @@ class PartGrower {
             }
         }
         plan_.parts += static_cast<int>(found.cells.size());
-        while (!front.empty()) {
-            advance(front, [&](std::size_t from, std::size_t to) {
-                return walls_[to] == 0 && gaps_[to] <= gaps_[from];
-            });
-        }
+        floodFrom(std::move(front), plane_, plan_.part_of_column,
+                  [&](std::size_t from, std::size_t to) {
+                      return walls_[to] == 0 && gaps_[to] <= gaps_[from];
+                  });
     }
 
     /// Shares out the columns without wall that are left.
     void shareOut() {
-        std::vector<std::size_t> front;
-        for (std::size_t i = 0; i < plane_.size(); ++i) {
-            if (plan_.part_of_column[i] != kNoPart) front.push_back(i);
-        }
-        while (!front.empty()) {
-            advance(front, [&](std::size_t, std::size_t to) { return walls_[to] == 0; });
-        }
+        spread(plane_, plan_.part_of_column, [&](std::size_t to) { return walls_[to] == 0; });
     }
 
   private:
-    template <class May>
-    void advance(std::vector<std::size_t>& front, May&& may) {
-        std::vector<std::size_t> next;
-        const auto nx = static_cast<std::size_t>(plane_.count[0]);
-        for (const std::size_t from : front) {
-            const std::size_t x = from % nx;
-            const auto visit = [&](bool exists, std::size_t to) {
-                if (!exists || plan_.part_of_column[to] != kNoPart || !may(from, to)) return;
-                plan_.part_of_column[to] = plan_.part_of_column[from];
-                next.push_back(to);
-            };
-            visit(x > 0, from - 1);
-            visit(x + 1 < nx, from + 1);
-            visit(from >= nx, from - nx);
-            visit(from + nx < plane_.size(), from + nx);
-        }
-        front.swap(next);
-    }
-
     const VoxelGrid& plane_;
     const std::vector<std::uint8_t>& walls_;
     FloorPlan& plan_;

@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
+#include "planning/free_space/mapping_words.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
 #include "planning/free_space/surface_map.h"
@@ -25,16 +26,6 @@ constexpr double kEnoughAir = 0.15;
 
 constexpr std::array kRules = {EnclosureRule::Walls, EnclosureRule::FewWalls,
                                EnclosureRule::FloorOnly};
-
-tl::unexpected<Error> cancelled() {
-    return fail(ErrorCode::Cancelled, "mapping the free space was cancelled");
-}
-
-std::string inMetres(double value) {
-    std::array<char, 32> text = {};
-    std::snprintf(text.data(), text.size(), "%.3g m", value);
-    return text.data();
-}
 
 }  // namespace
 
@@ -70,12 +61,12 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
     double stage = 0.0;
     for (const EnclosureRule tried : kRules) {
         const std::vector<std::uint8_t>& inside = surfaces->inside(tried);
-        if (job.cancelled()) return cancelled();
+        if (job.cancelled()) return mappingCancelled();
         job.report(stage += 0.1);
         FoundRooms tried_rooms =
             findRooms(scene, rays, surfaces->grid(), surfaces->surfaces().cells, surfaces->gaps(),
                       inside, camera.camera_radius_m, job);
-        if (job.cancelled()) return cancelled();
+        if (job.cancelled()) return mappingCancelled();
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
         for (const FoundRoom& room : tried_rooms.rooms) cells_found += room.cells;
@@ -212,7 +203,7 @@ Result<FreeSpace> FreeSpace::buildOver(std::shared_ptr<const SurfaceMap> surface
     impl->found = std::move(*found);
     impl->setStates(impl->surfaces->inside(rule));
     impl->describeRooms();
-    if (job.cancelled()) return cancelled();
+    if (job.cancelled()) return mappingCancelled();
     job.report(0.8);
 
     markLeaves(impl->grid, impl->cells);

@@ -3,6 +3,7 @@
 #include "engine/core/log.h"
 #include "planning/free_space/distance_field.h"
 #include "planning/free_space/floor_plan.h"
+#include "planning/free_space/mapping_words.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/sight.h"
 
@@ -17,16 +18,6 @@ namespace {
 // 130 million cells take about 0.9 GB while the map is built.
 constexpr std::size_t kMaxCells = std::size_t{1} << 27U;
 constexpr std::size_t kRules = 3;
-
-tl::unexpected<Error> cancelled() {
-    return fail(ErrorCode::Cancelled, "mapping the free space was cancelled");
-}
-
-std::string inMetres(double value) {
-    std::array<char, 32> text = {};
-    std::snprintf(text.data(), text.size(), "%.3g m", value);
-    return text.data();
-}
 
 }  // namespace
 
@@ -76,13 +67,13 @@ Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& 
     }
 
     impl->surfaces = voxelize(scene, grid, job);
-    if (job.cancelled()) return cancelled();
+    if (job.cancelled()) return mappingCancelled();
     job.report(0.4);
     impl->gaps = squaredGaps(grid, impl->surfaces.cells, job);
-    if (job.cancelled()) return cancelled();
+    if (job.cancelled()) return mappingCancelled();
     job.report(0.7);
     impl->sight = lookAround(grid, impl->surfaces.cells, job);
-    if (job.cancelled()) return cancelled();
+    if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, impl->surfaces.cells);
     impl->air = std::ranges::count(impl->surfaces.cells, std::uint8_t{0});
     job.report(1.0);

@@ -1,6 +1,7 @@
 #include "planning/rooms/room_borders.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/free_space/column_flood.h"
 #include "planning/free_space/floor_heights.h"
 #include "planning/free_space/floor_plan.h"
 #include "planning/free_space/free_space.h"
@@ -99,31 +100,6 @@ class Borders {
 };
 
 }  // namespace
-
-void spread(const VoxelGrid& plane, std::vector<int>& values,
-            const std::function<bool(std::size_t)>& may) {
-    std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] != kNoPart) front.push_back(i);
-    }
-    const auto nx = static_cast<std::size_t>(plane.count[0]);
-    while (!front.empty()) {
-        std::vector<std::size_t> next;
-        for (const std::size_t from : front) {
-            const std::size_t x = from % nx;
-            const auto visit = [&](bool exists, std::size_t to) {
-                if (!exists || values[to] != kNoPart || !may(to)) return;
-                values[to] = values[from];
-                next.push_back(to);
-            };
-            visit(x > 0, from - 1);
-            visit(x + 1 < nx, from + 1);
-            visit(from >= nx, from - nx);
-            visit(from + nx < values.size(), from + nx);
-        }
-        front.swap(next);
-    }
-}
 
 AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                    const FreeSpace& free_space, const FloorHeights& floors) {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -21,11 +20,6 @@ struct AirColumns {
 
 AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                    const FreeSpace& free_space, const FloorHeights& floors);
-
-/// Gives columns without a value (kNoPart) that of the nearest column that has one, as far as `may`
-/// lets it through columns without.
-void spread(const VoxelGrid& plane, std::vector<int>& values,
-            const std::function<bool(std::size_t)>& may);
 
 /// A connected stretch along which two parts of the plan touch and the camera can walk across.
 struct Border {

@@ -1,5 +1,6 @@
 #include "planning/rooms/room_plan.h"
 
+#include "planning/free_space/column_flood.h"
 #include "planning/free_space/floor_heights.h"
 #include "planning/free_space/floor_plan.h"
 #include "planning/free_space/voxelize.h"

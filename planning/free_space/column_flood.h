@@ -1,0 +1,49 @@
+#pragma once
+
+#include "planning/free_space/floor_plan.h"
+#include "planning/free_space/voxel_grid.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// Hands the values of some columns of a plan on, step by step, to neighbours that have none
+/// (kNoPart), as far as `may(from, to)` lets them. Columns meet by sides, not by corners; among
+/// neighbours that could give one its value the first in the front does.
+template <class May>
+void floodFrom(std::vector<std::size_t> front, const VoxelGrid& plane, std::vector<int>& values,
+               May&& may) {
+    const auto nx = static_cast<std::size_t>(plane.count[0]);
+    while (!front.empty()) {
+        std::vector<std::size_t> next;
+        for (const std::size_t from : front) {
+            const std::size_t x = from % nx;
+            const auto visit = [&](bool exists, std::size_t to) {
+                if (!exists || values[to] != kNoPart || !may(from, to)) return;
+                values[to] = values[from];
+                next.push_back(to);
+            };
+            visit(x > 0, from - 1);
+            visit(x + 1 < nx, from + 1);
+            visit(from >= nx, from - nx);
+            visit(from + nx < values.size(), from + nx);
+        }
+        front.swap(next);
+    }
+}
+
+/// The same from all columns that have a value: columns without get that of the nearest one that
+/// has, as far as `may(to)` lets it through columns without.
+template <class May>
+void spread(const VoxelGrid& plane, std::vector<int>& values, May&& may) {
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i] != kNoPart) front.push_back(i);
+    }
+    floodFrom(std::move(front), plane, values,
+              [&](std::size_t, std::size_t to) { return may(to); });
+}
+
+}  // namespace dollytrack::planning
