@@ -31,6 +31,15 @@ void addBoxEdges(render::Overlay& overlay, const OrientedBox& box, const Eigen::
     }
 }
 
+/// A box one can look through, with edges of the same colour, or of the selection's.
+void addFilledBox(render::Overlay& overlay, const OrientedBox& box, const Eigen::Vector4f& fill,
+                  bool selected, double width_px) {
+    overlay.boxes.push_back({box.center, box.half_size, fill, box.yaw});
+    Eigen::Vector4f edges = selected ? ui::kSelectedColor : fill;
+    if (!selected) edges.w() = 1.0F;
+    addBoxEdges(overlay, box, edges, width_px);
+}
+
 /// What is selected: boxes of objects with their fronts, or the voxel.
 PlanLayer selectionLayer(const LayersRequest& request) {
     PlanLayer layer;
@@ -62,13 +71,9 @@ PlanLayer noGoLayer(const std::vector<NoGoBox>& boxes, const Selection& selectio
     PlanLayer layer;
     const Eigen::Vector4f red(0.92F, 0.26F, 0.20F, 0.30F);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const OrientedBox& box = boxes[i].box;
-        layer.overlay.boxes.push_back({box.center, box.half_size, red, box.yaw});
         const bool selected =
             selection.kind == Selection::Kind::NoGoBox && selection.index == static_cast<int>(i);
-        addBoxEdges(layer.overlay, box,
-                    selected ? ui::kSelectedColor : Eigen::Vector4f(0.92F, 0.26F, 0.20F, 1.0F),
-                    selected ? 3.0 : 1.5);
+        addFilledBox(layer.overlay, boxes[i].box, red, selected, selected ? 3.0 : 1.5);
     }
     layer.legend.title = "No-go boxes";
     layer.legend.entries.push_back(
@@ -81,13 +86,10 @@ PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& sele
     PlanLayer layer;
     const Eigen::Vector4f green(0.30F, 0.75F, 0.45F, 0.15F);
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        const OrientedBox& box = regions[i].box;
-        layer.overlay.boxes.push_back({box.center, box.half_size, green, box.yaw});
         const bool selected =
             selection.kind == Selection::Kind::Region && selection.index == static_cast<int>(i);
-        addBoxEdges(layer.overlay, box,
-                    selected ? ui::kSelectedColor : Eigen::Vector4f(0.30F, 0.75F, 0.45F, 1.0F),
-                    regions[i].must_see ? 2.5 : 1.0);
+        addFilledBox(layer.overlay, regions[i].box, green, selected,
+                     regions[i].must_see ? 2.5 : 1.0);
     }
     layer.legend.title = "Regions";
     layer.legend.entries.push_back(
