@@ -8,7 +8,6 @@ import os
 import pathlib
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
 
@@ -16,7 +15,7 @@ import cv2
 import numpy
 
 import tiny_room
-from program import PROGRAM, hashes, run
+from program import PROGRAM, FolderCase, hashes, run
 
 def decode_rle(counts, height, width):
     """COCO's compressed run lengths, from its published description."""
@@ -41,21 +40,16 @@ def decode_rle(counts, height, width):
     return flat.reshape(width, height).T
 
 
-class CommandLine(unittest.TestCase):
+class CommandLine(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        super().setUpClass()
         cls.room = cls.folder / "room.obj"
         tiny_room.write(cls.room)
         cls.project = cls.folder / "room.dolly"
         cls.planned = run("plan", cls.room, "--json", "-o", cls.project, "--max-frames", 20)
         cls.dataset = cls.folder / "dataset"
         cls.exported = run("export", cls.project, "--out", cls.dataset, "--json")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
 
     def assertFails(self, result, code, *words):
         self.assertEqual(result.returncode, code, result.stderr)

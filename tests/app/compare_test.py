@@ -6,8 +6,6 @@ Usage: compare_test.py PROGRAM [unittest arguments]
 """
 import csv
 import json
-import pathlib
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
@@ -15,7 +13,7 @@ import h5py
 import numpy
 
 import tiny_room
-from program import run
+from program import FolderCase, run
 
 Y_UP = numpy.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], float)  # y-up from z-up
 
@@ -87,17 +85,12 @@ def write_all(folder, frames):
     return files
 
 
-class Compare(unittest.TestCase):
+class Compare(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        super().setUpClass()
         cls.room = cls.folder / "room.obj"
         tiny_room.write(cls.room)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
 
     def rows(self, *arguments):
         result = run("compare", *arguments, "--json")

@@ -5,19 +5,16 @@ Usage: constraints_test.py PROGRAM [unittest arguments]
 """
 import json
 import math
-import pathlib
 import shutil
-import tempfile
 import unittest
 
 import tiny_room
-from program import hashes, run
+from program import FolderCase, hashes, run
 
 
 def write_two_rooms(path):
     """Two rooms of 3 x 3 m side by side in x, a door of 0.9 m between them, a box in each; y up."""
-    lines, count = [], 0
-    for name, low, high in [
+    tiny_room.write_boxes(path, [
         ("floor", (0, -0.1, 0), (6.1, 0, 3)),
         ("ceiling", (0, 2.5, 0), (6.1, 2.6, 3)),
         ("wall_1", (-0.1, 0, 0), (0, 2.5, 3)),
@@ -29,22 +26,15 @@ def write_two_rooms(path):
         ("wall_7", (3, 2, 1.05), (3.1, 2.5, 1.95)),
         ("chest", (0.2, 0, 0.2), (0.8, 0.6, 0.8)),
         ("stool", (5.2, 0, 2.2), (5.7, 0.5, 2.7)),
-    ]:
-        count = tiny_room.box(name, low, high, lines, count)
-    path.write_text("\n".join(lines) + "\n")
+    ])
 
 
-class Constraints(unittest.TestCase):
+class Constraints(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        super().setUpClass()
         cls.room = cls.folder / "room.obj"
         tiny_room.write(cls.room)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
 
     def plan(self, *arguments, scene=None):
         """The metrics and the frames of a plan, and the project that keeps it."""

@@ -15,7 +15,7 @@ import tempfile
 import time
 import unittest
 
-from program import hashes, run, start, wait_for
+from program import FolderCase, hashes, run, start, wait_for
 
 APARTMENT = sys.argv.pop(1)
 FRAMES = 24
@@ -28,11 +28,10 @@ def lines_of(text):
     return [json.loads(line) for line in text.splitlines()]
 
 
-class Export(unittest.TestCase):
+class Export(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        super().setUpClass()
         cls.project = cls.folder / "apartment.dolly"
         planned = run("plan", APARTMENT, "-o", cls.project, "--max-frames", FRAMES,
                       "--set", "width_px=96", "--set", "height_px=72")
@@ -43,10 +42,6 @@ class Export(unittest.TestCase):
         cls.seconds = time.time() - begin
         assert exported.returncode == 0, exported.stderr
         cls.expected = hashes(cls.unbroken)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
 
     def new_folder(self):
         return pathlib.Path(tempfile.mkdtemp(dir=self.folder))

@@ -3,7 +3,9 @@ import hashlib
 import pathlib
 import subprocess
 import sys
+import tempfile
 import time
+import unittest
 
 PROGRAM = sys.argv.pop(1)
 
@@ -34,3 +36,16 @@ def hashes(folder):
         for path in sorted(pathlib.Path(folder).rglob("*"))
         if path.is_file()
     }
+
+
+class FolderCase(unittest.TestCase):
+    """Tests with a temporary folder that all of a class share."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()

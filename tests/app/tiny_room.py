@@ -12,10 +12,18 @@ def box(name, low, high, lines, count):
     return count + 8
 
 
+def write_boxes(path, boxes):
+    """An OBJ file of named boxes."""
+    lines, count = [], 0
+    for name, low, high in boxes:
+        count = box(name, low, high, lines, count)
+    with open(path, "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
 def write(path):
     """4 x 2.6 x 3 m with a table, a mug and a book on it, a sofa and a picture."""
-    lines, count = [], 0
-    for name, low, high in [
+    write_boxes(path, [
         ("floor", (0, -0.1, 0), (4, 0, 3)),
         ("ceiling", (0, 2.6, 0), (4, 2.7, 3)),
         ("wall_1", (-0.1, 0, 0), (0, 2.6, 3)),
@@ -27,7 +35,4 @@ def write(path):
         ("book", (3.2, 0.74, 1.6), (3.42, 0.78, 1.76)),
         ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
         ("picture", (1.5, 1.3, 0.0), (2.1, 1.7, 0.02)),
-    ]:
-        count = box(name, low, high, lines, count)
-    with open(path, "w") as file:
-        file.write("\n".join(lines) + "\n")
+    ])
