@@ -10,12 +10,13 @@
 #include "planning/linking/link_groups.h"
 #include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
-#include "planning/metrics/view_memo.h"
+#include "planning/path/frame_budget.h"
 #include "planning/path/path_search.h"
 #include "planning/repair/low_runs.h"
 #include "planning/repair/repair.h"
 #include "planning/roadmap/roadmap_search.h"
 #include "planning/rooms/room_plan.h"
+#include "planning/run_memory.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/stage.h"
 #include "planning/targets/observation_points.h"
@@ -28,10 +29,8 @@
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <set>
 #include <tuple>
 
 namespace dollytrack::planning {
@@ -74,39 +73,6 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
     return -1;
 }
 
-/// Key frames that a budget of frames allows, those at both ends first. A loop comes back to one of
-/// each room.
-std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionPoint>& points,
-                              const PathEnds& ends) {
-    for (const int end : {ends.end, ends.start}) {
-        const auto found = std::find(keys.begin(), keys.end(), end);
-        if (found != keys.end()) std::rotate(keys.begin(), found, found + 1);
-    }
-    const auto visits = [&] {
-        std::set<std::pair<int, int>> rooms;
-        for (const int key : keys) {
-            const PositionPoint& point = points[static_cast<std::size_t>(key)];
-            rooms.emplace(point.component, point.room);
-        }
-        return keys.size() + (ends.loop && keys.size() > rooms.size() ? rooms.size() : 0);
-    };
-    while (ends.visits > 0 && visits() > static_cast<std::size_t>(ends.visits)) keys.pop_back();
-    return keys;
-}
-
-/// A budget of frames may be smaller than the number of pinned points.
-void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
-    for (std::size_t p = 0; p < plan.position_points.size(); ++p) {
-        const int pin = plan.position_points[p].pin;
-        const auto& keys = plan.key_frames;
-        if (pin < 0 || std::find(keys.begin(), keys.end(), static_cast<int>(p)) != keys.end()) {
-            continue;
-        }
-        plan.refused_pins.push_back({pin, edits.pinned[static_cast<std::size_t>(pin)].name,
-                                     Verdict::Legal, 0, "dropped to keep to max_frames"});
-    }
-}
-
 }  // namespace
 
 struct Pipeline::Stages {
@@ -144,29 +110,7 @@ struct Pipeline::Stages {
         return asks ? 2 * asked.version() + 1 : 2 * placed.version();
     }
 
-    // Searches that hold in the region of this version, with the inputs beside it.
-    SearchMemo searches;
-    std::pair<V, V> searched_in;  // map, region
-    std::optional<std::tuple<CameraParams, ViewpointParams, PitchBand, int, std::vector<NoGoBox>,
-                             FreeSpaceParams>>
-        searched_with;
-
-    // What poses show in the views of this version.
-    ShownMemo shown;
-    ViewMemo seen;
-    V shown_in = 0;
-    std::optional<CameraParams> shown_with;
-
-    // What has moved since the ray structure was made, and that.
-    std::vector<int> moved_since_cast;  // rising
-    std::shared_ptr<const RayCaster> rays_before;
-
-    // What has moved since they were made, and the map of then. Runs may have been cancelled since.
-    MovedThings moved_since_searched;
-    MovedThings moved_since_shown;
-    std::shared_ptr<const FreeSpace> map_searched;  // only while something has moved
-    std::shared_ptr<const AllowedRegion> region_searched;
-
+    RunMemory memory;
     std::vector<StageTime> times;
 
     /// Runs one stage, timed, unless the job was cancelled before it.
@@ -184,12 +128,10 @@ struct Pipeline::Stages {
         return status;
     }
 
-    /// Takes a scene in which these objects stand elsewhere.
-    void noteMoves(const Scene& next, const std::vector<int>& moved);
-    /// Forgets the searches that do not hold in the region and with the parameters of now.
-    void refreshSearches(const PlanParams& params, const PlanEdits& edits, const PitchBand& pitch);
-    /// The same of what poses show.
-    void refreshShown(const PlanParams& params);
+    /// The map of the last run that made one.
+    [[nodiscard]] MapInUse mapped() const {
+        return {free_space.version(), region.version(), free_space.share(), region.share()};
+    }
 
     Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
     Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job,
@@ -198,78 +140,10 @@ struct Pipeline::Stages {
     [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };
 
-void Pipeline::Stages::noteMoves(const Scene& next, const std::vector<int>& moved) {
-    for (std::size_t i = 0; i < next.objects.size(); ++i) {
-        // What is a target now was not looked at before.
-        if (next.objects[i].role == scene->objects[i].role) continue;
-        shown_with.reset();
-        break;
-    }
-    if (moved.empty()) return;
-    ++geometry_version;
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const int id : moved) {
-        boxes.push_back(cornerBox(*scene, id));
-        boxes.push_back(cornerBox(next, id));
-    }
-    if (!map_searched && searched_in == std::pair(free_space.version(), region.version())) {
-        map_searched = free_space.share();
-        region_searched = region.share();
-    }
-    if (!rays_before) rays_before = rays.share();
-    moved_since_cast.insert(moved_since_cast.end(), moved.begin(), moved.end());
-    std::ranges::sort(moved_since_cast);
-    moved_since_searched.add(moved, boxes);
-    moved_since_shown.add(moved, boxes);
-}
-
-void Pipeline::Stages::refreshSearches(const PlanParams& params, const PlanEdits& edits,
-                                       const PitchBand& pitch) {
-    const auto with = std::tuple(params.camera, params.viewpoints, pitch, params.seed, edits.no_go,
-                                 params.free_space);
-    const std::pair in(free_space.version(), region.version());
-    if (searched_in != in || searched_with != with) {
-        // A band of heights hangs on the floors, which may be what has moved.
-        if (searched_with != with || !map_searched || region->hasBand()) {
-            searches.clear();
-        } else {
-            searches.forget(moved_since_searched,
-                            MapChange(*map_searched, region_searched.get(), *free_space, &*region),
-                            params.camera.camera_radius_m);
-        }
-    }
-    searched_in = in;
-    searched_with = with;
-    map_searched.reset();
-    region_searched.reset();
-    moved_since_searched.clear();
-}
-
-void Pipeline::Stages::refreshShown(const PlanParams& params) {
-    if (shown_in != views.version()) {
-        if (shown_with != params.camera || moved_since_shown.empty()) {
-            shown.clear();
-            seen.clear();
-        } else {
-            shown.forget(moved_since_shown, *views);
-            seen.forget(moved_since_shown, *views);
-        }
-    }
-    shown_in = views.version();
-    shown_with = params.camera;
-    moved_since_shown.clear();
-}
-
 Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                              const JobContext& job) {
     return run("rays", rays, std::tuple(geometry_version), job.stage(0.0, 0.1, "rays"),
-               [&]() -> Result<RayCaster> {
-                   RayCaster made = rays_before ? RayCaster(*scene, *rays_before, moved_since_cast)
-                                                : RayCaster(*scene);
-                   rays_before.reset();
-                   moved_since_cast.clear();
-                   return made;
-               })
+               [&]() -> Result<RayCaster> { return memory.cast(*scene); })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.2, "surfaces");
             return run("surfaces", surfaces,
@@ -344,22 +218,23 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                })
         .and_then([&] {
             const JobContext part = job.stage(0.44, 0.68, "viewpoints");
-            refreshSearches(params, edits, pitch);
+            memory.refreshSearches(mapped(), {params.camera, params.viewpoints, pitch, params.seed,
+                                              edits.no_go, params.free_space});
             return run("viewpoints", found,
                        std::tuple(targets.version(), region.version(), views.version(),
                                   params.viewpoints, pitch, params.seed),
                        part, [&] {
                            return searchViewpoints(around, *targets, params.viewpoints, params.seed,
-                                                   part, &searches);
+                                                   part, &memory.searches);
                        });
         })
         .and_then([&] {
-            refreshShown(params);
+            memory.refreshShown(views.version(), params.camera, *views);
             return run(
                 "by_hand", placed,
                 std::tuple(found.version(), views.version(), pitch, edits.pinned, edits.removed),
                 job.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
-                    return placeByHand(*found, edits, around, &shown);
+                    return placeByHand(*found, edits, around, &memory.shown);
                 });
         })
         .and_then([&]() -> Status {
@@ -387,8 +262,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                        part, [&] {
                            return addAskedPoints(
                                *placed, must_see, params.constraints,
-                               asksForRooms(params.constraints) ? &*rooms : nullptr, around, &shown,
-                               part);
+                               asksForRooms(params.constraints) ? &*rooms : nullptr, around,
+                               &memory.shown, part);
                        });
         })
         .and_then([&] {
@@ -471,7 +346,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                            const Repaired as_timed{paths->paths, *smoothing, *timing, {}};
                            if (!asksForRepair(params.repair)) return as_timed;
                            return repairTrajectory(as_timed, maker, around_moves(), params.repair,
-                                                   params.seed, part, &seen);
+                                                   params.seed, part, &memory.seen);
                        });
         })
         .and_then([&] {
@@ -482,7 +357,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             const JobContext part = job.stage(0.92, 1.0, "metrics");
             return run("metrics", metrics, with, part, [&]() -> Result<Metrics> {
                 const Trajectory& trajectory = repair->trajectory;
-                auto estimate = estimateCaptures(*views, trajectory, part, &seen);
+                auto estimate = estimateCaptures(*views, trajectory, part, &memory.seen);
                 if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
                 FrameSeries series = measureFrames(
                     trajectory, estimate->frame_views, estimate->captures,
@@ -554,7 +429,8 @@ void Pipeline::setScene(std::shared_ptr<const Scene> scene, bool same_geometry) 
     if (!moved) {
         stages_ = std::make_unique<Stages>();
     } else {
-        stages_->noteMoves(*scene, *moved);
+        stages_->memory.noteMoves(before, *scene, *moved, stages_->rays.share(), stages_->mapped());
+        if (!moved->empty()) ++stages_->geometry_version;
     }
     stages_->scene = std::move(scene);
     ++stages_->scene_version;

@@ -1,0 +1,39 @@
+#include "planning/path/frame_budget.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace dollytrack::planning {
+
+std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionPoint>& points,
+                              const PathEnds& ends) {
+    for (const int end : {ends.end, ends.start}) {
+        const auto found = std::find(keys.begin(), keys.end(), end);
+        if (found != keys.end()) std::rotate(keys.begin(), found, found + 1);
+    }
+    const auto visits = [&] {
+        std::set<std::pair<int, int>> rooms;
+        for (const int key : keys) {
+            const PositionPoint& point = points[static_cast<std::size_t>(key)];
+            rooms.emplace(point.component, point.room);
+        }
+        return keys.size() + (ends.loop && keys.size() > rooms.size() ? rooms.size() : 0);
+    };
+    while (ends.visits > 0 && visits() > static_cast<std::size_t>(ends.visits)) keys.pop_back();
+    return keys;
+}
+
+void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
+    for (std::size_t p = 0; p < plan.position_points.size(); ++p) {
+        const int pin = plan.position_points[p].pin;
+        const auto& keys = plan.key_frames;
+        if (pin < 0 || std::find(keys.begin(), keys.end(), static_cast<int>(p)) != keys.end()) {
+            continue;
+        }
+        plan.refused_pins.push_back({pin, edits.pinned[static_cast<std::size_t>(pin)].name,
+                                     Verdict::Legal, 0, "dropped to keep to max_frames"});
+    }
+}
+
+}  // namespace dollytrack::planning
