@@ -361,7 +361,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
                 FrameSeries series = measureFrames(
                     trajectory, estimate->frame_views, estimate->captures,
-                    imageScores(trajectory, estimate->frame_boxes, scoreWeights(params.repair)),
+                    imageScores(trajectory, estimate->frame_boxes, params.repair.score),
                     *rays);
                 RepairReport report = repair->report;
                 if (!asksForRepair(params.repair)) {

@@ -2,6 +2,7 @@
 
 #include "engine/camera/camera_params.h"
 #include "engine/core/field_list.h"
+#include "engine/plan/image_score.h"
 #include "planning/free_space/free_space_params.h"
 
 namespace dollytrack::planning {
@@ -170,10 +171,7 @@ void visitShakeParams(Params& p, Visitor&& visit) {
 
 /// The paper's image score, and what is done about frames that score low (paper, 3.2.4).
 struct RepairParams {
-    double separation_weight = 1.0;
-    double continuity_weight = 1.0;
-    int score_window = 5;
-    bool squared_separation = false;
+    ScoreWeights score;
     double score_threshold = 0.5;
     int repair_rounds = 0;
     bool drop_low_frames = false;
@@ -182,15 +180,15 @@ struct RepairParams {
 
 template <class Params, class Visitor>
 void visitRepairParams(Params& p, Visitor&& visit) {
-    visit("separation_weight", p.separation_weight,
+    visit("separation_weight", p.score.separation,
           FieldInfo{0, 100, "", "Weight in a frame's score of how far its objects stand apart",
                     "\u03bb"});
-    visit("continuity_weight", p.continuity_weight,
+    visit("continuity_weight", p.score.continuity,
           FieldInfo{0, 100, "", "Weight of how many objects it shows, against the frames before",
                     "\u03bc"});
-    visit("score_window", p.score_window,
+    visit("score_window", p.score.window,
           FieldInfo{1, 100, "", "Frames before, that a frame is compared with", "s"});
-    visit("squared_separation", p.squared_separation,
+    visit("squared_separation", p.score.squared,
           SwitchInfo{"Squares the distance of boxes, as the D-IoU does"});
     visit("score_threshold", p.score_threshold,
           FieldInfo{0, 1, "", "A frame is low below this share of the trajectory's median score"});

@@ -6,7 +6,6 @@
 #include "engine/document/edits_json.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
-#include "planning/repair/repair.h"
 #include "render/dataset_job.h"
 #include "render/formats/formats.h"
 #include "render/gl/osmesa_context.h"
@@ -100,7 +99,7 @@ Result<render::DatasetSummary> renderTrajectory(
     const PlannedScene& planned, const JobContext& job) {
     settings.folder = folder;
     settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
-    settings.score = planning::scoreWeights(planned.params.repair);
+    settings.score = planned.params.repair.score;
     render::DatasetOrigin origin;
     origin.product_version = DOLLYTRACK_VERSION;
     origin.seed = static_cast<std::uint64_t>(planned.params.seed);

@@ -135,7 +135,7 @@ class Repair {
         return changes;
     }
 
-    /// The design with those changes; a change that cannot be smoothed is left out.
+    /// The design with those changes. Error: Cancelled.
     [[nodiscard]] Result<Design> apply(Design design, const std::vector<Change>& changes) const {
         std::set<std::size_t> rerouted;
         for (const Change& change : changes) {
@@ -259,11 +259,6 @@ int countStretches(const std::vector<Glance>& glances) {
 
 }  // namespace
 
-ScoreWeights scoreWeights(const RepairParams& params) {
-    return {params.separation_weight, params.continuity_weight, params.score_window,
-            params.squared_separation};
-}
-
 bool asksForRepair(const RepairParams& params) {
     return params.repair_rounds > 0 || params.drop_low_frames;
 }
@@ -271,7 +266,7 @@ bool asksForRepair(const RepairParams& params) {
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
                                   const Surroundings& around, const RepairParams& params, int seed,
                                   const JobContext& job, ViewMemo* memo) {
-    RepairContext context{maker, around, scoreWeights(params), 0.0, seed};
+    RepairContext context{maker, around, params.score, 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
     Result<Trial> first = repair.lookAt({found.smooth_paths, found.trajectory, {}, {}});

@@ -2,7 +2,6 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "engine/plan/image_score.h"
 #include "engine/plan/plan.h"
 
 #include <functional>
@@ -14,7 +13,6 @@ class ViewMemo;
 struct RepairParams;
 struct Surroundings;
 
-[[nodiscard]] ScoreWeights scoreWeights(const RepairParams& params);
 [[nodiscard]] bool asksForRepair(const RepairParams& params);
 
 /// A trajectory with what it was made from.

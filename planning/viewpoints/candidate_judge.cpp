@@ -15,7 +15,6 @@ constexpr int kExactGrid = 72;  // as estimateCaptures() counts
 // A view is worth little more when a last sliver comes into sight, so fill may decide then.
 constexpr double kFractionStep = 0.03;
 constexpr int kGlance = 4;
-constexpr int kEnoughRays = 6;      // fewer on the target say nothing
 constexpr double kHopeless = 0.45;  // well below what counts as captured
 
 /// See Judged::nearness.
@@ -80,8 +79,7 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
 bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
     for (const int id : point_.objects) {
         const auto glance = around_.views.estimate(pose, id, kGlance);
-        if (glance.rays_on_silhouette < kEnoughRays || glance.visible_fraction >= kHopeless)
-            continue;
+        if (!glance.tells() || glance.visible_fraction >= kHopeless) continue;
         judged.candidate.visible_fraction = glance.visible_fraction;
         judged.candidate.occluder = glance.occluder;
         judged.candidate.verdict = glance.occluder == 0 ? Verdict::Cropped : Verdict::OccludedBy;

@@ -13,7 +13,6 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kGlance = 6;
-constexpr int kEnoughRays = 6;       // fewer on the object say nothing
 constexpr double kWorthALook = 0.6;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
@@ -38,8 +37,7 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const Pose& pose) {
         entry.looked_at.push_back(object.id);
         // A coarse look spares the closer one where it is clear that little shows.
         const auto glance = views.estimate(pose, object.id, kGlance);
-        const bool tells = glance.rays_on_silhouette >= kEnoughRays;
-        if (tells && glance.visible_fraction < kWorthALook) continue;
+        if (glance.tells() && glance.visible_fraction < kWorthALook) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) entry.shown.push_back({object.id, estimate.box_share});
     }

@@ -30,6 +30,9 @@ class ViewEstimator {
         bool cropped = false;         // part of the silhouette lies outside the image
         int occluder = 0;             // id of the object that hides most of it
         double occluder_share = 0.0;  // of the silhouette, hidden by that object
+
+        /// Whether enough rays met the silhouette for its visible fraction to say anything.
+        [[nodiscard]] bool tells() const { return rays_on_silhouette >= 6; }
     };
 
     /// Rays through the middles of an even grid of about `grid` x `grid` cells over the object's
