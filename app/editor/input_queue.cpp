@@ -26,6 +26,12 @@ void InputQueue::attach(GLFWwindow* window) {
     glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) {
         the_queue->events_.push_back({Event::Kind::Scroll, 0, 0, 0, 0, x, y});
     });
+    glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) {
+        std::deque<Event>& events = the_queue->events_;
+        // Only where it was when something happened matters, and where it is now.
+        if (!events.empty() && events.back().kind == Event::Kind::Move) events.pop_back();
+        events.push_back({Event::Kind::Move, 0, 0, 0, 0, x, y});
+    });
     glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
         the_queue->events_.push_back({Event::Kind::Text, static_cast<int>(character)});
     });
@@ -33,10 +39,15 @@ void InputQueue::attach(GLFWwindow* window) {
     glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
 }
 
-bool InputQueue::deliver() {
+bool InputQueue::deliver(bool hold_keys) {
     std::set<int> changed;  // keys, and buttons below zero
+    at_event_ = false;      // a button or the wheel needs the mouse to stay where it is
     while (!events_.empty()) {
         const Event event = events_.front();
+        const bool typed = event.kind == Event::Kind::Text ||
+                           (event.kind == Event::Kind::Key && event.action != GLFW_RELEASE);
+        if (typed && hold_keys) return true;
+        if (event.kind == Event::Kind::Move && at_event_) return true;
         const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
         const bool repeats = event.action == GLFW_REPEAT;
         const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
@@ -61,22 +72,35 @@ bool InputQueue::deliver() {
                     down_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
                 }
                 ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.action, event.mods);
+                at_event_ = true;
                 break;
             case Event::Kind::Scroll:
                 ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+                at_event_ = true;
                 break;
             case Event::Kind::Text:
                 ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+                break;
+            case Event::Kind::Move:
+                x_ = event.x;
+                y_ = event.y;
+                knows_place_ = true;
                 break;
         }
     }
     return false;
 }
 
-void InputQueue::setButtons() const {
+void InputQueue::setMouse() const {
     // The mouse itself is ahead of its events: a double click within a slow frame would be one
-    // click, and a click would overtake the letters that were typed before it.
-    for (std::size_t i = 0; i < down_.size(); ++i) ImGui::GetIO().MouseDown[i] = down_[i];
+    // click, a click would overtake the letters that were typed before it, and a drag would take
+    // hold of what the mouse has reached instead of what it was pressed on.
+    ImGuiIO& io = ImGui::GetIO();
+    for (std::size_t i = 0; i < down_.size(); ++i) io.MouseDown[i] = down_[i];
+    const bool behind = at_event_ || !events_.empty();
+    if (behind && knows_place_ && ImGui::IsMousePosValid(&io.MousePos)) {
+        io.MousePos = {static_cast<float>(x_), static_cast<float>(y_)};
+    }
 }
 
 }  // namespace dollytrack::editor

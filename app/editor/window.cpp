@@ -4,6 +4,7 @@
 #include "ui/screen_scale.h"
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -147,7 +148,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;        // the layout is ours and kept with the settings
+    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // as desktops have it; ImGui asks for haste
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
@@ -221,17 +222,25 @@ void Window::run(const std::function<bool()>& frame) {
     }
 }
 
+bool Window::holdsKeys() {
+    // Longer than a field ever takes: one that cannot get the keyboard must not keep it from
+    // others. In frames, since one of them may last a second.
+    constexpr int kMost = 120;
+    held_frames_ = ui::takeKeyboardAwaited() ? held_frames_ + 1 : 0;
+    return held_frames_ > 0 && held_frames_ < kMost;
+}
+
 void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
     if (wanted_font_scale_ > 0.0) {
         ui::loadFonts(std::exchange(wanted_font_scale_, 0.0));
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }
-    if (input_.deliver()) animate();
+    if (input_.deliver(holdsKeys())) animate();
     ui::item_map::beginFrame();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    input_.setButtons();
+    input_.setMouse();
     ImGui::NewFrame();
     goes_on = frame();
     ImGui::Render();

@@ -68,10 +68,12 @@ class Window {
   private:
     Window() = default;
     void drawFrame(const std::function<bool()>& frame, bool& goes_on);
+    [[nodiscard]] bool holdsKeys();
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* sharer_ = nullptr;
     InputQueue input_;
+    int held_frames_ = 0;  // for which what is typed waits until a field has the keyboard
     int frames_to_draw_ = 3;
     int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
     std::string title_;

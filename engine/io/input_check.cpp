@@ -42,11 +42,13 @@ Status checkExtension(const Path& path, const std::string& where) {
                         std::string(program.name),
                     where);
     }
-    return fail(ErrorCode::BadInput,
-                (ext.empty() ? std::string("the file has no extension")
-                             : "\"" + ext + "\" files cannot be read") +
-                    "; known are .obj, .fbx, .gltf, .glb, .dae, .ply and .stl",
-                where);
+    return fail(
+        ErrorCode::BadInput,
+        (ext.empty() ? std::string("the file has no extension")
+                     : "\"" + ext + "\" files cannot be read") +
+            "; scenes are .obj, .fbx, .gltf, .glb, .dae, .ply and .stl files, and the name of a "
+            "project ends in .dolly",
+        where);
 }
 
 Status checkFirstBytes(const Path& path, const std::string& where) {

@@ -4,6 +4,7 @@
 #include "tests/ui/screen.h"
 #include "ui/widgets/file_list.h"
 #include "ui/widgets/folder_reader.h"
+#include "ui/widgets/keyboard_wait.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -134,7 +135,8 @@ TEST_F(FileBrowserTest, FilterShowsOtherKinds) {
 }
 
 TEST_F(FileBrowserTest, SavingOverAFileAsksFirst) {
-    ask(FileRequest::Purpose::Save, folder.path() / "kitchen.glb");
+    static_cast<void>(folder.write("kept.dolly", "{}"));
+    ask(FileRequest::Purpose::Save, folder.path() / "kept.dolly");
     screen.press(GLFW_KEY_ENTER);
     ASSERT_TRUE(waitFor("message.cancel")) << screen.names();
     EXPECT_FALSE(answer);
@@ -145,7 +147,33 @@ TEST_F(FileBrowserTest, SavingOverAFileAsksFirst) {
     ASSERT_TRUE(waitFor("message.replace"));
     ASSERT_TRUE(screen.click("message.replace"));
     ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->path, folder.path() / "kitchen.glb");
+    EXPECT_EQ(answer->path, folder.path() / "kept.dolly");
+}
+
+// "room.do" cannot be opened as a project, and what is called "room.do.dolly" is not lost unasked.
+TEST_F(FileBrowserTest, SavesUnderANameThatCanBeOpenedAgain) {
+    static_cast<void>(folder.write("there.do.dolly", "{}"));
+    ask(FileRequest::Purpose::Save);
+    screen.press(GLFW_KEY_A, true);
+    screen.type("there.do");
+    screen.press(GLFW_KEY_ENTER);
+    ASSERT_TRUE(waitFor("message.cancel")) << screen.names();
+    ASSERT_TRUE(screen.click("message.cancel"));
+    ASSERT_TRUE(screen.click("files.name"));
+    screen.press(GLFW_KEY_A, true);
+    screen.type("room.do");
+    screen.press(GLFW_KEY_ENTER);
+    settle();
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->path, folder.path() / "room.do.dolly");
+}
+
+TEST_F(FileBrowserTest, WaitsForTheKeyboardOnlyUntilAFieldHasIt) {
+    static_cast<void>(takeKeyboardAwaited());
+    ask(FileRequest::Purpose::Save);
+    EXPECT_TRUE(takeKeyboardAwaited()) << "what is typed at once is for the name";
+    screen.frame(2);
+    EXPECT_FALSE(takeKeyboardAwaited());
 }
 
 TEST_F(FileBrowserTest, SavingUnderANewNameAddsTheExtension) {

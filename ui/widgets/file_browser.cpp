@@ -4,6 +4,7 @@
 #include "ui/widgets/file_list.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
 #include "ui/widgets/message_box.h"
 #include "ui/widgets/path_line.h"
 
@@ -47,6 +48,7 @@ struct FileBrowser::Impl {
     void drawPlace(const std::string& label, const fs::path& folder, const std::string& name);
     void drawList(float height);
     [[nodiscard]] bool drawName();  // whether it was entered
+    [[nodiscard]] std::string missingEnding(const fs::path& path) const;
     [[nodiscard]] std::string noteText() const;
     void drawChoices();
     void drawButtons(bool entered);
@@ -77,7 +79,8 @@ struct FileBrowser::Impl {
     std::string name;
     bool focus_name = false;
     bool name_has_keys = false;
-    fs::path overwrite;  // not empty: ask
+    bool awaits_keys = false;  // the dialog's first widget for them is not ready
+    fs::path overwrite;        // not empty: ask
     std::string new_folder;
     bool making_folder = false;
 };
@@ -88,6 +91,7 @@ void FileBrowser::Impl::begin(FileRequest new_request) {
     open = true;
     begins = true;
     focus_name = true;
+    awaits_keys = true;
     answer.reset();
     filter = 0;
     name = request.name;
@@ -181,10 +185,13 @@ void FileBrowser::Impl::collect() {
     }
 }
 
+/// What a name to save under needs at its end to be found and opened again.
+std::string FileBrowser::Impl::missingEnding(const fs::path& path) const {
+    return path.extension() == request.extension ? std::string() : request.extension;
+}
+
 void FileBrowser::Impl::acceptPath(fs::path path) {
-    if (request.purpose == Purpose::Save && path.has_filename() && !path.has_extension()) {
-        path += request.extension;
-    }
+    if (request.purpose == Purpose::Save && path.has_filename()) path += missingEnding(path);
     look(path, Intent::Accept);
 }
 
@@ -294,7 +301,11 @@ void FileBrowser::Impl::drawList(float height) {
     }
     if (!actions.path.empty()) path_line.typeOn(actions.path);
     if (actions.opened && entry != nullptr) {
-        look(folder / entry->name, entry->is_folder ? Intent::Enter : Intent::Accept);
+        if (entry->is_folder) {
+            look(folder / entry->name, Intent::Enter);
+        } else {
+            acceptPath(folder / entry->name);
+        }
     }
     if (actions.go_up && folder != folder.root_path()) {
         select_name = folder.filename().string();
@@ -308,17 +319,28 @@ bool FileBrowser::Impl::drawName() {
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
     // Not before the folder is there: what is written into a field in use is lost.
-    if (listing && std::exchange(focus_name, false)) ImGui::SetKeyboardFocusHere();
+    const bool there = listing || !problem.empty();
+    if (there && std::exchange(focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    const bool entered = ImGui::InputText("##name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputText(
+        "##name", &name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     nameItem("files.name");
     name_has_keys = ImGui::IsItemActive();
+    if (name_has_keys) awaits_keys = false;
+    if (path_line.isTyping()) focus_name = false;
     return entered;
 }
 
 std::string FileBrowser::Impl::noteText() const {
     if (!problem.empty()) return problem;
     if (listing && !listing->problem.empty()) return listing->problem;
+    if (request.purpose == Purpose::Save && !name.empty()) {
+        const fs::path typed = typedPath(name, folder);
+        if (typed.has_filename() && typed.has_extension() && !missingEnding(typed).empty()) {
+            return "It is saved as " + typed.filename().string() + request.extension +
+                   ", since its name has to end in " + request.extension + ".";
+        }
+    }
     if (!arranged) return "Reading the folder \u2026";
     if (arranged->entries.empty()) return "This folder is empty.";
     if (rows.empty()) return "Nothing here of this kind.";
@@ -395,6 +417,10 @@ void FileBrowser::Impl::drawContent() {
     ImGui::SameLine();
     drawList(height);
     const bool entered = has_name && drawName();
+    if (arranged && !has_name) awaits_keys = false;
+    if (!problem.empty() || path_line.isTyping()) awaits_keys = false;
+    // Who knows the dialog types on at once.
+    if (awaits_keys) awaitKeyboard();
     paragraph(note, wrong ? palette().bad : palette().text_dim);
     drawChoices();
     drawButtons(entered);

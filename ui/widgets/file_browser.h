@@ -24,7 +24,7 @@ struct FileRequest {
     std::vector<FileFilter> filters;  // the first is chosen; "All files" is added
     std::filesystem::path start;      // a folder to begin in, or a file to begin at
     std::string name;                 // to save: a proposal
-    std::string extension;            // to save: added to a name that has none, ".dolly"
+    std::string extension;            // to save: every name gets it that has it not, ".dolly"
     std::vector<std::filesystem::path> recent_folders;  // newest first
 };
 

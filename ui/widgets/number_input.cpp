@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -91,6 +92,7 @@ FieldEdit typeNumber(double& value, const NumberLimits& limits, const std::strin
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     const bool has_keys = ImGui::IsItemActive();
     typing.had_keys = typing.had_keys || has_keys;
+    if (!typing.had_keys) awaitKeyboard();
     const TypedNumber read = readNumber(typing.text, limits);
     if (!entered && (has_keys || !typing.had_keys)) {
         const bool wrong = !read.note.empty() && !typing.text.empty();

@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
 #include "ui/widgets/text_match.h"
 
 #include <imgui.h>
@@ -58,6 +59,7 @@ void PathLine::typeOn(const std::string& begun) {
     text_ = begun;
     wants_focus_ = true;
     takes_over_ = true;
+    awaitKeyboard();
 }
 
 void PathLine::complete(std::string& text) const {
@@ -135,6 +137,7 @@ bool PathLine::draw(const FolderOrder& order, float width) {
         wants_focus_ = false;
     }
     if (takes_over_) {
+        awaitKeyboard();
         // The keyboard changes hands from one frame to the next, and people type on meanwhile.
         ImGuiIO& io = ImGui::GetIO();
         for (const ImWchar c : io.InputQueueCharacters) {

@@ -312,7 +312,8 @@ class Editor:
         for name in (last, *reversed(modifiers)):
             self.let_go(name)
 
-    def type(self, text):
+    def letters(self, text):
+        """Types without looking what becomes of it."""
         for letter in text:
             keysym = ord(letter)
             code = self._code(keysym)
@@ -325,7 +326,19 @@ class Editor:
                 self.let_go("shift")
             self.display.sync()
             time.sleep(0.004)  # one letter after the other, as hands do it
+
+    def type(self, text):
+        self.letters(text)
         return self.state()
+
+    @contextlib.contextmanager
+    def stuck(self):
+        """A frame that lasts, as on a busy machine: what is done meanwhile arrives all at once."""
+        self.process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self.process.send_signal(signal.SIGCONT)
 
     # What a window manager and other programs do
 
