@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dollytrack::render {
 
@@ -35,7 +36,28 @@ double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
     return all.isEmpty() ? scene.room_bounds.min().z() : all.min().z();
 }
 
-StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
+double ceilingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
+    constexpr double kStorey = 1.0;  // m: rooms whose floors differ by less are of one
+    // A cupboard's inside is no storey: only rooms with a good part of the widest one's floor
+    // count.
+    const auto area = [](const Eigen::AlignedBox3d& room) {
+        return room.sizes().x() * room.sizes().y();
+    };
+    double widest = 0.0;
+    for (const Eigen::AlignedBox3d& room : rooms) widest = std::max(widest, area(room));
+    double top_floor = -std::numeric_limits<double>::infinity();
+    for (const Eigen::AlignedBox3d& room : rooms) {
+        if (area(room) >= 0.2 * widest) top_floor = std::max(top_floor, room.min().z());
+    }
+    double ceiling = scene.room_bounds.max().z() + 1.0;
+    for (const Eigen::AlignedBox3d& room : rooms) {
+        const bool counts = area(room) >= 0.2 * widest && room.min().z() > top_floor - kStorey;
+        if (counts) ceiling = std::min(ceiling, room.max().z());
+    }
+    return ceiling;
+}
+
+StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z, double ceiling_z,
                         const Eigen::Vector3d& aside) {
     const double height = std::max(building.sizes().z(), 0.5);
     const double half_depth = 0.5 * (std::abs(aside.x()) * building.sizes().x() +
@@ -47,6 +69,7 @@ StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
     full_height.z() = building.max().z() - 0.04;
     cut.plane.w() = cut.plane.head<3>().dot(full_height);
     cut.keep_below_z = floor_z + 0.12;
+    cut.ceiling_z = ceiling_z;
     return cut;
 }
 
@@ -55,7 +78,8 @@ bool isLeftAway(const View& view, const Scene& scene, int object_id, const Eigen
     if (index < view.hidden.size() && view.hidden[index]) return true;
     if (!view.structure_cut || !scene.object(object_id).structure) return false;
     const StructureCut& cut = *view.structure_cut;
-    return cut.plane.head<3>().dot(at) > cut.plane.w() && at.z() > cut.keep_below_z;
+    return at.z() > cut.ceiling_z ||
+           (cut.plane.head<3>().dot(at) > cut.plane.w() && at.z() > cut.keep_below_z);
 }
 
 }  // namespace dollytrack::render

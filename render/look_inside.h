@@ -22,11 +22,15 @@ namespace dollytrack::render {
 /// room's box begins just above its floor.
 [[nodiscard]] double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms);
 
+/// Where the ceilings of the topmost storey begin, m: many files have walls and ceiling in one
+/// piece, so that neither can be told by its object. Where rooms differ, the lower ones count.
+[[nodiscard]] double ceilingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms);
+
 /// Cuts walls along a plane that falls from the top of the far ones to the foot of those near the
 /// viewer, who stands in the horizontal direction `aside` (at most unit: shorter looks from more
-/// above and cuts less steeply). Floors and skirting stay.
+/// above and cuts less steeply). Floors and skirting stay; what lies above `ceiling_z` goes.
 [[nodiscard]] StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z,
-                                      const Eigen::Vector3d& aside);
+                                      double ceiling_z, const Eigen::Vector3d& aside);
 
 /// Whether a picture leaves a surface of an object away at a place in the world: the object is
 /// hidden, or this part of it cut.

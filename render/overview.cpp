@@ -89,7 +89,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     view.intrinsics.cx += 0.5 * camera.width_px - off.x();
     view.intrinsics.cy += 0.5 * camera.height_px - off.y();
 
-    view.structure_cut = cutTowards(bounds, floor, aside);
+    view.structure_cut = cutTowards(bounds, floor, ceilingOf(scene, rooms), aside);
     return view;
 }
 

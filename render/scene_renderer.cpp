@@ -113,6 +113,7 @@ struct SceneRenderer::Impl {
         const StructureCut structure_cut = view.structure_cut.value_or(StructureCut{});
         const Eigen::Vector4f cut = structure_cut.plane.cast<float>();
         glProgramUniform1f(program.get(), 8, static_cast<float>(structure_cut.keep_below_z));
+        glProgramUniform1f(program.get(), 9, static_cast<float>(structure_cut.ceiling_z));
         glProgramUniform4fv(program.get(), 6, 1, cut.data());
         const Eigen::Vector3f eye = view.pose.position.cast<float>();
         glProgramUniform3fv(program.get(), 7, 1, eye.data());

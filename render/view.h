@@ -12,10 +12,11 @@
 namespace dollytrack::render {
 
 /// Leaves structure away, to look into a room from outside: what lies above the plane, where
-/// dot(p, xyz) > w, and above keep_below_z.
+/// dot(p, xyz) > w, and above keep_below_z; and all above ceiling_z.
 struct StructureCut {
     Eigen::Vector4d plane = {0, 0, 0, 1};
     double keep_below_z = 0.0;
+    double ceiling_z = 1e9;
 };
 
 /// Parallel rays instead of a pinhole, for plans and elevations. The image's middle, the principal

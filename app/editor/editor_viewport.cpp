@@ -60,6 +60,7 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
     view.structure_cut = render::cutTowards(building, render::floorOf(*shown.scene, rooms),
+                                            render::ceilingOf(*shown.scene, rooms),
                                             level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
     return view;
 }

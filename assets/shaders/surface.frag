@@ -16,6 +16,7 @@ layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: non
 layout(location = 6) uniform vec4 cut_plane;   // structure above it is left away, see view.h
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
+layout(location = 9) uniform float ceiling_z;
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -32,9 +33,8 @@ float depthHere() {
 
 void main() {
     vec3 p = offset_in_world + eye;
-    if (surface_traits.w > 0.5 && dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z) {
-        discard;
-    }
+    bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
+    if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
     vec4 color = surface_color;
     if (textured != 0) {
         vec4 texel = texture(base_texture, texture_uv);

@@ -85,9 +85,26 @@ TEST(ClearLook, PicturesLeaveAwayWhatIsHiddenAndStructureAboveTheCut) {
     EXPECT_TRUE(render::isLeftAway(view, scene, wall, {0, 0, 2}));
     EXPECT_FALSE(render::isLeftAway(view, scene, wall, {0, 0, 0.5}));
     EXPECT_FALSE(render::isLeftAway(view, scene, cube, {2, 1.5, 2})) << "things are never cut";
+    view.structure_cut = render::StructureCut{{0, 0, 1, 9.0}, 0.1, 2.4};
+    EXPECT_TRUE(render::isLeftAway(view, scene, wall, {2, 1.5, 2.45})) << "above the ceiling";
+    EXPECT_FALSE(render::isLeftAway(view, scene, wall, {0, 0, 2.3}));
+    EXPECT_FALSE(render::isLeftAway(view, scene, cube, {2, 1.5, 2.45}));
     view.hidden.assign(static_cast<std::size_t>(cube) + 1, false);
     view.hidden[static_cast<std::size_t>(cube)] = true;
     EXPECT_TRUE(render::isLeftAway(view, scene, cube, {2, 1.5, 2}));
+}
+
+// The upper storey is what one looks into; a cupboard's inside says nothing of its ceiling.
+TEST(ClearLook, TheCeilingIsWhereTheRoomsOfTheTopmostStoreyEnd) {
+    const Scene scene = SceneBuilder().room({0, 0, 0}, {4, 3, 5.5}).build();
+    const auto room = [](double floor, double ceiling, double side) {
+        return Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, floor),
+                                   Eigen::Vector3d(side, side, ceiling));
+    };
+    const std::vector<Eigen::AlignedBox3d> rooms = {room(0.1, 2.5, 4.0), room(2.9, 5.3, 4.0),
+                                                    room(3.1, 5.1, 3.0), room(3.0, 4.0, 0.6)};
+    EXPECT_DOUBLE_EQ(render::ceilingOf(scene, rooms), 5.1);
+    EXPECT_GT(render::ceilingOf(scene, {}), scene.room_bounds.max().z()) << "no room, no ceiling";
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ bool samePicture(const render::View& a, const render::View& b) {
     const auto cut = [](const render::View& view) {
         const render::StructureCut c = view.structure_cut.value_or(render::StructureCut{});
         return std::tuple(view.structure_cut.has_value(), c.plane.x(), c.plane.y(), c.plane.z(),
-                          c.plane.w(), c.keep_below_z);
+                          c.plane.w(), c.keep_below_z, c.ceiling_z);
     };
     return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
            a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
