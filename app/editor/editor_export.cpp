@@ -53,7 +53,7 @@ void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& 
                 view.folder_says = "Other files are there; they stay.";
             } else {
                 view.why_not_folder =
-                    "Other files are there: choose another folder, or tick that they may be.";
+                    "Other files are there: choose another folder, or tick that it may hold them.";
             }
             break;
         case Kind::NoFolder:

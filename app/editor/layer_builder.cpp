@@ -76,8 +76,9 @@ PlanLayer noGoLayer(const std::vector<NoGoBox>& boxes, const Selection& selectio
         addFilledBox(layer.overlay, boxes[i].box, red, selected, selected ? 3.0 : 1.5);
     }
     layer.legend.title = "No-go boxes";
-    layer.legend.entries.push_back(
-        {"no-go box", ui::LegendEntry::Shape::Block, red, static_cast<int>(boxes.size())});
+    layer.legend.entries.push_back({boxes.size() == 1 ? boxes.front().name : "no-go boxes",
+                                    ui::LegendEntry::Shape::Block, red,
+                                    static_cast<int>(boxes.size())});
     return layer;
 }
 
@@ -92,8 +93,9 @@ PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& sele
                      regions[i].must_see ? 2.5 : 1.0);
     }
     layer.legend.title = "Regions";
-    layer.legend.entries.push_back(
-        {"region", ui::LegendEntry::Shape::Block, green, static_cast<int>(regions.size())});
+    layer.legend.entries.push_back({regions.size() == 1 ? regions.front().name : "regions",
+                                    ui::LegendEntry::Shape::Block, green,
+                                    static_cast<int>(regions.size())});
     return layer;
 }
 

@@ -68,9 +68,12 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
 /// The camera's, as among the parameters: the plan follows it.
 void drawImageSize(const ExportView& view, ExportActions& actions) {
     if (view.parameters == nullptr) return;
-    formLabel("Image, px", "Width and height; parameters of the camera, so the plan follows them");
+    formLabel("Image, px",
+              "Width and height. They are the camera's: changing them makes a new plan");
     const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
-    const float half = (ImGui::GetContentRegionAvail().x - cross) / 2;
+    const char* replans = "new plan";
+    const float note = ImGui::CalcTextSize(replans).x + ImGui::GetStyle().ItemSpacing.x;
+    const float half = (ImGui::GetContentRegionAvail().x - cross - note) / 2;
     for (const char* name : {"width_px", "height_px"}) {
         const auto field = std::ranges::find(*view.parameters, name, &Field::name);
         const auto standard = std::ranges::find(*view.standard, name, &Field::name);
@@ -85,6 +88,9 @@ void drawImageSize(const ExportView& view, ExportActions& actions) {
         if (edit.changed) actions.edited = name;
         actions.finished = actions.finished || edit.finished;
     }
+    ImGui::SameLine();
+    ImGui::TextColored(palette().text_dim, "%s", replans);
+    tooltip("The camera's width_px and height_px: another size is another plan");
 }
 
 /// What of the range is not there, or nothing.
@@ -194,7 +200,7 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
 }
 
 void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
-    if (!beginForm("place")) return;
+    if (!beginForm("place", 0.22F)) return;
     drawFolder(view, draft, actions);
     drawImageSize(view, actions);
     drawFrames(view, draft);
@@ -202,11 +208,12 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
 }
 
 void drawContents(const ExportView& view, ExportDraft& draft) {
-    if (!beginForm("contents")) return;
+    // Many boxes, short names.
+    if (!beginForm("contents", 0.2F)) return;
     drawChoices("Modalities", "modality", view.modalities, draft.left_out_modalities);
     drawChoices("Formats", "format", view.formats, draft.left_out_formats);
-    formLabel("Other files");
-    ImGui::Checkbox("may be in the folder", &draft.overwrite);
+    formLabel("Folder");
+    ImGui::Checkbox("may hold other files", &draft.overwrite);
     nameItem("export.overwrite");
     tooltip("They stay. Without this, only an empty folder or an earlier dataset is written into.");
     endForm();
@@ -288,17 +295,18 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
         (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
     const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
     if (wide) {
-        const float third = std::floor((room.x - 2 * style.ItemSpacing.x) / 3);
-        const auto column = [&](const char* id, const auto& draw) {
-            ImGui::BeginChild(id, {third, height});
+        const float all = room.x - 2 * style.ItemSpacing.x;
+        // The boxes to tick need the width more than a short queue does.
+        const auto column = [&](const char* id, float share, const auto& draw) {
+            ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
             ImGui::EndChild();
         };
-        column("place", [&] { drawPlace(view, draft, actions); });
+        column("place", 0.33F, [&] { drawPlace(view, draft, actions); });
         ImGui::SameLine();
-        column("contents", [&] { drawContents(view, draft); });
+        column("contents", 0.41F, [&] { drawContents(view, draft); });
         ImGui::SameLine();
-        column("queue", [&] { drawExportJobs(view, actions); });
+        column("queue", 0.26F, [&] { drawExportJobs(view, actions); });
     } else {
         ImGui::BeginChild("export", {0, height});
         drawPlace(view, draft, actions);

@@ -8,10 +8,10 @@
 
 namespace dollytrack::ui {
 
-bool beginForm(const char* id) {
+bool beginForm(const char* id, float names) {
     if (!ImGui::BeginTable(id, 2)) return false;
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.36F);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.64F);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, names);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.0F - names);
     return true;
 }
 

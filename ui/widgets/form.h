@@ -8,7 +8,8 @@
 namespace dollytrack::ui {
 
 /// Rows of "name: value" in two columns that line up; between the calls, rows only.
-bool beginForm(const char* id);
+/// `names` is the share of the width that the left column takes.
+bool beginForm(const char* id, float names = 0.36F);
 void endForm();
 
 /// Begins a row and leaves the cursor where its widget goes, with the column's full width.

@@ -139,8 +139,10 @@ void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(8), scaled(5)});
     // A child of the viewport's window rather than a window of its own, which would lie over the
     // shade behind dialogs.
-    ImGui::BeginChild("legend", {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, true,
-                      size.y < state.size.y ? 0 : ImGuiWindowFlags_NoScrollbar);
+    ImGui::BeginChild(
+        "legend", {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, true,
+        // Home and the arrows are the viewport's: nothing here is for them.
+        ImGuiWindowFlags_NoNav | (size.y < state.size.y ? 0 : ImGuiWindowFlags_NoScrollbar));
     nameArea("legend", low.x, low.y, low.x + size.x, low.y + size.y);
     state.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::BeginGroup();
