@@ -105,7 +105,10 @@ void Editor::play() {
 }
 
 bool Editor::frame() {
-    for (const std::string& path : window_.takeDroppedPaths()) openAfterAsking(path);
+    // One thing after the other: what is dropped on a question is opened once that is answered.
+    if (!questions_.waiting()) {
+        for (const std::string& path : window_.takeDroppedPaths()) openAfterAsking(path);
+    }
     if (window_.takeCloseRequest()) commands_.find("file.quit")->run();
     if (window_.takeScaleChange()) {
         setTheme();

@@ -101,6 +101,8 @@ class Editor {
     void drawPreview();
     void drawLegend();
     void editWithGizmo();
+    [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
+    void drawBars();
     void clickAt(const Eigen::Vector2d& pixel, bool add);
     void requestPicture();
     void requestPreview();

@@ -276,7 +276,8 @@ void Editor::drawStatus() {
         ImGui::SameLine();
         ImGui::Text("planning: %s", job.stage.c_str());
     } else if (const std::string error = workspace_.planError(); !error.empty()) {
-        ImGui::TextColored(ui::palette().bad, "No plan: %s", error.c_str());
+        ImGui::TextColored(ui::palette().bad, "%s: %s", shown.outdated ? "No new plan" : "No plan",
+                           error.c_str());
     } else if (shown.plan && shown.measured) {
         const CaptureMetrics& capture = shown.plan->capture_metrics;
         const auto& frames = shown.plan->trajectory.frames;

@@ -59,6 +59,8 @@ nlohmann::json Editor::stateJson() {
           {"drawing", drawing_.busy()}}},
         {"plan_is_current", workspace_.isOpen() && workspace_.planIsCurrent()},
         {"plan_error", workspace_.planError()},
+        {"plan_outdated", shown.outdated},
+        {"file_changed", workspace_.fileChanged()},
         {"latency_ms", workspace_.lastLatency_ms()},
         {"selected", selected_.objects()},
         {"selection_kind", static_cast<int>(selected_.now().kind)},

@@ -7,6 +7,7 @@
 #include "ui/panels/layers_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/legend_view.h"
+#include "ui/widgets/note_bar.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -205,24 +206,41 @@ OrientedBox Editor::boxInView() {
             0.0};
 }
 
-void Editor::editWithGizmo() {
-    const PositionPoint* point = selected_.positionPoint(plan());
+std::optional<ui::GizmoView> Editor::gizmoView() {
+    if (!workspace_.isOpen() || through_camera_) return std::nullopt;
     const PlanEdits& edits = workspace_.state().edits.plan;
+    const PositionPoint* point = selected_.positionPoint(plan());
     const NoGoBox* no_go = selected_.noGoBox(edits.no_go);
     const Region* region = selected_.region(edits.regions);
-    const OrientedBox* box = no_go ? &no_go->box : region ? &region->box : nullptr;
-    gizmo_.begin();
-    if ((point == nullptr && box == nullptr) || through_camera_) {
-        if (gizmo_.dragging()) dropGizmo();
-        return;
-    }
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;
     view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered;
     view.turns = point != nullptr;
-    if (box != nullptr) {
-        view.pose.position = box->center;
+    if (no_go != nullptr) {
+        view.pose.position = no_go->box.center;
+    } else if (region != nullptr) {
+        view.pose.position = region->box.center;
+    } else if (point != nullptr) {
+        view.pose = point->pose;
+    } else {
+        return std::nullopt;
+    }
+    return view;
+}
+
+void Editor::editWithGizmo() {
+    const std::optional<ui::GizmoView> handles = gizmoView();
+    if (!handles) {
+        if (gizmo_.dragging()) dropGizmo();
+        return;
+    }
+    const ui::GizmoView& view = *handles;
+    const PositionPoint* point = selected_.positionPoint(plan());
+    const PlanEdits& edits = workspace_.state().edits.plan;
+    const NoGoBox* no_go = selected_.noGoBox(edits.no_go);
+    const Region* region = selected_.region(edits.regions);
+    if (no_go != nullptr || region != nullptr) {
         const std::string op = no_go ? "move_no_go" : "change_region";
         const std::string name = no_go ? no_go->name : region->name;
         const ui::GizmoActions actions = gizmo_.draw(view);
@@ -233,7 +251,6 @@ void Editor::editWithGizmo() {
         if (actions.finished) workspace_.endMerge();
         return;
     }
-    view.pose = point->pose;
     const std::optional<Pose> moved = gizmo_.drawPoint(view);
     if (gizmo_.draggedPose()) window_.animate();
     if (!moved) return;
@@ -302,7 +319,25 @@ void Editor::drawLegend() {
     if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
 
+void Editor::drawBars() {
+    if (!workspace_.fileChanged()) return;
+    const std::filesystem::path file = workspace_.path();
+    const int pressed = ui::drawNoteBar(
+        "file_changed", file.filename().string() + " was changed by another program.",
+        {{"Reload", "Open it again as it is on the disk"},
+         {"Keep mine",
+          "Go on with what is open; saving asks before it overwrites "
+          "what the other program wrote"}});
+    if (pressed == 1) workspace_.dismissFileChange();
+    if (pressed != 0) return;
+    if (!workspace_.unsaved()) return workspace_.open(file);
+    questions_.ask({"Reload " + file.filename().string() + "?",
+                    "What was changed here since it was opened or saved is lost.", "Reload",
+                    [this, file] { workspace_.open(file); }});
+}
+
 void Editor::drawCentre() {
+    drawBars();
     ui::ViewportView view;
     view.image = sent_scene_.isSent() && drawing_.ready() ? &drawing_.view() : nullptr;
     const BackgroundWorker::State loading = workspace_.loading();
@@ -318,13 +353,16 @@ void Editor::drawCentre() {
         view.message = failed ? "The scene cannot be shown: " + workspace_.planError()
                               : "Preparing the scene …";
     }
+    if (workspace_.shown().outdated) view.remark = "The plan before: these parameters give none";
     view.locked = through_camera_;
     if (through_camera_) {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;
     }
-    view.blocked =
-        gizmo_.hasMouse() || preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
+    // As things are now, not as they were drawn last: the mouse may have come and pressed since.
+    const std::optional<ui::GizmoView> handles = gizmoView();
+    view.blocked = (handles && gizmo_.takesMouse(*handles)) || preview_hovered_ ||
+                   panels_.legend.hovered || panels_.preview.full;
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);

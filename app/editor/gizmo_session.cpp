@@ -4,10 +4,13 @@
 
 namespace dollytrack::editor {
 
+bool GizmoSession::takesMouse(ui::GizmoView view) const {
+    if (pose_) view.pose = *pose_;
+    return dragging() || ui::isOnGizmo(view);
+}
+
 ui::GizmoActions GizmoSession::draw(const ui::GizmoView& view) {
-    const ui::GizmoActions actions = ui::drawGizmo(view, state_);
-    has_mouse_ = actions.has_mouse;
-    return actions;
+    return ui::drawGizmo(view, state_);
 }
 
 std::optional<Pose> GizmoSession::drawPoint(ui::GizmoView view) {

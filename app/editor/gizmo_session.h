@@ -10,13 +10,13 @@ namespace dollytrack::editor {
 /// point is while it is dragged, before that is an edit.
 class GizmoSession {
   public:
-    [[nodiscard]] bool hasMouse() const { return has_mouse_; }
     [[nodiscard]] bool dragging() const { return state_.dragged != ui::GizmoPart::None; }
     /// Where the dragged point is; nothing while none is dragged.
     [[nodiscard]] const std::optional<Pose>& draggedPose() const { return pose_; }
 
-    /// Once a frame, before draw().
-    void begin() { has_mouse_ = false; }
+    /// Whether the mouse is the handles' now, before they are drawn: they are dragged, or it has
+    /// come to be over one since the last frame.
+    [[nodiscard]] bool takesMouse(ui::GizmoView view) const;
     /// Draws the handles of a thing that is edited at each move.
     ui::GizmoActions draw(const ui::GizmoView& view);
     /// Draws the handles of one that is edited when the drag ends; then returns its new pose.
@@ -26,7 +26,6 @@ class GizmoSession {
 
   private:
     ui::GizmoState state_;
-    bool has_mouse_ = false;
     std::optional<Pose> pose_;
 };
 

@@ -42,6 +42,7 @@ struct PlanOutcome {
     bool measured = false;  // false: the trajectory is there, its metrics are still to come
     double milliseconds = 0.0;
     std::optional<Error> error;
+    bool outdated = false;              // the plan is of an earlier request: the newest was refused
     std::vector<std::string> warnings;  // edits that no longer fit the scene
 };
 

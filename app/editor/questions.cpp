@@ -71,8 +71,9 @@ void Questions::draw(bool choosing_file) {
     // One that is being read is not pushed aside by another.
     if (!pending(shown_)) {
         shown_ = Kind::None;
-        for (const Kind kind : {Kind::LostWork, Kind::ChangedFile, Kind::Unsaved, Kind::Exports,
-                                Kind::Doubt, Kind::FoundExports, Kind::Notice}) {
+        // What the user has just done comes before what was there when the editor started.
+        for (const Kind kind : {Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Doubt,
+                                Kind::Notice, Kind::LostWork, Kind::FoundExports}) {
             if (shown_ == Kind::None && pending(kind)) shown_ = kind;
         }
     }

@@ -20,7 +20,12 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 Workspace::Workspace(std::function<void()> wake)
-    : wake_(wake), loader_(wake), saver_(wake), lighter_(wake), planner_(wake) {}
+    : wake_(wake),
+      file_watch_(known_files_, wake),
+      loader_(wake),
+      saver_(wake),
+      lighter_(wake),
+      planner_(wake) {}
 
 Workspace::~Workspace() {
     saver_.finish();
@@ -70,6 +75,7 @@ void Workspace::close() {
     ++document_;
     restored_from_.clear();
     changed_file_.reset();
+    file_watch_.beginAnew();
     stack_.reset({});
     newly_opened_ = true;
 }
@@ -207,6 +213,7 @@ void Workspace::finishSaving(SaveOutcome outcome) {
     log::info("project", "saved " + outcome.path.string());
     if (!same_document) return;
     opened_->project = outcome.path;
+    file_watch_.beginAnew();
     file_has_plan_ = outcome.has_plan;
     stack_.markSaved(outcome.state);
 }
@@ -288,26 +295,41 @@ void Workspace::updateLight() {
     });
 }
 
+void Workspace::take(PlanOutcome outcome) {
+    if (outcome.error && outcome.error->code != ErrorCode::Cancelled) {
+        log::warn("planning", describe(*outcome.error));
+    }
+    for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
+    if (shown_.serial != outcome.serial) {
+        latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
+    }
+    const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
+    if (refused && shown_.plan && shown_.state->edits.scene == outcome.state->edits.scene) {
+        // Parameters that do not go together are on their way to ones that do: the plan before
+        // stays in sight, with its own scene and parameters.
+        shown_.serial = outcome.serial;
+        shown_.state = std::move(outcome.state);
+        shown_.error = std::move(outcome.error);
+        shown_.outdated = true;
+        return;
+    }
+    if (shown_.geometry != outcome.geometry) light_.reset();
+    shown_ = std::move(outcome);
+}
+
 void Workspace::poll() {
     if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
     if (std::optional<PlanOutcome> outcome = planner_.poll();
         outcome && isOpen() && outcome->serial == serial_) {
-        if (outcome->error && outcome->error->code != ErrorCode::Cancelled) {
-            log::warn("planning", describe(*outcome->error));
-        }
-        for (const std::string& warning : outcome->warnings) log::warn("edits", warning);
-        if (shown_.serial != outcome->serial) {
-            latency_ms_ =
-                std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
-        }
-        if (shown_.geometry != outcome->geometry) light_.reset();
-        shown_ = std::move(*outcome);
+        take(std::move(*outcome));
     }
     if (std::optional<render::LightVolume> light = lit_->take();
         light && isOpen() && lit_geometry_ == shown_.geometry) {
         light_ = std::make_shared<const render::LightVolume>(std::move(*light));
     }
     if (std::optional<SaveOutcome> outcome = saved_->take()) finishSaving(std::move(*outcome));
+    // Not while it is being written here: the content is there before it is known.
+    if (!saving()) file_watch_.look(path());
     updateLight();
 }
 

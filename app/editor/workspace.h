@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/autosave.h"
+#include "app/editor/file_watch.h"
 #include "app/editor/known_files.h"
 #include "app/editor/live_planner.h"
 #include "app/editor/project_loader.h"
@@ -77,7 +78,8 @@ class Workspace {
     /// The newest plan with the scene it belongs to; may be older than state().
     [[nodiscard]] const PlanOutcome& shown() const { return shown_; }
     [[nodiscard]] bool planIsCurrent() const {
-        return shown_.serial == serial_ && shown_.measured && shown_.state == stack_.state();
+        return shown_.serial == serial_ && shown_.measured && !shown_.outdated &&
+               shown_.state == stack_.state();
     }
     [[nodiscard]] std::shared_ptr<const render::LightVolume> light() const { return light_; }
     [[nodiscard]] BackgroundWorker::State loading() const { return loader_.state(); }
@@ -102,6 +104,10 @@ class Workspace {
     [[nodiscard]] const std::filesystem::path& restoredFrom() const { return restored_from_; }
     /// SHA-256 of the project's file as this editor knows it; empty: not saved yet.
     [[nodiscard]] std::string fileContent() const { return known_files_->contentOf(path()); }
+    /// Whether another program has changed the project's file since it was read or written here,
+    /// and the user has not put that aside.
+    [[nodiscard]] bool fileChanged() const { return isOpen() && file_watch_.changed(); }
+    void dismissFileChange() { file_watch_.dismiss(); }
     /// Whether a new project was opened since the last call.
     [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
 
@@ -133,6 +139,7 @@ class Workspace {
     void finishOpening(LoadOutcome outcome);
     void finishSaving(SaveOutcome outcome);
     void updateLight();
+    void take(PlanOutcome outcome);
 
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
@@ -144,6 +151,7 @@ class Workspace {
     bool file_has_plan_ = false;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
+    FileWatch file_watch_;
     CommandStack::State state_when_asked_;  // to open another
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;

@@ -173,7 +173,7 @@ TEST(Pipeline, RefusesACameraWhoseNearPlaneLeavesItsSphere) {
     const auto result = pipeline.run(params, JobContext{});
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::Usage);
-    EXPECT_EQ(result.error().where, "near_m");
+    EXPECT_EQ(result.error().where, "near_m, hfov_deg");
 }
 
 TEST(Pipeline, RefusesMoreFramesThanAnyoneWants) {

@@ -161,6 +161,72 @@ void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
     }
 }
 
+/// Where the handles are on the screen.
+struct Handles {
+    ImVec2 middle;
+    std::array<std::optional<ImVec2>, 3> tips;
+    std::array<std::vector<ImVec2>, 2> curves;  // to turn about the vertical, and to look up
+};
+
+std::optional<Handles> handlesOf(const GizmoView& view) {
+    const Painter paint{view, metresPerPixel(view)};
+    const std::optional<ImVec2> middle = paint.at(view.pose.position);
+    if (!middle) return std::nullopt;
+    Handles handles{*middle, {}, {}};
+    const double length = scaled(kArrow_px) * paint.metres_per_px;
+    for (int i = 0; i < 3; ++i) {
+        handles.tips[i] = paint.at(view.pose.position + length * Eigen::Vector3d::Unit(i));
+    }
+    if (view.turns) {
+        handles.curves = {curve(paint, view.pose, GizmoPart::Yaw),
+                          curve(paint, view.pose, GizmoPart::Pitch)};
+    }
+    return handles;
+}
+
+GizmoPart axisPart(int axis) {
+    return static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + axis);
+}
+
+GizmoPart handleUnderMouse(const GizmoView& view, const Handles& handles) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    GizmoPart hot = GizmoPart::None;
+    double nearest = scaled(kGrab_px);
+    const auto consider = [&](GizmoPart part, double distance) {
+        if (distance < nearest) {
+            nearest = distance;
+            hot = part;
+        }
+    };
+    for (int i = 0; i < 3; ++i) {
+        if (!handles.tips[i]) continue;
+        consider(axisPart(i), distanceToSegment(mouse, handles.middle, *handles.tips[i]) + 0.5);
+    }
+    if (view.turns) {
+        consider(GizmoPart::Yaw, distanceToLine(mouse, handles.curves[0]));
+        consider(GizmoPart::Pitch, distanceToLine(mouse, handles.curves[1]));
+    }
+    consider(GizmoPart::MoveFree,
+             std::hypot(mouse.x - handles.middle.x, mouse.y - handles.middle.y) - 1.0);
+    return hot;
+}
+
+/// Where each can be grabbed with nothing else near.
+void nameHandles(const GizmoView& view, const Handles& handles) {
+    const auto name = [](const char* text, ImVec2 at) {
+        nameArea(text, at.x - 3, at.y - 3, at.x + 3, at.y + 3);
+    };
+    static constexpr std::array<const char*, 3> kAxes = {"gizmo.x", "gizmo.y", "gizmo.z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (handles.tips[i]) name(kAxes[i], *handles.tips[i]);
+    }
+    static constexpr std::array<const char*, 2> kTurns = {"gizmo.yaw", "gizmo.pitch"};
+    for (std::size_t i = 0; view.turns && i < 2; ++i) {
+        if (handles.curves[i].size() >= 7) name(kTurns[i], handles.curves[i][6]);
+    }
+    name("gizmo.free", handles.middle);
+}
+
 }  // namespace
 
 std::optional<double> nearestAlong(const render::ViewRay& ray, const Eigen::Vector3d& origin,
@@ -173,48 +239,19 @@ std::optional<double> nearestAlong(const render::ViewRay& ray, const Eigen::Vect
     return (between.dot(axis) - slant * between.dot(direction)) / square;
 }
 
+bool isOnGizmo(const GizmoView& view) {
+    const std::optional<Handles> handles = handlesOf(view);
+    return handles && handleUnderMouse(view, *handles) != GizmoPart::None;
+}
+
 GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
     GizmoActions actions;
     actions.pose = view.pose;
-    const Painter paint{view, metresPerPixel(view)};
-    const std::optional<ImVec2> middle = paint.at(view.pose.position);
-    if (!middle) return actions;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const double length = scaled(kArrow_px) * paint.metres_per_px;
-
-    GizmoPart hot = GizmoPart::None;
-    double nearest = scaled(kGrab_px);
-    const auto consider = [&](GizmoPart part, double distance) {
-        if (distance < nearest) {
-            nearest = distance;
-            hot = part;
-        }
-    };
-    std::array<std::optional<ImVec2>, 3> tips;
-    for (int i = 0; i < 3; ++i) {
-        tips[i] = paint.at(view.pose.position + length * Eigen::Vector3d::Unit(i));
-        if (!tips[i]) continue;
-        const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + i);
-        consider(part, distanceToSegment(mouse, *middle, *tips[i]) + 0.5);
-        static const std::array<const char*, 3> kNames = {"gizmo.x", "gizmo.y", "gizmo.z"};
-        nameArea(kNames[i], tips[i]->x - 3, tips[i]->y - 3, tips[i]->x + 3, tips[i]->y + 3);
-    }
-    std::array<std::vector<ImVec2>, 2> curves;
-    if (view.turns) {
-        curves = {curve(paint, view.pose, GizmoPart::Yaw),
-                  curve(paint, view.pose, GizmoPart::Pitch)};
-        consider(GizmoPart::Yaw, distanceToLine(mouse, curves[0]));
-        consider(GizmoPart::Pitch, distanceToLine(mouse, curves[1]));
-        // Where each can be grabbed with nothing else near.
-        for (const auto& [name, line] :
-             {std::pair("gizmo.yaw", &curves[0]), std::pair("gizmo.pitch", &curves[1])}) {
-            if (line->size() < 7) continue;
-            const ImVec2 at = (*line)[6];
-            nameArea(name, at.x - 3, at.y - 3, at.x + 3, at.y + 3);
-        }
-    }
-    consider(GizmoPart::MoveFree, std::hypot(mouse.x - middle->x, mouse.y - middle->y) - 1.0);
-    nameArea("gizmo.free", middle->x - 3, middle->y - 3, middle->x + 3, middle->y + 3);
+    const std::optional<Handles> handles = handlesOf(view);
+    if (!handles) return actions;
+    const auto& [middle, tips, curves] = *handles;
+    nameHandles(view, *handles);
+    GizmoPart hot = handleUnderMouse(view, *handles);
     if (!view.hovered && state.dragged == GizmoPart::None) hot = GizmoPart::None;
     if (state.dragged == GizmoPart::None && hot != GizmoPart::None &&
         ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -246,12 +283,12 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
     for (int i = 0; i < 3; ++i) {
         if (!tips[i]) continue;
         const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + i);
-        list->AddLine(*middle, *tips[i], kAxisColors[i], width(part));
+        list->AddLine(middle, *tips[i], kAxisColors[i], width(part));
         list->AddCircleFilled(*tips[i], scaled(part == hot ? 7.0F : 5.5F), kAxisColors[i]);
     }
-    list->AddCircleFilled(*middle, scaled(hot == GizmoPart::MoveFree ? 8.0F : 6.0F),
+    list->AddCircleFilled(middle, scaled(hot == GizmoPart::MoveFree ? 8.0F : 6.0F),
                           IM_COL32(255, 255, 255, 230));
-    list->AddCircle(*middle, scaled(6.0F), IM_COL32(0, 0, 0, 160));
+    list->AddCircle(middle, scaled(6.0F), IM_COL32(0, 0, 0, 160));
     return actions;
 }
 

@@ -39,6 +39,9 @@ struct GizmoActions {
 /// an arc to look up and down. Draws into the current ImGui window.
 GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
 
+/// Whether the mouse is on one of its handles now.
+[[nodiscard]] bool isOnGizmo(const GizmoView& view);
+
 /// Where a ray comes nearest to a line: metres along the line's unit direction; nothing when the
 /// two are nearly parallel.
 [[nodiscard]] std::optional<double> nearestAlong(const render::ViewRay& ray,

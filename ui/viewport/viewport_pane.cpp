@@ -28,6 +28,18 @@ void fitInto(ImVec2& low, ImVec2& size, double aspect) {
     }
 }
 
+/// Text on a plate of its own; `top` is the middle of its upper edge.
+void drawPlate(const std::string& text, ImVec2 top, const ImVec4& color) {
+    if (text.empty()) return;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low(top.x - 0.5F * size.x, top.y);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({low.x - scaled(12), low.y - scaled(8)},
+                        {low.x + size.x + scaled(12), low.y + size.y + scaled(8)},
+                        ImGui::GetColorU32(ImGuiCol_PopupBg), scaled(6));
+    list->AddText(low, ImGui::GetColorU32(color), text.c_str());
+}
+
 void zoomWithWheel(const ViewportView& view, ViewportState& state, ViewportActions& actions) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel == 0.0F) return;
@@ -142,14 +154,14 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
                            view.image->texture)),
                        low, {low.x + size.x, low.y + size.y});
     }
-    if (!view.message.empty()) {
-        const ImVec2 text = ImGui::CalcTextSize(view.message.c_str());
-        const ImVec2 middle(0.5F * (pane_low.x + pane_high.x - text.x),
-                            0.5F * (pane_low.y + pane_high.y - text.y));
-        list->AddRectFilled({middle.x - scaled(12), middle.y - scaled(8)},
-                            {middle.x + text.x + scaled(12), middle.y + text.y + scaled(8)},
-                            ImGui::GetColorU32(ImGuiCol_PopupBg), scaled(6));
-        list->AddText(middle, ImGui::GetColorU32(ImGuiCol_Text), view.message.c_str());
+    const float centre = 0.5F * (pane_low.x + pane_high.x);
+    const float half_line = 0.5F * ImGui::GetTextLineHeight();
+    drawPlate(view.message, {centre, 0.5F * (pane_low.y + pane_high.y) - half_line},
+              ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    drawPlate(view.remark, {centre, pane_low.y + scaled(18)}, palette().warning);
+    if (!view.remark.empty()) {
+        nameArea("viewport.remark", centre - 3, pane_low.y + scaled(18), centre + 3,
+                 pane_low.y + scaled(18) + 2 * half_line);
     }
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("viewport", size,

@@ -158,6 +158,30 @@ class ByHand(Task):
                         "on the floor, the table or the sofa")
         self.editor.item("gizmo.z")
 
+    def test_a_handle_pressed_between_two_frames_does_not_turn_the_view(self):
+        self.start_room()
+        self.wait_picture()
+        self.editor.point("viewport")
+        self.editor.key("n")
+        self.editor.idle()
+        self.editor.item("gizmo.free")
+        for _ in range(3):
+            self.wait_picture()
+            before = self.editor.state()
+            center = self.boxes()[0]["center"]
+            x, y = self.editor.middle("gizmo.free")
+            self.editor.point((x - 110, y - 70))  # away from the handles and the preview
+            with self.editor.stuck():
+                self.editor.move(x, y)
+                self.editor.press()
+                for step in range(1, 6):
+                    self.editor.move(x + 12 * step, y)
+            self.editor.state()
+            self.editor.release()
+            after = self.editor.idle()
+            self.assertEqual(after["camera"], before["camera"])
+            self.assertNotEqual(self.boxes()[0]["center"], center)
+
     def test_rename_a_no_go_box(self):
         self.start_room()
         self.wait_picture()

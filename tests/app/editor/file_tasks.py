@@ -64,6 +64,48 @@ class Files(Task):
         self.editor.idle()
         self.assertTrue(self.project.exists(), "a file that is gone is written again")
 
+    def test_type_a_name_faster_than_the_window_draws(self):
+        self.start_room()
+        for name in ("first.dolly", "second.dolly"):
+            project = self.folder / name
+            self.editor.tap("ctrl+shift+s")
+            with self.editor.stuck():
+                self.editor.letters(str(project))
+                self.editor.tap("enter")
+            self.editor.wait(lambda state: state["project"] == str(project), "the whole name")
+
+    def test_a_name_of_another_kind_gets_the_ending_of_projects(self):
+        self.changed_room()
+        self.editor.key("ctrl+s")
+        self.editor.item("files.name")
+        self.editor.type(str(self.folder / "kept.do"))
+        self.editor.key("enter")
+        state = self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.assertEqual(state["project"], str(self.folder / "kept.do.dolly"))
+        self.assertFalse((self.folder / "kept.do").exists())
+
+    def exclude_by_another_program(self, name):
+        subprocess.run([Programs.command_line, "-q", "edit", self.project, "--op",
+                        json.dumps({"op": "exclude", "object": name})],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def test_what_another_program_saved_is_noticed_and_can_be_reloaded(self):
+        self.start_project()
+        self.exclude_by_another_program("sofa")
+        self.editor.wait(lambda state: state["file_changed"], "the change to be noticed", 20)
+        self.editor.click("file_changed.1")  # keep mine
+        self.assertFalse(self.editor.wait(lambda state: "file_changed" not in state["items"],
+                                          "the bar to go")["file_changed"])
+        self.exclude_by_another_program("mug")
+        self.editor.wait(lambda state: state["file_changed"], "the next change", 20)
+        self.set_parameter("fill", "0.45")
+        self.editor.click("file_changed.0")  # reload
+        self.dismiss("reload")
+        state = self.editor.wait(lambda state: not state["unsaved"], "the project as it is now")
+        self.assertEqual({change["object"]["name"] for change in state["edits"]["changes"]},
+                         {"sofa", "mug"})
+        self.assertFalse(self.editor.idle()["file_changed"])
+
     def changed_by_both(self):
         """A project in which the editor tuned a parameter and another program excluded an object;
         returns what that program wrote."""
@@ -241,6 +283,22 @@ class Files(Task):
         self.editor.key("ctrl+shift+z")
         self.assertEqual(self.editor.idle()["parameters"]["viewpoints"]["fill"], 0.45)
 
+    def test_an_error_is_told_before_what_an_earlier_editor_left(self):
+        self.start_room()
+        self.set_parameter("fill", "0.45")
+        self.wait_copy('"fill": 0.45')
+        self.editor.kill()
+        broken = self.folder / "broken.glb"
+        broken.write_text("no model")
+        self.start()
+        self.editor.item("message.later")
+        self.editor.drop(broken)
+        time.sleep(0.5)
+        self.assertIn("message.later", self.editor.items())
+        self.dismiss("later")
+        self.assertIn("Cannot open broken.glb", self.notice())
+        self.dismiss("ok")
+
     def test_a_copy_whose_history_is_damaged_says_so(self):
         self.start_room()
         self.set_parameter("fill", "0.45")
@@ -288,6 +346,7 @@ class Files(Task):
         self.editor.click("message.restore")
         self.editor.wait(lambda state: state["open"], "the lost work")
         self.editor.idle()
+        self.editor.wait(lambda state: state["file_changed"], "the newer file to be noticed", 20)
         self.try_to_save()
         self.dismiss("cancel")
         self.assertEqual(self.project.read_bytes(), theirs)

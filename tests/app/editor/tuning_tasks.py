@@ -27,6 +27,19 @@ class Tuning(Task):
         self.assertAlmostEqual(state["parameters"]["smoothing"]["corner_distance_m"], 0.2)
         self.assertEqual(len(state["history"]), 2)
 
+    def test_parameters_that_do_not_go_together_leave_the_plan_before_in_sight(self):
+        before = self.start_room()
+        state = self.set_parameter("hfov_deg", "150")
+        for name in ("near_m", "hfov_deg", "camera_radius_m"):
+            self.assertIn(name, state["plan_error"])
+        self.assertTrue(state["plan_outdated"])
+        self.assertFalse(state["plan_is_current"])
+        self.assertEqual(state["plan"], before["plan"])
+        self.editor.item("viewport.remark")
+        state = self.set_parameter("hfov_deg", "60")
+        self.assertFalse(state["plan_outdated"])
+        self.assertEqual(state["plan"], before["plan"])
+
     def test_a_typed_value_out_of_range_is_told(self):
         self.start_room()
         state = self.set_parameter("fill", "40")
