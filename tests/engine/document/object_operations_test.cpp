@@ -1,0 +1,153 @@
+#include "tests/engine/document/editing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack {
+namespace {
+
+using nlohmann::json;
+using test::Editing;
+
+/// Every triangle of the scene as its corners and the name of its object, sorted.
+std::vector<std::array<float, 9>> cornersOf(const Scene& scene, const Object& object) {
+    std::vector<std::array<float, 9>> list;
+    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+        std::array<float, 9> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = scene.triangles[object.first_triangle + i][k];
+            EXPECT_GE(v, object.first_vertex);
+            EXPECT_LT(v, object.first_vertex + object.vertex_count);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                corners[3 * k + axis] = scene.positions[v][static_cast<Eigen::Index>(axis)];
+            }
+        }
+        list.push_back(corners);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
+void expectWellFormed(const Scene& scene) {
+    std::uint32_t vertex = 0;
+    std::uint32_t triangle = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        EXPECT_EQ(object.id, static_cast<int>(i) + 1);
+        EXPECT_EQ(object.first_vertex, vertex);
+        EXPECT_EQ(object.first_triangle, triangle);
+        vertex += object.vertex_count;
+        triangle += object.triangle_count;
+    }
+    EXPECT_EQ(vertex, scene.positions.size());
+    EXPECT_EQ(vertex, scene.normals.size());
+    EXPECT_EQ(vertex, scene.uvs.size());
+    EXPECT_EQ(triangle, scene.triangles.size());
+    EXPECT_EQ(triangle, scene.triangle_material.size());
+}
+
+}  // namespace
+
+TEST(Operation, SplitGivesTwoObjectsWithExactBoxes) {
+    Editing editing;
+    const auto names = editing.apply({{{"op", "split"}, {"object", "pair"}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_EQ(names->front(), "Split pair into 2 pieces");
+    const Scene scene = editing.scene();
+    expectWellFormed(scene);
+    ASSERT_EQ(scene.objects.size(), 10U);
+    EXPECT_EQ(scene.object(8).name, "pair_1");
+    EXPECT_EQ(scene.object(9).name, "pair_2");
+    EXPECT_EQ(scene.object(10).name, "mug");
+    EXPECT_LT((scene.object(8).box.center - Eigen::Vector3d(1, 1, 0.25)).norm(), 1e-6);
+    EXPECT_LT((scene.object(8).box.half_size - Eigen::Vector3d(0.25, 0.25, 0.25)).norm(), 1e-6);
+    EXPECT_LT((scene.object(9).box.center - Eigen::Vector3d(3, 2, 0.4)).norm(), 1e-6);
+    EXPECT_LT((scene.object(9).box.half_size - Eigen::Vector3d(0.2, 0.3, 0.4)).norm(), 1e-6);
+    EXPECT_LT((scene.object(9).centroid - Eigen::Vector3d(3, 2, 0.4)).norm(), 1e-6);
+    // Together they have the triangles that the one had; the neighbours have theirs.
+    auto both = cornersOf(scene, scene.object(8));
+    const auto second = cornersOf(scene, scene.object(9));
+    both.insert(both.end(), second.begin(), second.end());
+    std::sort(both.begin(), both.end());
+    EXPECT_EQ(both, cornersOf(editing.imported, editing.imported.object(8)));
+    EXPECT_EQ(cornersOf(scene, scene.object(10)),
+              cornersOf(editing.imported, editing.imported.object(9)));
+}
+
+TEST(Operation, MergeGivesOneObjectAtThePlaceOfTheFirst) {
+    Editing editing;
+    const auto names = editing.apply({{{"op", "merge"},
+                                       {"objects", {"mug", "lamp"}},
+                                       {"name", "still life"},
+                                       {"class", "lamp"}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    const Scene scene = editing.scene();
+    expectWellFormed(scene);
+    ASSERT_EQ(scene.objects.size(), 8U);
+    const Object& merged = scene.object(7);
+    EXPECT_EQ(merged.name, "still life");
+    EXPECT_EQ(nyu40Name(merged.nyu40), "lamp");
+    EXPECT_EQ(merged.role, Role::Target);
+    EXPECT_EQ(scene.object(8).name, "pair");
+    // The box around both, by their corners.
+    for (const int id : {7, 9}) {
+        for (const Eigen::Vector3d& corner : editing.imported.object(id).box.corners()) {
+            EXPECT_TRUE(merged.box.contains(corner, 1e-5));
+        }
+    }
+    auto both = cornersOf(editing.imported, editing.imported.object(7));
+    const auto second = cornersOf(editing.imported, editing.imported.object(9));
+    both.insert(both.end(), second.begin(), second.end());
+    std::sort(both.begin(), both.end());
+    EXPECT_EQ(cornersOf(scene, merged), both);
+}
+
+TEST(Operation, SplitAndMergeBackIsTheSameSurface) {
+    Editing editing;
+    ASSERT_TRUE(
+        editing.apply({{{"op", "split"}, {"object", "pair"}},
+                       {{"op", "merge"}, {"objects", {"pair_1", "pair_2"}}, {"name", "pair"}}}));
+    const Scene scene = editing.scene();
+    expectWellFormed(scene);
+    EXPECT_EQ(cornersOf(scene, scene.object(8)),
+              cornersOf(editing.imported, editing.imported.object(8)));
+    EXPECT_EQ(scene.object(8).box, [&] {
+        Scene other = editing.imported;
+        return applySceneEdits(other, editing.state.edits.scene)->object(8).box;
+    }());
+}
+
+TEST(Operation, NumbersFollowWhatDefinitionsDo) {
+    Editing editing;
+    ASSERT_TRUE(editing.apply({
+        {{"op", "exclude"}, {"object", "mug"}},
+        {{"op", "set_class"}, {"object", "pair"}, {"class", "table"}},
+        {{"op", "pin"}, {"objects", {"mug"}}, {"position", {2, 1, 1}}, {"target", {2, 2.5, 0.05}}},
+        {{"op", "remove_point"}, {"objects", {"lamp", "mug"}}},
+    }));
+    ASSERT_TRUE(editing.apply({{{"op", "split"}, {"object", "pair"}}}));
+    const Edits& edits = editing.state.edits;
+    ASSERT_EQ(edits.scene.changes.size(), 3U);  // both pieces are tables
+    EXPECT_EQ(edits.scene.changes[0].object, (ObjectRef{8, "pair_1"}));
+    EXPECT_EQ(edits.scene.changes[1].object, (ObjectRef{9, "pair_2"}));
+    EXPECT_EQ(edits.scene.changes[2].object, (ObjectRef{10, "mug"}));
+    EXPECT_EQ(edits.plan.pinned[0].objects, (std::vector<ObjectRef>{{10, "mug"}}));
+    EXPECT_EQ(edits.plan.removed[0].objects, (std::vector<ObjectRef>{{7, "lamp"}, {10, "mug"}}));
+
+    ASSERT_TRUE(editing.apply(
+        {{{"op", "merge"}, {"objects", {"lamp", "pair_1"}}, {"name", "reading corner"}}}));
+    const Edits& merged = editing.state.edits;
+    EXPECT_EQ(merged.plan.pinned[0].objects, (std::vector<ObjectRef>{{9, "mug"}}));
+    EXPECT_EQ(merged.plan.removed[0].objects,
+              (std::vector<ObjectRef>{{7, "reading corner"}, {9, "mug"}}));
+    ASSERT_EQ(merged.scene.changes.size(), 2U);
+    EXPECT_EQ(merged.scene.changes[0].object, (ObjectRef{8, "pair_2"}));
+    const Scene scene = editing.scene();
+    EXPECT_EQ(editing.find(scene, "mug")->role, Role::Excluded);
+    EXPECT_EQ(nyu40Name(editing.find(scene, "pair_2")->nyu40), "table");
+    EXPECT_TRUE(scene.report.warnings.empty());
+}
+
+}  // namespace dollytrack
