@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 #include "app/editor/export_places.h"
+#include "app/editor/export_program.h"
 #include "engine/core/log.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"

@@ -79,6 +79,35 @@ Result<ExportNote> readNote(const fs::path& file) {
     return note;
 }
 
+Result<ExportNote> takeOverNote(const fs::path& left, const fs::path& folder,
+                                const std::string& mark, int job) {
+    std::error_code error;
+    Result<ExportNote> note = readNote(left);
+    if (!note) {
+        fs::remove(left, error);
+        return note;
+    }
+    // The snapshot first, which is nothing without its note: a crash in between must not leave one
+    // that counts as left over.
+    const fs::path old_snapshot = note->project_file;
+    if (note->snapshot) {
+        note->project_file = exportFile(folder, mark, job, ".dolly");
+        fs::copy_file(old_snapshot, note->project_file, fs::copy_options::overwrite_existing,
+                      error);
+        if (error) {
+            return fail(ErrorCode::CannotWrite,
+                        "An unfinished export cannot be taken over: " + error.message() + ".",
+                        old_snapshot.string());
+        }
+    }
+    if (Status written = writeNote(exportFile(folder, mark, job, ".json"), *note); !written) {
+        return tl::unexpected<Error>(written.error());
+    }
+    fs::remove(left, error);
+    if (note->snapshot) fs::remove(old_snapshot, error);
+    return note;
+}
+
 std::vector<fs::path> findLeftNotes(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> notes;

@@ -30,6 +30,12 @@ Status writeNote(const std::filesystem::path& file, const ExportNote& note);
 /// Error: BadInput.
 Result<ExportNote> readNote(const std::filesystem::path& file);
 
+/// Makes the note that another editor left, and its snapshot, those of a job of one's own. A note
+/// that cannot be read is removed; otherwise an error leaves it. Errors: BadInput, CannotWrite.
+Result<ExportNote> takeOverNote(const std::filesystem::path& left,
+                                const std::filesystem::path& folder, const std::string& mark,
+                                int job);
+
 /// Notes of editors that no longer run, oldest first. Snapshots without a note are removed.
 [[nodiscard]] std::vector<std::filesystem::path> findLeftNotes(const std::filesystem::path& folder);
 

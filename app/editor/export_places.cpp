@@ -4,11 +4,13 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 
 namespace dollytrack::editor {
@@ -42,6 +44,23 @@ fs::path folderBeside(const fs::path& folder, const fs::path& project,
     fs::path place = parent / stem;
     for (int i = 2; taken(place); ++i) place = parent / (stem + "_" + std::to_string(i));
     return place;
+}
+
+fs::path contactSheetIn(const fs::path& folder) {
+    std::vector<fs::path> sheets = {folder / "contact_sheet.jpg"};
+    std::ifstream list(folder / "rooms.json");
+    const auto rooms = nlohmann::json::parse(list, nullptr, false);
+    if (rooms.is_object() && rooms.contains("rooms")) {
+        for (const auto& room : rooms["rooms"]) {
+            if (room.is_object())
+                sheets.push_back(folder / room.value("name", "") / sheets[0].filename());
+        }
+    }
+    std::error_code error;
+    const auto found = std::find_if(sheets.begin(), sheets.end(), [&](const fs::path& sheet) {
+        return fs::exists(sheet, error);
+    });
+    return found != sheets.end() ? *found : fs::path();
 }
 
 std::string whyNoFolders() {

@@ -18,6 +18,10 @@ namespace dollytrack::editor {
                                                  const std::filesystem::path& project,
                                                  const std::vector<ui::ExportJob>& jobs);
 
+/// The contact sheet of the dataset in a folder, or of its first room that has one where each room
+/// has a dataset; empty without.
+[[nodiscard]] std::filesystem::path contactSheetIn(const std::filesystem::path& folder);
+
 /// Why openFolder() cannot work on this computer; empty when it can.
 [[nodiscard]] std::string whyNoFolders();
 

@@ -3,21 +3,15 @@
 #include "app/editor/child_process.h"
 #include "app/editor/export_note.h"
 #include "app/editor/export_places.h"
+#include "app/editor/export_program.h"
 #include "app/editor/export_progress.h"
 #include "engine/core/log.h"
-
-#include <fmt/format.h>
-#include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -33,65 +27,7 @@ constexpr auto kPatienceAtExit = std::chrono::seconds(2);
 // Between two notes of how far a job is.
 constexpr auto kNoteInterval = std::chrono::seconds(2);
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
-    return text;
-}
-
-std::vector<std::string> commandFor(const fs::path& program, const fs::path& project,
-                                    const ui::ExportJob& job) {
-    const ui::ExportRequest& request = job.request;
-    std::vector<std::string> command = {
-        program.string(), "export",      project.string(), "--out", request.folder.string(),
-        "--range",        request.range, "--progress",     "json"};
-    if (!request.modalities.empty()) {
-        command.insert(command.end(), {"--modalities", joined(request.modalities)});
-    }
-    if (!request.formats.empty()) {
-        command.insert(command.end(), {"--formats", joined(request.formats)});
-    }
-    if (request.overwrite) command.emplace_back("--overwrite");
-    if (job.resumes) command.emplace_back("--resume");
-    return command;
-}
-
-bool isProgram(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
-}
-
-/// The dataset's, or the first room's where each has a dataset; empty without one.
-fs::path contactSheetIn(const fs::path& folder) {
-    std::vector<fs::path> sheets = {folder / "contact_sheet.jpg"};
-    std::ifstream list(folder / "rooms.json");
-    const auto rooms = nlohmann::json::parse(list, nullptr, false);
-    if (rooms.is_object() && rooms.contains("rooms")) {
-        for (const auto& room : rooms["rooms"]) {
-            if (room.is_object())
-                sheets.push_back(folder / room.value("name", "") / sheets[0].filename());
-        }
-    }
-    std::error_code error;
-    const auto found = std::find_if(sheets.begin(), sheets.end(), [&](const fs::path& sheet) {
-        return fs::exists(sheet, error);
-    });
-    return found != sheets.end() ? *found : fs::path();
-}
-
 }  // namespace
-
-Result<fs::path> findExportProgram() {
-    std::error_code error;
-    const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    if (!error && isProgram(self.parent_path() / "dollytrack")) {
-        return self.parent_path() / "dollytrack";
-    }
-    if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
-    return fail(ErrorCode::Failed,
-                "The program 'dollytrack', which does the exporting, is neither beside the editor "
-                "nor in PATH; build or install it.");
-}
 
 ExportQueue::ExportQueue(fs::path snapshot_folder, fs::path program,
                          std::function<void()> on_change)
@@ -310,38 +246,18 @@ void ExportQueue::adoptLeftJobs() {
     const FolderLock alone(snapshot_folder_);
     for (const fs::path& left : findLeftNotes(snapshot_folder_)) {
         mark_.hold();
-        const Result<ExportNote> note = readNote(left);
-        std::error_code error;
-        if (!note) {
-            log::warn("export", describe(note.error()));
-            fs::remove(left, error);
-            continue;
-        }
         Entry entry;
         {
             const std::lock_guard lock(mutex_);
             entry.job.id = ++last_id_;
         }
-        // The snapshot first, which is nothing without its note: a crash in between must not leave
-        // one that counts as left over.
-        const fs::path note_file =
-            exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json");
-        entry.project_file = note->project_file;
-        if (note->snapshot) {
-            entry.project_file = exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".dolly");
-            fs::copy_file(note->project_file, entry.project_file,
-                          fs::copy_options::overwrite_existing, error);
-            if (error) {
-                log::warn("export",
-                          "An unfinished export cannot be taken over: " + error.message());
-                continue;
-            }
+        const Result<ExportNote> note =
+            takeOverNote(left, snapshot_folder_, mark_.text(), entry.job.id);
+        if (!note) {
+            log::warn("export", describe(note.error()));
+            continue;
         }
-        ExportNote renamed = *note;
-        renamed.project_file = entry.project_file;
-        if (!writeNote(note_file, renamed)) continue;
-        fs::remove(left, error);
-        if (note->snapshot) fs::remove(note->project_file, error);
+        entry.project_file = note->project_file;
         entry.adopted_snapshot = note->snapshot;
         entry.snapshot_written = true;
         entry.stored = true;
@@ -439,7 +355,7 @@ void ExportQueue::runEntry(int id) {
     if (const Status written = writeSnapshot(id); !written) return failed(written.error());
     std::vector<std::string> command;
     update(id,
-           [&](Entry& entry) { command = commandFor(program_, entry.project_file, entry.job); });
+           [&](Entry& entry) { command = exportCommand(program_, entry.project_file, entry.job); });
     Result<ChildProcess> process = ChildProcess::start(command);
     if (!process) return failed(process.error());
     follow(id, *process);

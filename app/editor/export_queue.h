@@ -21,9 +21,6 @@ namespace dollytrack::editor {
 class ChildProcess;
 struct ExportNote;
 
-/// The command line program that exports: beside this one, else in PATH.
-[[nodiscard]] Result<std::filesystem::path> findExportProgram();
-
 /// Exports one dataset after another, each by a `dollytrack export` of its own on a snapshot of the
 /// project, so that the bytes are those of the command line and a crash costs no more than that
 /// run. All functions return at once, but the destructor, which stops what runs.
