@@ -170,12 +170,12 @@ class ByHand(Task):
             before = self.editor.state()
             center = self.boxes()[0]["center"]
             x, y = self.editor.middle("gizmo.free")
-            self.editor.point((x - 110, y - 70))  # away from the handles and the preview
+            self.editor.point((x - 110, y - 70))  # away from the handles
             with self.editor.stuck():
                 self.editor.move(x, y)
                 self.editor.press()
                 for step in range(1, 6):
-                    self.editor.move(x + 12 * step, y)
+                    self.editor.move(x - 12 * step, y)
             self.editor.state()
             self.editor.release()
             after = self.editor.idle()
