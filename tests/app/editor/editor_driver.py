@@ -3,7 +3,6 @@
 What the window shows is asked through the socket of --inspect, which can only look.
 """
 import contextlib
-import ctypes
 import json
 import os
 import pathlib
@@ -11,19 +10,18 @@ import shutil
 import signal
 import socket
 import subprocess
-import sys
 import tempfile
 import time
-import unittest
 
 try:
-    from Xlib import X, XK, Xatom, display, error
+    from Xlib import X, XK, display, error
     from Xlib.ext import xtest
-    from Xlib.protocol import event
 except ImportError:  # the tests then skip, or fail where a window is required
-    display = None
+    pass
 
-REQUIRED = os.environ.get("DOLLYTRACK_REQUIRE_WINDOW") == "1"
+import other_programs
+from screen import die_with_parent
+
 BUTTONS = {"left": 1, "middle": 2, "right": 3}
 # Names of keys as they are written in the menus, where X calls them something else.
 KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Return",
@@ -31,54 +29,6 @@ KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Re
            "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
            "backspace": "BackSpace", "=": "equal", "-": "minus", "numplus": "KP_Add",
            "numminus": "KP_Subtract", "pageup": "Prior", "pagedown": "Next"}
-
-
-def die_with_parent():
-    """In the child: a test that is killed leaves nothing running."""
-    pr_set_pdeathsig = 1
-    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
-
-
-def why_no_window():
-    """Empty where a window can be opened."""
-    if display is None:
-        return "python3-xlib is not installed"
-    if shutil.which("Xvfb") is None:
-        return "Xvfb is not installed"
-    return ""
-
-
-def need_window():
-    """Skips where no window can be opened, and says so; fails where one is required."""
-    why = why_no_window()
-    if why and REQUIRED:
-        sys.exit(f"a window is required, but {why}")
-    if why:
-        print("skipped: " + why)
-        raise unittest.SkipTest(why)
-
-
-class Screen:
-    """A display of one's own."""
-
-    def __init__(self, width=1920, height=1080):
-        read, write = os.pipe()
-        self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24",
-             "-nolisten", "tcp", "-noreset"],
-            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            preexec_fn=die_with_parent)
-        os.close(write)
-        with os.fdopen(read) as numbers:
-            number = numbers.readline().strip()
-        if not number:
-            raise RuntimeError("Xvfb did not start")
-        self.name = ":" + number
-        self.size = (width, height)
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait()
 
 
 class Gone(Exception):
@@ -365,89 +315,19 @@ class Editor:
         self.state()
         return self.state()
 
-    def _tell(self, kind, data):
-        message = event.ClientMessage(window=self.window, client_type=self.display.intern_atom(kind),
-                                      data=(32, data))
-        self.window.send_event(message)
-        self.display.sync()
-
     def close_window(self):
         """The cross in the window's corner."""
-        protocols = self.display.intern_atom("WM_DELETE_WINDOW")
-        self._tell("WM_PROTOCOLS", [protocols, X.CurrentTime, 0, 0, 0])
+        other_programs.close_window(self.display, self.window)
 
     def drop(self, *paths):
-        """Drops files onto the middle of the window, by the protocol XDND."""
-        atom = self.display.intern_atom
-        source = self.display.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
-        try:
-            source.set_selection_owner(atom("XdndSelection"), X.CurrentTime)
-            uris, plain = atom("text/uri-list"), X.NONE
-            version = 5 << 24
-            size = self.window.get_geometry()
-            x, y = size.width // 2, size.height // 2
-            self._tell("XdndEnter", [source.id, version, uris, plain, plain])
-            self._tell("XdndPosition", [source.id, 0, x << 16 | y, X.CurrentTime,
-                                        atom("XdndActionCopy")])
-            self._await_message("XdndStatus", lambda data: data[1] & 1)
-            self._tell("XdndDrop", [source.id, 0, X.CurrentTime, 0, 0])
-            text = "".join(pathlib.Path(path).absolute().as_uri() + "\r\n" for path in paths)
-            self._serve_selection(uris, text.encode())
-        finally:
-            source.destroy()
-            self.display.sync()
+        """Drops files onto the middle of the window."""
+        other_programs.drop(self.display, self.window, paths)
         return self.state()
-
-    def _events(self, seconds):
-        deadline = time.time() + seconds
-        while time.time() < deadline:
-            if self.display.pending_events():
-                yield self.display.next_event()
-            else:
-                time.sleep(0.005)
-
-    def _await_message(self, kind, accepted):
-        atom = self.display.intern_atom(kind)
-        for one in self._events(10):
-            if one.type == X.ClientMessage and one.client_type == atom:
-                if accepted(one.data[1]):
-                    return
-                raise AssertionError("the editor refuses what is dragged over it")
-        raise AssertionError(f"the editor sent no {kind}")
-
-    def _serve_selection(self, kind, content):
-        finished = self.display.intern_atom("XdndFinished")
-        for one in self._events(10):
-            if one.type == X.SelectionRequest:
-                one.requestor.change_property(one.property, kind, 8, content)
-                one.requestor.send_event(event.SelectionNotify(
-                    time=one.time, requestor=one.requestor, selection=one.selection,
-                    target=one.target, property=one.property))
-                self.display.sync()
-            elif one.type == X.ClientMessage and one.client_type == finished:
-                return
-        raise AssertionError("the editor did not take what was dropped")
 
     def clipboard(self):
         """The text another program would paste."""
-        atom = self.display.intern_atom
-        reader = self.display.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
-        place = atom("DOLLYTRACK_TEST")
-        try:
-            reader.convert_selection(atom("CLIPBOARD"), atom("UTF8_STRING"), place, X.CurrentTime)
-            self.display.sync()
-            self.state()  # the owner answers when it handles its events
-            for one in self._events(10):
-                if one.type == X.SelectionNotify:
-                    if one.property == X.NONE:
-                        return ""
-                    found = reader.get_full_property(place, X.AnyPropertyType)
-                    value = found.value if found is not None else b""
-                    return value.decode() if isinstance(value, bytes) else value
-        finally:
-            reader.destroy()
-            self.display.sync()
-        raise AssertionError("nobody answers for the clipboard")
+        # The owner answers when it handles its events.
+        return other_programs.clipboard(self.display, self.state)
 
     # What people do all the time
 

@@ -8,7 +8,8 @@ import sys
 import tempfile
 import time
 
-from editor_driver import Editor, Screen
+from editor_driver import Editor
+from screen import Screen
 
 REPEATS = 5
 UNWATCHED_S = 2.0  # asking for the state draws frames, which would slow down what is measured

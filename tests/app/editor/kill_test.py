@@ -6,7 +6,8 @@ import sys
 import tempfile
 import time
 
-from editor_driver import Editor, Screen
+from editor_driver import Editor
+from screen import Screen
 from task import Programs, plan
 import tiny_room  # noqa: E402
 import window_arguments

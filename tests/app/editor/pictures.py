@@ -12,7 +12,8 @@ import time
 import cv2
 import numpy
 
-from editor_driver import Editor, Screen
+from editor_driver import Editor
+from screen import Screen
 
 SIZE = (1440, 810)
 SCENE = pathlib.Path(__file__).parents[3] / "assets/scenes/apartment.glb"

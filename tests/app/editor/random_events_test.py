@@ -5,7 +5,8 @@ import random
 import sys
 import tempfile
 
-from editor_driver import Editor, Gone, Screen
+from editor_driver import Editor, Gone
+from screen import Screen
 from task import Programs
 import tiny_room  # noqa: E402
 import window_arguments

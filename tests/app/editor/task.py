@@ -10,7 +10,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import tiny_room  # noqa: E402
 
-from editor_driver import Editor, Screen, need_window  # noqa: E402
+from editor_driver import Editor  # noqa: E402
+from screen import Screen, need_window  # noqa: E402
 
 # The numbers of ui/selection.h, by which the state says what is selected.
 NONE, OBJECT, OBJECTS, POSITION_POINT, NO_GO_BOX = 0, 1, 2, 4, 9

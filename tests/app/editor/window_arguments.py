@@ -3,7 +3,7 @@ import argparse
 import sys
 from unittest import SkipTest
 
-from editor_driver import need_window
+from screen import need_window
 from task import Programs
 
 

@@ -1,5 +1,5 @@
 """The window itself: its size, its theme, help and the log."""
-from editor_driver import Screen
+from screen import Screen
 from task import Task
 
 
