@@ -39,8 +39,9 @@ void reorder(BudgetedTour& tour) {
 
 class Budget {
   public:
-    Budget(std::vector<BudgetedTour>& tours, double max_length_m)
-        : tours_(tours), max_(max_length_m) {
+    Budget(std::vector<BudgetedTour>& tours, double max_length_m,
+           const std::vector<double>& weights)
+        : tours_(tours), max_(max_length_m), weights_(weights) {
         for (const BudgetedTour& tour : tours_) {
             for (const int stop : tour.order) count(tour, stop, 1);
             length_ += lengthOf(tour);
@@ -69,9 +70,10 @@ class Budget {
 
     /// Of all that is shown.
     [[nodiscard]] double worth() const {
-        const auto shown = [](const std::map<int, int>& stops) {
-            return static_cast<double>(std::count_if(
-                stops.begin(), stops.end(), [](const auto& by_id) { return by_id.second > 0; }));
+        const auto shown = [this](const std::map<int, int>& stops) {
+            double sum = 0.0;
+            for (const auto& [id, count] : stops) sum += count > 0 ? weightOf(id) : 0.0;
+            return sum;
         };
         return kWell * shown(well_) + shown(captured_);
     }
@@ -85,6 +87,10 @@ class Budget {
         double worth = 0.0;  // of objects a metre
     };
 
+    [[nodiscard]] double weightOf(int id) const {
+        return weights_.empty() ? 1.0 : weights_[static_cast<std::size_t>(id) - 1];
+    }
+
     void count(const BudgetedTour& tour, int stop, int sign) {
         for (const int id : tour.shows[static_cast<std::size_t>(stop)]) well_[id] += sign;
         for (const int id : tour.shows_less[static_cast<std::size_t>(stop)]) captured_[id] += sign;
@@ -94,10 +100,10 @@ class Budget {
     double worthOf(const BudgetedTour& tour, int stop, int others) {
         double sum = 0.0;
         for (const int id : tour.shows[static_cast<std::size_t>(stop)]) {
-            sum += well_[id] <= others ? kWell : 0.0;
+            sum += well_[id] <= others ? kWell * weightOf(id) : 0.0;
         }
         for (const int id : tour.shows_less[static_cast<std::size_t>(stop)]) {
-            sum += captured_[id] <= others ? 1.0 : 0.0;
+            sum += captured_[id] <= others ? weightOf(id) : 0.0;
         }
         return sum;
     }
@@ -198,6 +204,7 @@ class Budget {
 
     std::vector<BudgetedTour>& tours_;
     double max_;
+    const std::vector<double>& weights_;  // by object, id - 1
     double length_ = 0.0;
     std::map<int, int> well_;  // by object, how many stops show it
     std::map<int, int> captured_;
@@ -217,12 +224,13 @@ int addCopyOfStop(BudgetedTour& tour, int stop) {
     return static_cast<int>(tour.fixed.size()) - 1;
 }
 
-void keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m) {
-    if (Budget(tours, max_length_m).fits()) return;
+void keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
+                      const std::vector<double>& weights) {
+    if (Budget(tours, max_length_m, weights).fits()) return;
     std::vector<BudgetedTour> grown = tours;
-    Budget up(grown, max_length_m);
+    Budget up(grown, max_length_m, weights);
     up.grow();
-    Budget down(tours, max_length_m);
+    Budget down(tours, max_length_m, weights);
     down.shrink();
     if (up.fits() && (!down.fits() || up.worth() > down.worth())) tours = std::move(grown);
 }

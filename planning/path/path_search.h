@@ -18,6 +18,7 @@ struct PathEnds {
     int end = -1;                      // position point that the last path ends with; -1: any
     bool loop = false;                 // each path ends where it begins
     std::vector<double> weights = {};  // of the position points; empty: all alike
+    std::vector<double> object_weights = {};  // of index id - 1; empty: all alike
     int visits = 0;  // key frames that all paths may visit, returns counted; 0: no limit
 };
 

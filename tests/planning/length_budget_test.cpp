@@ -104,6 +104,28 @@ TEST(LengthBudget, ShowsNearlyAsMuchAsAnyWayOfThatLength) {
     EXPECT_GE(shown, 0.93 * possible);
 }
 
+TEST(LengthBudget, WeightyObjectsAreReachedFirst) {
+    // Along a line, with the middle as the only place to begin: one side or the other.
+    BudgetedTour tour;
+    const std::vector<double> at = {-5.0, 0.0, 5.0};
+    tour.shows = {{1}, {}, {2}};
+    tour.shows_less = tour.shows;
+    tour.fixed = {false, true, false};
+    for (const double a : at) {
+        tour.metres.emplace_back();
+        for (const double b : at) tour.metres.back().push_back(std::abs(a - b));
+    }
+    tour.cost = tour.metres;
+    tour.order = {0, 1, 2};
+    for (const std::vector<double>& weights : {std::vector{1.0, 3.0}, {3.0, 1.0}}) {
+        std::vector<BudgetedTour> tours = {tour};
+        keepWithinLength(tours, 6.0, weights);
+        const int kept = weights[0] > weights[1] ? 0 : 2;
+        EXPECT_NE(std::ranges::find(tours[0].order, kept), tours[0].order.end());
+        EXPECT_EQ(tours[0].order.size(), 2U);
+    }
+}
+
 TEST(LengthBudget, FixedStopsAndEndsStay) {
     Random random(2, 0);
     for (int run = 0; run < 30; ++run) {

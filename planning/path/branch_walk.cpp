@@ -1,0 +1,100 @@
+#include "planning/path/branch_walk.h"
+
+#include <limits>
+
+namespace dollytrack::planning {
+namespace {
+
+class BranchWalk {
+  public:
+    BranchWalk(const RoadmapPart& part, const std::vector<double>& weights, const WayEnds& ends)
+        : part_(part), closed_(ends.closed), wanted_(part.keys.size(), false) {
+        const auto weightOf = [&](int key) {
+            return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(key)];
+        };
+        // Half of each end's weight: along a way every vertex but its ends counts whole. What was
+        // dropped leads nowhere.
+        const auto steps = [&](const RoadmapEdge& edge) {
+            return edge.in_tree ? 0.5 * (weightOf(edge.a) + weightOf(edge.b))
+                                : std::numeric_limits<double>::infinity();
+        };
+        // In a tree the vertex furthest from anywhere is an end of the longest branch.
+        const auto furthest = [&](const Ways& ways) {
+            int best = 0;
+            const auto worth = [&](int vertex) {
+                const auto v = static_cast<std::size_t>(vertex);
+                return ways.cost[v] + 0.5 * weightOf(part.keys[v]);
+            };
+            for (int vertex = 1; vertex < part.size(); ++vertex) {
+                if (worth(vertex) > worth(best)) best = vertex;
+            }
+            return best;
+        };
+        const int one_end = ends.first >= 0  ? ends.first
+                            : ends.last >= 0 ? furthest(waysFrom(part, ends.last, steps))
+                                             : furthest(waysFrom(part, 0, steps));
+        const Ways ways = waysFrom(part, one_end, steps);
+        branch_ = trace(part, ways, ends.last >= 0 ? ends.last : furthest(ways));
+        std::vector<bool> on_branch(part.keys.size(), false);
+        for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
+        for (int i = 0; i < part.size(); ++i) {
+            if (!part.point(i).fixed) continue;
+            // Back from the pinned point to the branch: the detour it takes.
+            const auto way = trace(part, ways, i);
+            for (auto step = way.rbegin(); step != way.rend(); ++step) {
+                const auto vertex = static_cast<std::size_t>(step->first);
+                if (on_branch[vertex] || wanted_[vertex]) break;
+                wanted_[vertex] = true;
+            }
+        }
+    }
+
+    std::vector<PathVertex> walk() && {
+        for (const auto& [vertex, e] : branch_) {
+            moveTo(vertex, e);
+            path_.push_back(keyVertex(part_, vertex));
+            makeDetours(vertex);
+        }
+        for (std::size_t i = branch_.size(); closed_ && i-- > 1;) {
+            const int vertex = branch_[i - 1].first;
+            moveTo(vertex, branch_[i].second);
+            path_.push_back({part_.point(vertex).pose.position, -1});
+        }
+        if (closed_) path_.back() = keyVertex(part_, branch_.front().first);
+        return std::move(path_);
+    }
+
+  private:
+    void moveTo(int vertex, int e) {
+        if (e < 0) return;
+        for (const auto& corner : cornersAlong(part_, e, vertex)) path_.push_back({corner, -1});
+    }
+
+    void makeDetours(int from) {
+        for (const int e : part_.edges[static_cast<std::size_t>(from)]) {
+            const int next = part_.otherEnd(e, from);
+            if (!part_.edge(e).in_tree || !wanted_[static_cast<std::size_t>(next)]) continue;
+            wanted_[static_cast<std::size_t>(next)] = false;
+            moveTo(next, e);
+            path_.push_back(keyVertex(part_, next));
+            makeDetours(next);
+            moveTo(from, e);
+            path_.push_back({part_.point(from).pose.position, -1});
+        }
+    }
+
+    const RoadmapPart& part_;
+    bool closed_;
+    std::vector<std::pair<int, int>> branch_;
+    std::vector<bool> wanted_;
+    std::vector<PathVertex> path_;
+};
+
+}  // namespace
+
+std::vector<PathVertex> walkBranch(const RoadmapPart& part, const std::vector<double>& weights,
+                                   const WayEnds& ends) {
+    return BranchWalk(part, weights, ends).walk();
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "engine/plan/plan.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// One connected part of the roadmap, with its vertices numbered 0.. .
+class RoadmapPart {
+  public:
+    RoadmapPart(Roadmap& roadmap, const std::vector<PositionPoint>& points, int group);
+
+    [[nodiscard]] RoadmapEdge& edge(int e) const {
+        return roadmap_->edges[static_cast<std::size_t>(e)];
+    }
+    [[nodiscard]] int otherEnd(int e, int vertex) const {
+        const int a = local_[static_cast<std::size_t>(edge(e).a)];
+        const int b = local_[static_cast<std::size_t>(edge(e).b)];
+        return a == vertex ? b : a;
+    }
+    [[nodiscard]] const PositionPoint& point(int vertex) const {
+        return (*points_)[static_cast<std::size_t>(keys[static_cast<std::size_t>(vertex)])];
+    }
+    [[nodiscard]] int size() const { return static_cast<int>(keys.size()); }
+    /// The vertex of a position point; -1 when it is in another part, or none.
+    [[nodiscard]] int vertexOf(int position_point) const {
+        return position_point < 0 ? -1 : local_[static_cast<std::size_t>(position_point)];
+    }
+
+    std::vector<int> keys;                // position points, by local number
+    std::vector<std::vector<int>> edges;  // roadmap edges at each vertex
+
+  private:
+    Roadmap* roadmap_;
+    const std::vector<PositionPoint>* points_;
+    std::vector<int> local_;
+};
+
+/// The ends of one part's way, by its vertices; -1: any.
+struct WayEnds {
+    int first = -1;
+    int last = -1;
+    bool closed = false;  // back to the first
+};
+
+/// Cheapest ways from one vertex: for each vertex the cost and the edge it is reached by.
+struct Ways {
+    std::vector<double> cost;
+    std::vector<int> by_edge;
+};
+
+Ways waysFrom(const RoadmapPart& part, int start,
+              const std::function<double(const RoadmapEdge&)>& weigh);
+
+/// The vertices from the root of the ways to the end, each with the edge that leads to it; -1:
+/// none.
+std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const Ways& ways, int end);
+
+/// Corners from one vertex to another along an edge, both ends left out.
+std::vector<Eigen::Vector3d> cornersAlong(const RoadmapPart& part, int edge, int to);
+
+PathVertex keyVertex(const RoadmapPart& part, int vertex);
+
+}  // namespace dollytrack::planning
