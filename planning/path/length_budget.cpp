@@ -1,15 +1,21 @@
 #include "planning/path/length_budget.h"
 
+#include "engine/jobs/parallel.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kWell = 1000.0;  // an object captured well is worth that many only captured
-constexpr int kRounds = 4;        // of shortening and taking in again
-constexpr double kLeast = 1e-9;   // metres below are rounding
+constexpr double kWell = 1000.0;    // an object captured well is worth that many only captured
+constexpr int kRounds = 4;          // of shortening and taking in again
+constexpr double kLeast = 1e-9;     // metres below are rounding
+constexpr std::size_t kSeeds = 16;  // stops to grow from, besides none
+constexpr std::array<double, 2> kAppetites = {1.0, 2.0};  // exponents of worth over metres
 
 double lengthOf(const BudgetedTour& tour) {
     return tourCost(tour.metres, tour.order);
@@ -40,8 +46,8 @@ void reorder(BudgetedTour& tour) {
 class Budget {
   public:
     Budget(std::vector<BudgetedTour>& tours, double max_length_m,
-           const std::vector<double>& weights)
-        : tours_(tours), max_(max_length_m), weights_(weights) {
+           const std::vector<double>& weights, double appetite = 1.0)
+        : tours_(tours), max_(max_length_m), weights_(weights), appetite_(appetite) {
         for (const BudgetedTour& tour : tours_) {
             for (const int stop : tour.order) count(tour, stop, 1);
             length_ += lengthOf(tour);
@@ -54,14 +60,18 @@ class Budget {
         fill();
     }
 
-    /// From the stops that have to stay up to the length.
-    void grow() {
+    /// From the stops that have to stay, and one more, up to the length. `seed` counts the stops of
+    /// all tours in their order; beyond the last there is none more.
+    void grow(std::size_t seed) {
+        std::size_t number = 0;
+        length_ = 0.0;
         for (BudgetedTour& tour : tours_) {
             std::erase_if(tour.order, [&](int stop) {
-                if (stays(tour, stop)) return false;
+                if (number++ == seed || stays(tour, stop)) return false;
                 count(tour, stop, -1);
                 return true;
             });
+            length_ += lengthOf(tour);
         }
         fill();
     }
@@ -138,7 +148,7 @@ class Budget {
                     const double metres =
                         detour(tour, i > 0 ? tour.order[i - 1] : -1, stop, stopAt(tour, i + 1));
                     if (metres <= kLeast) continue;
-                    const double a_metre = worthOf(tour, stop, 1) / metres;
+                    const double a_metre = std::pow(worthOf(tour, stop, 1), appetite_) / metres;
                     if (least.stop >= 0 && a_metre >= least.worth) continue;
                     least = {t, i, stop, metres, a_metre};
                 }
@@ -187,7 +197,7 @@ class Budget {
                 const double metres =
                     detour(tour, i > 0 ? tour.order[i - 1] : -1, stop, stopAt(tour, i));
                 if (length_ + metres > max_) continue;
-                const double a_metre = value / std::max(metres, kLeast);
+                const double a_metre = std::pow(value, appetite_) / std::max(metres, kLeast);
                 if (best.stop >= 0 && a_metre <= best.worth) continue;
                 best = {t, i, stop, metres, a_metre};
             }
@@ -205,6 +215,7 @@ class Budget {
     std::vector<BudgetedTour>& tours_;
     double max_;
     const std::vector<double>& weights_;  // by object, id - 1
+    double appetite_;                     // for worth rather than for short detours
     double length_ = 0.0;
     std::map<int, int> well_;  // by object, how many stops show it
     std::map<int, int> captured_;
@@ -224,15 +235,41 @@ int addCopyOfStop(BudgetedTour& tour, int stop) {
     return static_cast<int>(tour.fixed.size()) - 1;
 }
 
-void keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
-                      const std::vector<double>& weights) {
-    if (Budget(tours, max_length_m, weights).fits()) return;
-    std::vector<BudgetedTour> grown = tours;
-    Budget up(grown, max_length_m, weights);
-    up.grow();
-    Budget down(tours, max_length_m, weights);
-    down.shrink();
-    if (up.fits() && (!down.fits() || up.worth() > down.worth())) tours = std::move(grown);
+double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
+                        const std::vector<double>& weights) {
+    const Budget all(tours, max_length_m, weights);
+    if (all.fits()) return all.worth();
+    std::size_t stops = 0;
+    for (const BudgetedTour& tour : tours) stops += tour.order.size();
+    const std::size_t seeds = std::min(kSeeds, stops);
+    // For each appetite: from all down, from none up, and from single stops along the tour up.
+    const std::size_t ways = 2 + seeds;
+    struct Try {
+        std::vector<BudgetedTour> tours;
+        bool fits = false;
+        double worth = 0.0;
+    };
+    std::vector<Try> tries(kAppetites.size() * ways);
+    parallelFor(tries.size(), [&](std::size_t i) {
+        Try& one = tries[i];
+        one.tours = tours;
+        Budget budget(one.tours, max_length_m, weights, kAppetites[i / ways]);
+        const std::size_t way = i % ways;
+        if (way == 0) {
+            budget.shrink();
+        } else {
+            budget.grow(way == 1 ? stops : (way - 2) * stops / seeds);
+        }
+        one.fits = budget.fits();
+        one.worth = budget.worth();
+    });
+    // What has to stay may be too long whatever is done: then from all down.
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < tries.size(); ++i) {
+        if (tries[i].fits && (!tries[best].fits || tries[i].worth > tries[best].worth)) best = i;
+    }
+    tours = std::move(tries[best].tours);
+    return tries[best].worth;
 }
 
 }  // namespace dollytrack::planning

@@ -23,11 +23,12 @@ int addCopyOfStop(BudgetedTour& tour, int stop);
 
 /// Shortens tours until together they are no longer than `max_length_m` (a heuristic of the
 /// orienteering problem): from all stops down, leaving out those that save the most metres for the
-/// objects lost, captured well first, or from none up, taking in those that show the most a metre;
-/// the better of both. An object counts by its weight, of index id - 1; without weights all count
-/// alike. Fixed stops stay, so a budget may be too small to keep; a tour may end up
-/// without stops. Deterministic.
-void keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
-                      const std::vector<double>& weights = {});
+/// objects lost, or from none or from one up, taking in those that show the most a metre; the best
+/// of a few dozen such tries. An object captured counts by its weight, of index id - 1, and four
+/// times when captured well; without weights all count alike. Fixed stops stay, so a budget may be
+/// too small to keep; a tour may end up without stops. Returns the sum of what counts.
+/// Deterministic.
+double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
+                        const std::vector<double>& weights = {});
 
 }  // namespace dollytrack::planning

@@ -128,15 +128,19 @@ std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& p
     double allowed = budget.max_length_m;
     double enough = allowed;
     double too_much = 0.0;  // 0: not known yet
+    double most = -1.0;     // worth of what fits
     for (int attempt = 0; attempt < kLengthAttempts && !job.cancelled(); ++attempt) {
         std::vector<BudgetedTour> plans;
         for (const TourOfPart& tour : all) plans.push_back(tour.plan);
-        keepWithinLength(plans, allowed, budget.object_weights);
+        const double worth = keepWithinLength(plans, allowed, budget.object_weights);
         for (std::size_t i = 0; i < tours.size(); ++i) tours[i].plan = std::move(plans[i]);
         auto next = walkAll(parts, tours, sphere);
         const double walked = lengthOf(next);
         const bool fits = walked <= budget.max_length_m;
-        if (fits || attempt == 0) walks = std::move(next);
+        if (attempt == 0 || (fits && worth >= most)) {
+            walks = std::move(next);
+            most = worth;
+        }
         if (fits && (walked <= 0.0 || walked > kLengthUsed * budget.max_length_m)) break;
         if (!fits && attempt == 0) break;  // what has to stay is too long
         (fits ? enough : too_much) = allowed;
