@@ -12,6 +12,7 @@
 #include "app/editor/plan_timeline.h"
 #include "app/editor/playback.h"
 #include "app/editor/questions.h"
+#include "app/editor/remedy_finder.h"
 #include "app/editor/selected.h"
 #include "app/editor/sent_scene.h"
 #include "app/editor/settings.h"
@@ -169,6 +170,7 @@ class Editor {
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;
+    RemedyFinder remedies_{&Window::wake};
     PlanTimeline plan_timeline_;
     SentScene sent_scene_;
     ParameterDraft parameters_;

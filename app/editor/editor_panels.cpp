@@ -170,12 +170,23 @@ void Editor::drawSelection() {
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     view.free_space = shown.free_space.get();
     panels_.selection.show_candidates = layer_settings_.candidates;
+    const int object =
+        selected_.now().kind == ui::Selection::Kind::Object ? selected_.now().objects.front() : 0;
+    if (object != 0) view.remedy = remedies_.state(shown, object);
     const ui::SelectionActions actions = ui::drawSelectionPanel(view, panels_.selection);
     layer_settings_.candidates = panels_.selection.show_candidates;
     applyRequest(actions.edit);
     if (actions.frame) commands_.find("view.frame_selected")->run();
     if (actions.go_to_frame >= 0) goToFrame(actions.go_to_frame);
     if (actions.look_through) lookAlongPose(*actions.look_through);
+    if (actions.remedy.find) remedies_.find(shown, object);
+    if (actions.remedy.cancel) remedies_.cancel();
+    if (actions.remedy.apply) {
+        for (const nlohmann::json& operation : remedies_.operations()) {
+            apply(operation, "remedy");
+        }
+        workspace_.endMerge();
+    }
     if (actions.select) select(*actions.select);
 }
 

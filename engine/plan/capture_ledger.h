@@ -32,11 +32,11 @@ struct Remedy {
     std::vector<std::string> settings;  // parameters, as `--set` takes them: "hfov_deg=38"
     std::optional<Pose> pin;            // a position point to place by hand, world_from_camera
     std::string remove_no_go;           // name of a no-go box to take away; empty: none
-    bool restore_point = false;         // the position point that was removed by hand
-    std::string unpin;                  // name of a pinned point to let go; empty: none
-    int move_object = 0;                // id of an object to put elsewhere; 0: none
-    bool well = false;                  // the object is then captured well, not only captured
-    std::string text;                   // all that as a sentence's part, for a person
+    std::vector<std::vector<int>> restore_points;  // removed by hand: what each stood for
+    std::string unpin;                             // name of a pinned point to let go; empty: none
+    int move_object = 0;                           // id of an object to put elsewhere; 0: none
+    bool well = false;  // the object is then captured well, not only captured
+    std::string text;   // all that as a sentence's part, for a person
 
     bool operator==(const Remedy&) const = default;
 };

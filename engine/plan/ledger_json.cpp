@@ -1,5 +1,6 @@
 #include "engine/plan/ledger_json.h"
 
+#include "engine/document/remedy_operations.h"
 #include "engine/scene/labels.h"
 
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-json remedyJson(const Scene& scene, const Remedy& remedy) {
+json remedyJson(const Scene& scene, int object_id, const Remedy& remedy) {
     json result = {{"text", remedy.text}, {"well", remedy.well}};
     if (!remedy.settings.empty()) result["set"] = remedy.settings;
     if (remedy.pin) {
@@ -20,8 +21,10 @@ json remedyJson(const Scene& scene, const Remedy& remedy) {
     }
     if (!remedy.remove_no_go.empty()) result["remove_no_go"] = remedy.remove_no_go;
     if (!remedy.unpin.empty()) result["unpin"] = remedy.unpin;
-    if (remedy.restore_point) result["restore_point"] = true;
+    if (!remedy.restore_points.empty()) result["restore_point"] = true;
     if (remedy.move_object != 0) result["move"] = scene.object(remedy.move_object).name;
+    json operations = remedyOperations(scene, object_id, remedy);
+    if (!operations.empty()) result["operations"] = std::move(operations);
     return result;
 }
 
@@ -50,7 +53,7 @@ json ledgerJson(const Scene& scene, const std::vector<LedgerRow>& ledger) {
             one["reason"] = row.reason;
         }
         if (row.occluder != 0) one["occluder"] = scene.object(row.occluder).name;
-        if (row.remedy) one["remedy"] = remedyJson(scene, *row.remedy);
+        if (row.remedy) one["remedy"] = remedyJson(scene, row.object_id, *row.remedy);
         rows.push_back(std::move(one));
     }
     return rows;

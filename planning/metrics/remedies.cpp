@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace dollytrack::planning {
@@ -23,6 +24,30 @@ bool has(const std::vector<int>& ids, int id) {
 bool names(const std::vector<ObjectRef>& objects, int id) {
     return std::any_of(objects.begin(), objects.end(),
                        [&](const ObjectRef& ref) { return ref.id == id; });
+}
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// As pinText() has it: who pins what it says gets what was tried.
+Pose asWritten(const Pose& view) {
+    const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
+    const Eigen::Vector3d ahead = view.forward();
+    const double pitch = rounded(std::asin(std::clamp(ahead.z(), -1.0, 1.0)), 0.1 / kDegrees);
+    Pose pose = view;
+    for (double& value : pose.position) value = rounded(value, 1e-3);
+    if (std::abs(pitch) > 89.0 / kDegrees) return pose;  // next to no heading
+    const double yaw = rounded(std::atan2(ahead.y(), ahead.x()), 0.1 / kDegrees);
+    pose.rotation = lookAlong(Eigen::Vector3d(std::cos(yaw) * std::cos(pitch),
+                                              std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
+    return pose;
+}
+
+std::string pinText(const Pose& view) {
+    const Eigen::Vector3d& p = view.position;
+    const Eigen::Vector3d ahead = view.forward();
+    return fmt::format("pin a point at ({:.3f}, {:.3f}, {:.3f}), yaw_deg {:.1f}, pitch_deg {:.1f}",
+                       p.x(), p.y(), p.z(), std::atan2(ahead.y(), ahead.x()) * kDegrees,
+                       std::asin(std::clamp(ahead.z(), -1.0, 1.0)) * kDegrees);
 }
 
 bool lostInSearch(const LedgerRow& row) {
@@ -94,17 +119,18 @@ class Finder {
         if (!made.view) return false;
         PinnedPoint pin;
         pin.name = "remedy";
-        pin.pose = *made.view;
+        pin.pose = asWritten(*made.view);
+        // Where everything hangs on a pixel, to the last bit.
+        if (!showsEnough(around_.views, pin.pose, row.object_id, row.captured)) {
+            pin.pose = *made.view;
+        }
         pin.objects = {{row.object_id, scene_.object(row.object_id).name}};
         std::erase_if(made.change.edits.pinned,
                       [&](const PinnedPoint& other) { return other.objects == pin.objects; });
         made.change.edits.pinned.push_back(pin);
         if (!keeps(trials_.run(made.change, job_))) return false;
-        const Eigen::Vector3d& p = made.view->position;
-        made.remedy.pin = made.view;
-        made.remedy.text +=
-            fmt::format("{}pin a point at ({:.2f}, {:.2f}, {:.2f})",
-                        made.remedy.text.empty() ? "" : ", and ", p.x(), p.y(), p.z());
+        made.remedy.pin = pin.pose;
+        made.remedy.text += (made.remedy.text.empty() ? "" : ", and ") + pinText(pin.pose);
         return true;
     }
 
@@ -243,10 +269,12 @@ class Finder {
         std::vector<Proposal> proposals;
         Proposal restored{unchanged(), {}, std::nullopt, false};
         std::erase_if(restored.change.edits.removed, [&](const RemovedPoint& removed) {
-            return names(removed.objects, row.object_id);
+            if (!names(removed.objects, row.object_id)) return false;
+            std::vector<int>& ids = restored.remedy.restore_points.emplace_back();
+            for (const ObjectRef& ref : removed.objects) ids.push_back(ref.id);
+            return true;
         });
         if (!(restored.change.edits == edits_)) {
-            restored.remedy.restore_point = true;
             restored.remedy.text = "restore its position point";
             proposals.push_back(std::move(restored));
         }

@@ -1,5 +1,8 @@
 #include "planning/metrics/remedies.h"
 
+#include "engine/document/operation.h"
+#include "engine/document/remedy_operations.h"
+
 #include "planning/pipeline.h"
 #include "tests/support/scene_builder.h"
 
@@ -41,16 +44,12 @@ struct Treated {
         PlanParams now = params;
         PlanEdits with = edits;
         const Remedy& remedy = *row.remedy;
-        for (const std::string& setting : remedy.settings) {
-            FieldList fields = listFields(now);
-            EXPECT_TRUE(setField(fields, setting)) << setting;
-        }
-        std::erase_if(with.no_go, [&](const NoGoBox& b) { return b.name == remedy.remove_no_go; });
-        if (remedy.restore_point) with.removed.clear();
-        if (remedy.pin) {
-            with.pinned.push_back(
-                {"p", *remedy.pin, {{row.object_id, changed.object(row.object_id).name}}});
-        }
+        ProjectState state{toJson(listFields(now)), {{}, with}};
+        const auto done = applyOperations(state, changed, setParameter,
+                                          remedyOperations(changed, row.object_id, remedy));
+        EXPECT_TRUE(done) << describe(done.error());
+        EXPECT_TRUE(setFromJson(listFields(now), state.parameters));
+        with = state.edits.plan;
         if (remedy.move_object != 0) {  // out of the door, so to speak
             const Object& object = changed.object(remedy.move_object);
             for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
@@ -219,7 +218,7 @@ TEST(Remedies, ARemovedPointIsToBeRestored) {
     const LedgerRow& crate = room.row("crate");
     EXPECT_EQ(crate.loss, Loss::ByHand);
     ASSERT_TRUE(crate.remedy);
-    EXPECT_TRUE(crate.remedy->restore_point);
+    EXPECT_EQ(crate.remedy->restore_points.size(), 1U);
     EXPECT_TRUE(room.cured(crate).captured);
 }
 

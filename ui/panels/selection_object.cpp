@@ -125,6 +125,26 @@ void drawMove(const Said& said, const json& key, EditRequest& edit) {
     request(turned, "turn_deg", turn);
 }
 
+void drawButtons(const SelectionView& view, const Object& object, SelectionActions& actions) {
+    const json key = objectKey(*view.scene, object.id);
+    const bool changed =
+        view.edits != nullptr && findChange(*view.edits, *view.scene, object.id) != nullptr;
+    if (button("Go to", "selection.frame", {.tip = "Bring it into the viewport"})) {
+        actions.frame = true;
+    }
+    flowTo("Split into pieces");
+    if (button("Split into pieces", "selection.split",
+               {.tip = "Makes an object of every connected piece"})) {
+        actions.edit.operation = {{"op", "split"}, {"object", key}};
+    }
+    flowTo("Reset");
+    if (button("Reset", "selection.reset",
+               {.why_not = changed ? "" : "Nothing was changed by hand.",
+                .tip = "As the scene has it"})) {
+        actions.edit.operation = {{"op", "reset_object"}, {"object", key}};
+    }
+}
+
 void drawProperties(const SelectionView& view, const Object& object, SelectionState& state,
                     SelectionActions& actions) {
     const json key = objectKey(*view.scene, object.id);
@@ -144,20 +164,6 @@ void drawProperties(const SelectionView& view, const Object& object, SelectionSt
     formText("Centre", placeText(object.box.center) + " m");
     formText("Triangles", fmt::format("{}", object.triangle_count));
     endForm();
-    if (button("Go to", "selection.frame", {.tip = "Bring it into the viewport"})) {
-        actions.frame = true;
-    }
-    flowTo("Split into pieces");
-    if (button("Split into pieces", "selection.split",
-               {.tip = "Makes an object of every connected piece"})) {
-        actions.edit.operation = {{"op", "split"}, {"object", key}};
-    }
-    flowTo("Reset");
-    if (button("Reset", "selection.reset",
-               {.why_not = change == nullptr ? "Nothing was changed by hand." : "",
-                .tip = "As the scene has it"})) {
-        actions.edit.operation = {{"op", "reset_object"}, {"object", key}};
-    }
 }
 
 /// A frame's number to click, and how the object shows in it.
@@ -173,7 +179,11 @@ void drawView(const char* label, const ObjectView& seen, const std::string& name
 
 /// What the ledger adds to the views themselves.
 void drawRow(const LedgerRow& row) {
-    if (row.loss) formText("Lost by", std::string(name(*row.loss)));
+    if (row.loss) {
+        std::string words(name(*row.loss));
+        std::ranges::replace(words, '_', ' ');
+        formText("Lost as", words);
+    }
     if (row.frame < 0) return;
     formText("Seen from", fmt::format("{:.2f} m, {:.1f} s into the path{}", row.distance_m,
                                       row.time_s, row.key_frame ? ", at a key frame" : ""));
@@ -181,7 +191,6 @@ void drawRow(const LedgerRow& row) {
 }
 
 void drawCapture(const SelectionView& view, const Object& object, SelectionActions& actions) {
-    heading("Capture");
     if (view.plan == nullptr || !view.measured) {
         ImGui::TextDisabled(view.plan == nullptr ? "There is no plan." : "being counted \u2026");
         return;
@@ -200,7 +209,12 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
         ImGui::TextColored(palette().bad, "\u25cb not captured");
     }
     const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
-    if (row != view.plan->ledger.end() && row->loss) paragraph(row->reason);
+    if (row != view.plan->ledger.end() && row->loss) {
+        const bool searched = view.remedy.state == RemedySearch::State::Found ||
+                              view.remedy.state == RemedySearch::State::Nothing;
+        paragraph(searched ? view.remedy.row.reason : row->reason);
+        actions.remedy = drawRemedy(view.remedy);
+    }
     if (!beginForm("capture")) return;
     if (found->best.frame >= 0) {
         drawView("Best frame", found->best, "selection.best_frame", actions);
@@ -222,8 +236,11 @@ void drawObject(const SelectionView& view, int id, SelectionState& state,
     heading(objectName(*view.scene, id).c_str());
     ImGui::SameLine();
     ImGui::TextColored(palette().text_dim, "no. %d", id);
-    drawProperties(view, object, state, actions);
+    drawButtons(view, object, actions);
+    ImGui::Spacing();
     drawCapture(view, object, actions);
+    heading("Properties");
+    drawProperties(view, object, state, actions);
     if (view.plan == nullptr || object.role != Role::Target) return;
     const int point = observationPointOf(*view.plan, id);
     if (point < 0) return;

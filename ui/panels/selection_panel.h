@@ -3,6 +3,7 @@
 #include "engine/document/edits.h"
 #include "engine/plan/plan.h"
 #include "ui/edit_request.h"
+#include "ui/panels/selection_remedy.h"
 #include "ui/selection.h"
 
 #include <optional>
@@ -22,6 +23,7 @@ struct SelectionView {
     bool measured = false;                            // the captures belong to this plan
     const Edits* edits = nullptr;                     // the newest; may be ahead of scene and plan
     const planning::FreeSpace* free_space = nullptr;  // null before planning
+    RemedySearch remedy;                              // of the selected object
 };
 
 /// What the panel remembers between frames.
@@ -38,6 +40,7 @@ struct SelectionActions {
     bool frame = false;  // bring what is selected into the viewport
     int go_to_frame = -1;
     std::optional<Pose> look_through;
+    RemedyActions remedy;
 };
 
 /// What is known of the thing that was clicked, why the plan treats it as it does, and what can be

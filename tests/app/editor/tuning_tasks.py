@@ -1,5 +1,5 @@
 """Parameters, undo, the history and the command palette."""
-from task import SOFA, Task, plan
+from task import BOOK, MUG, PICTURE, SOFA, TABLE, Task, plan
 
 
 class Tuning(Task):
@@ -132,3 +132,19 @@ class Tuning(Task):
         self.start_room()
         self.editor.run_command("layers roadmap")
         self.editor.wait(lambda state: state["layers"]["roadmap"], "the roadmap")
+
+    def test_what_would_help_an_object_that_is_not_captured(self):
+        self.start_room()
+        self.assertLess(self.set_parameter("max_frames", "2")["plan"]["captured"], 5)
+        for target in (TABLE, MUG, BOOK, SOFA, PICTURE):
+            self.select_row(target)
+            self.editor.click("tab.selection")
+            if self.editor.has("selection.find_remedy"):
+                break
+        before = self.editor.state()
+        self.editor.click("selection.find_remedy")
+        self.editor.click("selection.apply_remedy")
+        after = self.editor.idle()
+        self.assertGreater(after["plan"]["captured"], before["plan"]["captured"])
+        self.assertEqual(len(after["history"]), len(before["history"]) + 1, "one step of undo")
+        self.assertFalse(self.editor.has("selection.find_remedy"), "it is captured well")
