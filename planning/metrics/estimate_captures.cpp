@@ -12,8 +12,9 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactFrames = 4;  // frames looked at by every pixel, for each of the orders
-constexpr int kExactGrid = 72;   // denser than this adds nothing that decides
+constexpr int kExactFrames = 4;        // frames looked at by every pixel, for each of the orders
+constexpr std::size_t kMoreKeys = 12;  // key frames, where none of those shows the object well
+constexpr int kExactGrid = 72;         // denser than this adds nothing that decides
 
 /// The frames that are worth a look by every pixel, by three orders: most visible, most visible
 /// among those that show the object large, and of these the safest; then the safest key frames.
@@ -53,6 +54,21 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     take(safer);
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+/// Key frames that may show the object large, the safest first. Surfaces that lie in one another
+/// look different to every few rays: what a key frame was chosen for may hide from the glance.
+std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
+    std::erase_if(coarse, [&](const ObjectView& v) {
+        return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
+    });
+    std::ranges::sort(coarse, {}, [](const ObjectView& v) {
+        return std::tuple(-v.visible_fraction, -v.box_share, v.frame);
+    });
+    coarse.resize(std::min(coarse.size(), kMoreKeys));
+    std::vector<int> frames(coarse.size());
+    std::ranges::transform(coarse, frames.begin(), &ObjectView::frame);
     return frames;
 }
 
@@ -120,8 +136,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     std::vector<ObjectViews> exact(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = static_cast<int>(i) + 1;
-        for (const int frame : bestFrames(coarse[i], trajectory)) {
-            if (job.cancelled()) return;
+        const auto look = [&](int frame) {
             const auto f = static_cast<std::size_t>(frame);
             const auto remembered = entries[f]->closely.find(id);
             ObjectView view =
@@ -130,7 +145,19 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
                     : makeView(views.estimate(trajectory.frames[f].pose, id, kExactGrid), id, 0);
             view.frame = frame;
             exact[i].push_back(view);
+        };
+        const std::vector<int> best = bestFrames(coarse[i], trajectory);
+        for (const int frame : best) {
+            if (job.cancelled()) return;
+            look(frame);
         }
+        const auto is_well = [](const ObjectView& view) { return isWellCaptured(view); };
+        if (std::ranges::any_of(exact[i], is_well)) return;
+        for (const int frame : keyFramesOf(coarse[i], trajectory)) {
+            if (job.cancelled()) return;
+            if (!std::ranges::binary_search(best, frame)) look(frame);
+        }
+        std::ranges::sort(exact[i], {}, &ObjectView::frame);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     ObjectViews all;
