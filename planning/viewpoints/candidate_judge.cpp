@@ -12,10 +12,14 @@ constexpr double kFractionMargin = 0.04;
 constexpr double kAreaMargin = 1.12;
 constexpr double kSure = 0.92;  // visible fraction that a close look cannot mistake by its margin
 constexpr int kExactGrid = 72;  // as estimateCaptures() counts
+// A quarter of those rays decides, but where what they find is this near to the rule.
+constexpr int kNearlyExactGrid = 36;
+constexpr double kClear = 0.02;  // of the visible fraction
 // A view is worth little more when a last sliver comes into sight, so fill may decide then.
 constexpr double kFractionStep = 0.03;
 constexpr int kGlance = 4;
-constexpr double kHopeless = 0.45;  // well below what counts as captured
+constexpr double kHopeless = 0.45;   // well below what counts as captured
+constexpr double kMayCapture = 0.6;  // the least that a finer look might correct to captured
 
 /// See Judged::nearness.
 double nearnessOf(const ViewEstimator::Estimate& estimate) {
@@ -24,6 +28,13 @@ double nearnessOf(const ViewEstimator::Estimate& estimate) {
                     estimate.visible_fraction / (rules.min_visible_fraction + kFractionMargin)) +
            std::min(1.0, estimate.box_share / (rules.min_box_share * kAreaMargin));
 }
+
+double seenInSteps(double visible_fraction) {
+    return std::round(visible_fraction / kFractionStep) * kFractionStep;
+}
+
+constexpr double kCapturedWorth = 1.0;
+constexpr double kWellWorth = 2.0;
 
 }  // namespace
 
@@ -42,11 +53,17 @@ ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& p
                                        int grid) {
     const auto close = views.estimateClosely(pose, object_id, grid);
     if (!isSafelyCaptured(close) || close.visible_fraction >= kSure) return close;
+    const bool well = isSafelyWellCaptured(close);
+    const double least = CaptureRules{}.min_visible_fraction;
+    const auto nearly = views.estimate(pose, object_id, kNearlyExactGrid);
+    if (nearly.visible_fraction < least - kClear) return nearly;
+    if (nearly.visible_fraction >= least + kClear &&
+        (well ? isSafelyWellCaptured(nearly) : isSafelyCaptured(nearly))) {
+        return close;
+    }
     const auto exact = views.estimate(pose, object_id, kExactGrid);
-    const bool well = isWellCaptured(makeView(exact, object_id, 0));
-    const bool as_good =
-        well || (!isSafelyWellCaptured(close) && isCaptured(makeView(exact, object_id, 0)));
-    return as_good ? close : exact;
+    const ObjectView view = makeView(exact, object_id, 0);
+    return isWellCaptured(view) || (!well && isCaptured(view)) ? close : exact;
 }
 
 CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
@@ -103,6 +120,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     int occluder = 0;
     bool cropped = false;
     bool too_small = false;
+    bool may_capture = false;
     judged.all_well = true;
     judged.nearness = 2.0;
     bool all_captured = true;
@@ -121,14 +139,17 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
             cropped = estimate.cropped && occluder == 0;
         }
         too_small |= estimate.visible_px < CaptureRules{}.min_visible_px;
-        const double seen = std::round(estimate.visible_fraction / kFractionStep) * kFractionStep;
-        sum += seen + (captured ? 1.0 : 0.0) + (well ? 2.0 : 0.0);
+        may_capture |= !estimate.tells() || estimate.visible_fraction >= kMayCapture;
+        sum += seenInSteps(estimate.visible_fraction) + (captured ? kCapturedWorth : 0.0) +
+               (well ? kWellWorth : 0.0);
     }
     judged.candidate.visible_fraction = worst;
     // A view that crops its target is not what was asked for, but still shows most of it.
     const double over = std::max(0.0, judged.candidate.fill - 0.95);
     const double off = std::abs(std::log(std::max(judged.candidate.fill, 0.01) / wished_fill_));
-    judged.quality = sum / static_cast<double>(point_.objects.size()) - 0.3 * off - over;
+    const double lost = 0.3 * off + over;
+    judged.quality = sum / static_cast<double>(point_.objects.size()) - lost;
+    judged.at_most = may_capture ? seenInSteps(1.0) + kCapturedWorth + kWellWorth - lost : 0.0;
     if (!all_captured) {
         judged.candidate.occluder = occluder;
         judged.candidate.verdict = cropped     ? Verdict::Cropped

@@ -13,6 +13,7 @@ namespace dollytrack::planning {
 struct Judged {
     Candidate candidate;
     double quality = -1.0;  // below 0: not legal
+    double at_most = 0.0;   // no finer look values the place higher; 0: nor captures anything
     int order = 0;          // among candidates of equal quality the first is taken
     bool all_well = false;  // every object is captured well, with a margin
     double nearness = 0.0;  // 0..2, of the worst object: how much of what capturing it well asks

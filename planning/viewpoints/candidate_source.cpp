@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
+#include <span>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -16,6 +20,55 @@ Eigen::Vector3d onSphere(double z, double angle) {
     const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
+
+/// The rooms' cells near a place, by number. There are hundreds of thousands of cells and few are
+/// picked, so they are counted in blocks, not listed.
+class CellsNear {
+  public:
+    CellsNear(const FreeSpace& free_space, const SweptSphere& sphere, Eigen::Vector3d center,
+              double distance_m)
+        : center_(std::move(center)), squared_(distance_m * distance_m) {
+        for (std::size_t room = 0; room < free_space.rooms().size(); ++room) {
+            const auto& cells = sphere.cells(static_cast<int>(room));
+            for (std::size_t first = 0; first < cells.size(); first += kBlock) {
+                const std::span<const Eigen::Vector3f> block(
+                    cells.data() + first, std::min(kBlock, cells.size() - first));
+                std::uint32_t near = 0;
+                for (const Eigen::Vector3f& cell : block) near += isNear(cell) ? 1 : 0;
+                if (near == 0) continue;
+                blocks_.push_back({block, count_});
+                count_ += near;
+            }
+        }
+    }
+
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+
+    [[nodiscard]] Eigen::Vector3d cell(std::uint32_t number) const {
+        const auto block = std::prev(std::ranges::upper_bound(blocks_, number, {}, &Block::before));
+        std::uint32_t passed = block->before;
+        for (const Eigen::Vector3f& cell : block->cells) {
+            if (isNear(cell) && passed++ == number) return cell.cast<double>();
+        }
+        return center_;  // never: the block holds it
+    }
+
+  private:
+    static constexpr std::size_t kBlock = 256;
+    struct Block {
+        std::span<const Eigen::Vector3f> cells;
+        std::uint32_t before = 0;  // cells near in earlier blocks
+    };
+
+    [[nodiscard]] bool isNear(const Eigen::Vector3f& cell) const {
+        return (cell.cast<double>() - center_).squaredNorm() < squared_;
+    }
+
+    Eigen::Vector3d center_;
+    double squared_;
+    std::vector<Block> blocks_;
+    std::uint32_t count_ = 0;
+};
 
 }  // namespace
 
@@ -59,21 +112,13 @@ std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const Swe
                                           double least_fill, double most_fill, int count,
                                           Random& random) {
     // Cells in the shell of useful distances only: most of a large house is of no use to a mug.
-    const double furthest = furthestUseful(views, subject, least_fill);
-    std::vector<const Eigen::Vector3f*> nearby;
-    for (std::size_t room = 0; room < free_space.rooms().size(); ++room) {
-        for (const Eigen::Vector3f& cell : sphere.cells(static_cast<int>(room))) {
-            if ((cell.cast<double>() - subject.center).squaredNorm() < furthest * furthest) {
-                nearby.push_back(&cell);
-            }
-        }
-    }
+    const CellsNear nearby(free_space, sphere, subject.center,
+                           furthestUseful(views, subject, least_fill));
     std::vector<Eigen::Vector3d> places;
-    if (nearby.empty()) return places;
+    if (nearby.count() == 0) return places;
     const int tries = 6 * count;
     for (int i = 0; i < tries && static_cast<int>(places.size()) < count; ++i) {
-        const auto pick = random.below(static_cast<std::uint32_t>(nearby.size()));
-        const Eigen::Vector3d place = nearby[pick]->cast<double>();
+        const Eigen::Vector3d place = nearby.cell(random.below(nearby.count()));
         const double fill = fillFrom(views, subject, place);
         if (fill >= least_fill && fill <= most_fill) places.push_back(place);
     }

@@ -127,6 +127,9 @@ class Search {
                               return std::pair(a.quality, b.order) > std::pair(b.quality, a.order);
                           });
         for (std::size_t i = 0; i < count; ++i) {
+            // Most things show in full from the first place already.
+            constexpr double kRounding = 1e-9;
+            if (pending_[i].at_most <= (best_ ? best_->quality : 0.0) + kRounding) continue;
             Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
             if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);
         }

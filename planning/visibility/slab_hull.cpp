@@ -65,16 +65,24 @@ SlabHull::From::From(const SlabHull& hull, const Eigen::Vector3d& origin) : hull
     to_high_ = hull.high_ - along;
 }
 
-float SlabHull::From::exit(const Eigen::Vector3d& direction) const {
-    const Eigen::Vector3f d = direction.cast<float>();
-    const Slabs speed = d.x() * hull_->normals_[0] + d.y() * hull_->normals_[1] +
-                        d.z() * hull_->normals_[2] + kParallel;
-    const Slabs inverse = speed.inverse();
-    const Slabs a = to_low_ * inverse;
-    const Slabs b = to_high_ * inverse;
-    const float enter = a.min(b).maxCoeff();
-    const float leave = a.max(b).minCoeff();
-    return enter <= leave ? leave * (1.0F + kSlack) : -1.0F;
+Eigen::Array<float, SlabHull::From::kAtOnce, 1> SlabHull::From::exits(
+    const Directions& directions) const {
+    using Lanes = Eigen::Array<float, kAtOnce, 1>;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    Lanes enter = Lanes::Constant(-kInfinity);
+    Lanes leave = Lanes::Constant(kInfinity);
+    // Slab by slab, so that what one ray asks is never gathered across a register.
+    for (int k = 0; k < kSlabs; ++k) {
+        const Lanes speed = directions[0] * hull_->normals_[0][k] +
+                            directions[1] * hull_->normals_[1][k] +
+                            directions[2] * hull_->normals_[2][k] + kParallel;
+        const Lanes inverse = speed.inverse();
+        const Lanes a = to_low_[k] * inverse;
+        const Lanes b = to_high_[k] * inverse;
+        enter = enter.max(a.min(b));
+        leave = leave.min(a.max(b));
+    }
+    return (enter <= leave).select(leave * (1.0F + kSlack), -1.0F);
 }
 
 }  // namespace dollytrack::planning

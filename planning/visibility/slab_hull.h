@@ -23,9 +23,13 @@ class SlabHull {
       public:
         From(const SlabHull& hull, const Eigen::Vector3d& origin);
 
-        /// The t at which origin + t * direction leaves the hull, a hair late; negative when the
-        /// ray misses the hull or the hull lies behind it.
-        [[nodiscard]] float exit(const Eigen::Vector3d& direction) const;
+        /// As many directions as are asked about at once: x, y and z of each.
+        static constexpr int kAtOnce = 4;
+        using Directions = std::array<Eigen::Array<float, kAtOnce, 1>, 3>;
+
+        /// For each, the t at which origin + t * direction leaves the hull, a hair late; negative
+        /// when the ray misses the hull or the hull lies behind it.
+        [[nodiscard]] Eigen::Array<float, kAtOnce, 1> exits(const Directions& directions) const;
 
       private:
         const SlabHull* hull_;

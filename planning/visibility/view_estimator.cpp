@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -43,14 +44,66 @@ std::vector<Eigen::Vector3d> extremePoints(const Scene& scene, const Object& obj
     return points;
 }
 
+Eigen::AlignedBox2d imageOf(const Intrinsics& k) {
+    return {Eigen::Vector2d::Zero(), Eigen::Vector2d(k.width, k.height)};
+}
+
+ViewEstimator::Estimate outsideImage() {
+    ViewEstimator::Estimate estimate;
+    estimate.cropped = true;
+    return estimate;
+}
+
+/// Square cells, so that thin objects get as many rays along their length as their shape asks.
+double cellFor(const Eigen::AlignedBox2d& area, double grid) {
+    return std::max(1.0, std::sqrt(area.sizes().prod()) / grid);
+}
+
+}  // namespace
+
 /// What one estimate works with; kept by each thread to spare the allocations.
-struct Scratch {
+struct ViewEstimator::Scratch {
     std::vector<Eigen::Vector2d> pixels;
     std::vector<RayCaster::BundleRay> rays;  // one a pixel
     std::vector<RayHit> hits;
 };
 
-}  // namespace
+ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::AlignedBox2d& area,
+                                               double cell, const SlabHull::From& hull) const {
+    const int columns = std::max(1, static_cast<int>(std::ceil(area.sizes().x() / cell)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(area.sizes().y() / cell)));
+    const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
+
+    // Rays that pass the object by say nothing, and none need go further than behind it. In blocks,
+    // so that neighbours in the list are neighbours in the image.
+    constexpr int kBlock = SlabHull::From::kAtOnce;
+    SlabHull::From::Directions directions;
+    std::array<Eigen::Vector2d, kBlock> asked;
+    std::array<Eigen::Vector3d, kBlock> ways;
+    thread_local Scratch scratch;
+    auto& [pixels, rays, hits] = scratch;
+    pixels.clear();
+    rays.clear();
+    for (int block = 0; block < rows; block += kBlock) {
+        for (int column = 0; column < columns; ++column) {
+            for (int lane = 0; lane < kBlock; ++lane) {
+                asked[lane] = area.min() + cell * Eigen::Vector2d(column + 0.5, block + lane + 0.5);
+                ways[lane] =
+                    world_from_camera * intrinsics_.unproject(asked[lane].x(), asked[lane].y());
+                for (unsigned axis = 0; axis < 3; ++axis) {
+                    directions[axis][lane] = static_cast<float>(ways[lane][axis]);
+                }
+            }
+            const auto exits = hull.exits(directions);
+            for (int lane = 0; lane < std::min(kBlock, rows - block); ++lane) {
+                if (exits[lane] <= 0.0F) continue;
+                pixels.push_back(asked[lane]);
+                rays.push_back({ways[lane], exits[lane]});
+            }
+        }
+    }
+    return scratch;
+}
 
 ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera)
     : scene_(&scene),
@@ -82,47 +135,13 @@ std::optional<Eigen::AlignedBox2d> ViewEstimator::extent(const Pose& pose, int o
                                (inner.max() + margin).array().ceil().matrix());
 }
 
-ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id, int grid) const {
-    Estimate result;
-    const auto area = extent(pose, object_id);
-    if (!area) return result;
-    const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(),
-                                    Eigen::Vector2d(intrinsics_.width, intrinsics_.height));
-    if (!image.intersects(*area)) {
-        result.cropped = true;
-        return result;
-    }
-
-    // Square cells, so that thin objects get as many rays along their length as their shape asks.
-    const double cell = std::max(1.0, std::sqrt(area->sizes().prod()) / static_cast<double>(grid));
-    const int columns = std::max(1, static_cast<int>(std::ceil(area->sizes().x() / cell)));
-    const int rows = std::max(1, static_cast<int>(std::ceil(area->sizes().y() / cell)));
-    const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
-
-    // Rays that pass the object by say nothing, and none need go further than behind it. In blocks,
-    // so that neighbours in the list are neighbours in the image.
-    constexpr int kBlock = 4;
-    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
-    thread_local Scratch scratch;
+ViewEstimator::Estimate ViewEstimator::trace(const Pose& pose, int object_id, double cell,
+                                             Scratch& scratch) const {
     auto& [pixels, rays, hits] = scratch;
-    pixels.clear();
-    rays.clear();
-    for (int block = 0; block < rows; block += kBlock) {
-        for (int column = 0; column < columns; ++column) {
-            for (int row = block; row < std::min(rows, block + kBlock); ++row) {
-                const Eigen::Vector2d pixel =
-                    area->min() + cell * Eigen::Vector2d(column + 0.5, row + 0.5);
-                const Eigen::Vector3d direction =
-                    world_from_camera * intrinsics_.unproject(pixel.x(), pixel.y());
-                const float exit = hull.exit(direction);
-                if (exit <= 0.0F) continue;
-                pixels.push_back(pixel);
-                rays.push_back({direction, exit});
-            }
-        }
-    }
     rays_->castBundle(pose.position, rays, near_m_, hits);
 
+    Estimate result;
+    const Eigen::AlignedBox2d image = imageOf(intrinsics_);
     int silhouette = 0;
     int visible = 0;
     Eigen::AlignedBox2d visible_box;
@@ -172,14 +191,43 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     return result;
 }
 
+ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id, int grid) const {
+    const auto area = extent(pose, object_id);
+    if (!area) return {};
+    if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
+    const double cell = cellFor(*area, grid);
+    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
+    return trace(pose, object_id, cell, aimRays(pose, *area, cell, hull));
+}
+
 ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int object_id, int grid,
                                                        int least_rays) const {
-    constexpr double kDensest = 72.0;
-    const Estimate first = estimate(pose, object_id, grid);
+    static constexpr double kDensest = 72.0;
+    constexpr double kOverHull = 1.2;
+    constexpr double kEnough = 0.75;
+    const auto area = extent(pose, object_id);
+    if (!area) return {};
+    if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
+    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
+    const auto aim = [&](double sides) -> Scratch& {
+        return aimRays(pose, *area, cellFor(*area, sides), hull);
+    };
+    const auto denser = [](double sides, double wanted, std::size_t rays) {
+        return std::min(sides * std::sqrt(wanted / static_cast<double>(rays)), kDensest);
+    };
+    // Rather fewer rays meet the object than meet its hull, and those are known without tracing.
+    const double wanted = kOverHull * least_rays;
+    double sides = grid;
+    Scratch* scratch = &aim(sides);
+    if (const std::size_t rays = scratch->rays.size(); rays > 0 && rays < wanted) {
+        sides = denser(sides, wanted, rays);
+        scratch = &aim(sides);
+    }
+    const Estimate first = trace(pose, object_id, cellFor(*area, sides), *scratch);
     const int rays = first.rays_on_silhouette;
-    if (rays == 0 || rays >= least_rays) return first;
-    const double wanted = grid * std::sqrt(static_cast<double>(least_rays) / rays);
-    return estimate(pose, object_id, static_cast<int>(std::min(wanted, kDensest)));
+    if (rays == 0 || rays >= kEnough * least_rays || cellFor(*area, sides) <= 1.0) return first;
+    sides = denser(sides, least_rays, static_cast<std::size_t>(rays));
+    return trace(pose, object_id, cellFor(*area, sides), aim(sides));
 }
 
 ObjectView makeView(const ViewEstimator::Estimate& estimate, int object_id, int frame) {

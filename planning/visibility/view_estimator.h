@@ -59,6 +59,13 @@ class ViewEstimator {
     [[nodiscard]] double nearDistance() const { return near_m_; }
 
   private:
+    struct Scratch;
+    /// One ray a cell that meets the object's hull.
+    Scratch& aimRays(const Pose& pose, const Eigen::AlignedBox2d& area, double cell,
+                     const SlabHull::From& hull) const;
+    [[nodiscard]] Estimate trace(const Pose& pose, int object_id, double cell,
+                                 Scratch& scratch) const;
+
     const Scene* scene_;
     const RayCaster* rays_;
     Intrinsics intrinsics_;
