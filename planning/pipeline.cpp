@@ -182,6 +182,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const PitchBand pitch = pitchBand(params.constraints);
     const Surroundings around{*views, *free_space, sphere, pitch};
     PathEnds ends;
+    FrameLooks looks(*views);
     // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
@@ -204,7 +205,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
                     if (params.timing.max_frames <= 0) return std::move(timed);
                     return dropRepeats(std::move(timed), params.timing.max_repeat_rate, within,
-                                       *views, job);
+                                       looks, job);
                 })
                 .and_then([&](Trajectory&& steady) {
                     return shakeTrajectory(std::move(steady), all.position_points, *views, moves(),

@@ -1,87 +1,155 @@
 #include "planning/metrics/shown_surface.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/pose_key.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kColumns = 32;
-constexpr int kRows = 24;
-constexpr double kPatch = 0.1;        // m, edge of a patch of surface
+/// A grid of rays over the image, and what it tells apart.
+struct RayGrid {
+    int columns = 32;
+    int rows = 24;
+    double patch_m = 0.1;  // edge of a patch of surface
+    [[nodiscard]] int rays() const { return columns * rows; }
+};
+constexpr RayGrid kFull;
+constexpr RayGrid kGlance = {16, 12, 0.2};
 constexpr double kNothingNew = 0.01;  // share of the rays
 
-struct Seen {
-    std::vector<std::uint64_t> patches;  // each once, sorted
-    int on_targets = 0;
-};
+// Rays go by blocks of this many rows and columns, so that neighbours in the list point alike.
+constexpr int kBlock = 4;
 
-/// The patch of surface under a point: its cell of a 0.1 m grid, and the object.
-std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id) {
+/// The patch of surface under a point: its cell of a grid, and the object.
+std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id, double patch_m) {
     std::uint64_t key = static_cast<std::uint64_t>(object_id);
     for (int axis = 0; axis < 3; ++axis) {
-        const auto cell = static_cast<std::int64_t>(std::floor(point[axis] / kPatch));
+        const auto cell = static_cast<std::int64_t>(std::floor(point[axis] / patch_m));
         key = key << 16U | static_cast<std::uint64_t>(cell & 0xffff);
     }
     return key;
 }
 
-Seen lookFrom(const ViewEstimator& views, const Pose& pose) {
+/// Numbers keys from 0 by first appearance. Millions are asked about: all lie in one table.
+/// No key is 0, as no object's id is.
+class KeyNumbers {
+  public:
+    int operator[](std::uint64_t key) {
+        if (2 * (static_cast<std::size_t>(count_) + 1) > slots_.size()) grow();
+        Slot& slot = find(key);
+        if (slot.key == 0) slot = {key, count_++};
+        return slot.number;
+    }
+    [[nodiscard]] int count() const { return count_; }
+    void clear() {
+        std::ranges::fill(slots_, Slot{});
+        count_ = 0;
+    }
+
+  private:
+    struct Slot {
+        std::uint64_t key = 0;
+        int number = 0;
+    };
+
+    Slot& find(std::uint64_t key) {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t i = (key * 0x9e3779b97f4a7c15U >> 32U) & mask;
+        while (slots_[i].key != 0 && slots_[i].key != key) i = (i + 1) & mask;
+        return slots_[i];
+    }
+
+    void grow() {
+        std::vector<Slot> before(std::max<std::size_t>(2048, 2 * slots_.size()));
+        before.swap(slots_);
+        for (const Slot& slot : before) {
+            if (slot.key != 0) find(slot.key) = slot;
+        }
+    }
+
+    std::vector<Slot> slots_;  // a power of two of them
+    int count_ = 0;
+};
+
+struct Seen {
+    std::vector<std::uint64_t> patches;  // each once
+    int on_targets = 0;
+};
+
+Seen lookFrom(const ViewEstimator& views, const Pose& pose, const RayGrid& grid) {
     const Intrinsics& k = views.intrinsics();
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
     thread_local std::vector<RayCaster::BundleRay> rays;
     thread_local std::vector<RayHit> hits;
+    thread_local KeyNumbers known;
     rays.clear();
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            rays.push_back({world_from_camera * k.unproject((column + 0.5) * k.width / kColumns,
-                                                            (row + 0.5) * k.height / kRows)});
-        }
+    known.clear();
+    for (int ray = 0; ray < grid.rays(); ++ray) {
+        const int block = ray / (kBlock * kBlock);
+        const int row = block / (grid.columns / kBlock) * kBlock + ray / kBlock % kBlock;
+        const int column = block % (grid.columns / kBlock) * kBlock + ray % kBlock;
+        rays.push_back({world_from_camera * k.unproject((column + 0.5) * k.width / grid.columns,
+                                                        (row + 0.5) * k.height / grid.rows)});
     }
     views.rays().castBundle(pose.position, rays, views.nearDistance(), hits);
     Seen seen;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const RayHit& hit = hits[i];
         if (hit.object_id == 0) continue;
-        seen.patches.push_back(
-            patchAt(pose.position + hit.distance * rays[i].direction, hit.object_id));
+        const std::uint64_t patch =
+            patchAt(pose.position + hit.distance * rays[i].direction, hit.object_id, grid.patch_m);
+        const int before = known.count();
+        if (known[patch] == before) seen.patches.push_back(patch);
         seen.on_targets += views.scene().object(hit.object_id).role == Role::Target;
     }
-    std::sort(seen.patches.begin(), seen.patches.end());
-    seen.patches.erase(std::unique(seen.patches.begin(), seen.patches.end()), seen.patches.end());
     return seen;
 }
 
 }  // namespace
 
-Result<FrameSurfaces> FrameSurfaces::look(const ViewEstimator& views, const Trajectory& trajectory,
-                                          const JobContext& job) {
-    const std::size_t count = trajectory.frames.size();
-    std::vector<Seen> seen(count);
-    parallelFor(count, [&](std::size_t i) {
-        if (!job.cancelled()) seen[i] = lookFrom(views, trajectory.frames[i].pose);
-    });
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+class SurfaceLooks::Numbers : public KeyNumbers {};
 
-    FrameSurfaces surfaces;
-    surfaces.shown_.resize(count);
-    std::unordered_map<std::uint64_t, int> numbers;
-    double on_targets = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        for (const std::uint64_t patch : seen[i].patches) {
-            surfaces.shown_[i].push_back(
-                numbers.try_emplace(patch, static_cast<int>(numbers.size())).first->second);
-        }
-        on_targets += seen[i].on_targets;
+SurfaceLooks::SurfaceLooks(const ViewEstimator& views, Detail detail)
+    : views_(views), detail_(detail), numbers_(std::make_unique<Numbers>()) {}
+SurfaceLooks::~SurfaceLooks() = default;
+
+Result<FrameSurfaces> SurfaceLooks::look(const Trajectory& trajectory, const JobContext& job) {
+    const RayGrid& grid = detail_ == Detail::Full ? kFull : kGlance;
+    // Frames at new poses, and what they show.
+    std::vector<std::size_t> fresh;
+    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
+        const bool is_new = shown_.try_emplace(keyOf(trajectory.frames[i].pose), nullptr).second;
+        if (is_new) fresh.push_back(i);
     }
-    surfaces.patches_ = static_cast<int>(numbers.size());
-    surfaces.object_pixels_ =
-        on_targets / (std::max<double>(1.0, static_cast<double>(count)) * kColumns * kRows);
+    std::vector<Seen> seen(fresh.size());
+    parallelFor(fresh.size(), [&](std::size_t i) {
+        if (!job.cancelled()) seen[i] = lookFrom(views_, trajectory.frames[fresh[i]].pose, grid);
+    });
+    if (job.cancelled()) {
+        shown_.clear();
+        return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+    }
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+        FrameSurfaces::Shown shown{{}, seen[i].on_targets};
+        shown.patches.reserve(seen[i].patches.size());
+        for (const std::uint64_t patch : seen[i].patches) {
+            shown.patches.push_back((*numbers_)[patch]);
+        }
+        shown_[keyOf(trajectory.frames[fresh[i]].pose)] =
+            std::make_shared<const FrameSurfaces::Shown>(std::move(shown));
+    }
+    FrameSurfaces surfaces;
+    surfaces.rays_ = grid.rays();
+    surfaces.patches_ = numbers_->count();
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        surfaces.shown_.push_back(shown_.find(keyOf(frame.pose))->second);
+    }
     return surfaces;
 }
 
@@ -90,23 +158,33 @@ int FrameSurfaces::repeats(const std::vector<std::size_t>& frames) const {
     int repeats = 0;
     for (const std::size_t frame : frames) {
         int fresh = 0;
-        for (const int patch : shown_[frame]) {
+        for (const int patch : shown_[frame]->patches) {
             char& before = known[static_cast<std::size_t>(patch)];
             fresh += before == 0;
             before = 1;
         }
-        repeats += fresh < kNothingNew * kColumns * kRows;
+        repeats += fresh < kNothingNew * rays_;
     }
     return repeats;
 }
 
+int FrameSurfaces::repeats() const {
+    std::vector<std::size_t> all(shown_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return repeats(all);
+}
+
+double FrameSurfaces::objectPixels() const {
+    double on_targets = 0.0;
+    for (const auto& shown : shown_) on_targets += shown->on_targets;
+    return on_targets / (std::max<double>(1.0, static_cast<double>(shown_.size())) * rays_);
+}
+
 Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job) {
-    return FrameSurfaces::look(views, trajectory, job).map([](const FrameSurfaces& surfaces) {
-        std::vector<std::size_t> all(surfaces.frames());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        const auto frames = static_cast<double>(std::max<std::size_t>(1, all.size()));
-        return ShownSurface{surfaces.repeats(all) / frames, surfaces.objectPixels()};
+    return SurfaceLooks(views).look(trajectory, job).map([](const FrameSurfaces& surfaces) {
+        const auto frames = static_cast<double>(std::max<std::size_t>(1, surfaces.frames()));
+        return ShownSurface{surfaces.repeats() / frames, surfaces.objectPixels()};
     });
 }
 

@@ -1,7 +1,6 @@
 #include "planning/timing/drop_repeats.h"
 
 #include "planning/metrics/shown_surface.h"
-#include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,9 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kHalvings = 10;
-// Places of another rate lie beside those looked at, so the last word is a look at them.
+constexpr double kSurely = 0.75;  // of the limit: a glance that finds fewer needs no closer look
+constexpr double kAim = 0.9;      // of the limit, to be sure to meet it
+// Places of another rate lie beside those glanced at, so the last word is a look at them.
 constexpr int kLooks = 12;
 constexpr double kStricter = 0.96;  // of the frames, after a look that found too many repeats
 
@@ -47,33 +48,41 @@ std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, doubl
 }  // namespace
 
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
-                               const TimeWithin& time_within, const ViewEstimator& views,
+                               const TimeWithin& time_within, FrameLooks& looks,
                                const JobContext& job) {
     const int least = keyFrames(trajectory);
     if (max_repeat_rate >= 1.0 || least == 0) return trajectory;
-    const auto looked_at = FrameSurfaces::look(views, trajectory, job);
-    if (!looked_at) return tl::unexpected<Error>(looked_at.error());
+    const auto glanced = looks.glances.look(trajectory, job);
+    if (!glanced) return tl::unexpected<Error>(glanced.error());
     const std::vector<std::size_t> keys = keysOf(trajectory);
-    const auto isFew = [&](double share) {
+    const auto isFew = [&](double share, double rate) {
         const auto frames = atLowerRate(keys, share);
-        return looked_at->repeats(frames) <= max_repeat_rate * static_cast<double>(frames.size());
+        return glanced->repeats(frames) <= rate * static_cast<double>(frames.size());
     };
-    if (isFew(1.0)) return trajectory;
+    if (isFew(1.0, kSurely * max_repeat_rate)) return trajectory;
 
-    // The highest rate at which, as far as the frames looked at can tell, few enough repeat.
-    double few = 0.0;
-    double many = 1.0;
-    for (int halving = 0; halving < kHalvings; ++halving) {
-        const double middle = 0.5 * (few + many);
-        (isFew(middle) ? few : many) = middle;
-    }
-    int low = std::max(least, static_cast<int>(atLowerRate(keys, few).size()));
+    // The highest rate at which, as far as the frames glanced at can tell, few enough repeat.
+    const auto framesAt = [&](double rate) {
+        double few = 0.0;
+        double many = 1.0;
+        if (isFew(many, rate)) few = many;
+        for (int halving = 0; halving < kHalvings && few < many; ++halving) {
+            const double middle = 0.5 * (few + many);
+            (isFew(middle, rate) ? few : many) = middle;
+        }
+        return std::max(least, static_cast<int>(atLowerRate(keys, few).size()));
+    };
+    double rate = kAim * max_repeat_rate;
+    auto low = framesAt(rate);
     Result<Trajectory> thinned = time_within(low);
     for (int look = 0; look < kLooks && thinned && low > least; ++look) {
-        const auto shown = measureShownSurface(views, *thinned, job);
+        const auto shown = looks.closer.look(*thinned, job);
         if (!shown) return tl::unexpected<Error>(shown.error());
-        if (shown->repeat_rate <= max_repeat_rate) break;
-        low = std::max(least, std::min(low - 1, static_cast<int>(kStricter * low)));
+        const double found = shown->repeats() / static_cast<double>(shown->frames());
+        if (found <= max_repeat_rate) break;
+        // As many more as were found now will be found again.
+        rate *= kAim * max_repeat_rate / found;
+        low = std::max(least, std::min(framesAt(rate), static_cast<int>(kStricter * low)));
         thinned = time_within(low);
     }
     return thinned;

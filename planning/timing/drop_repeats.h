@@ -3,12 +3,20 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
+#include "planning/metrics/shown_surface.h"
 
 #include <functional>
 
 namespace dollytrack::planning {
 
-class ViewEstimator;
+/// What frames were found to show; kept from one trajectory to the next of the same scene, so that
+/// poses they share are looked at once.
+struct FrameLooks {
+    explicit FrameLooks(const ViewEstimator& views)
+        : glances(views, SurfaceLooks::Detail::Glance), closer(views) {}
+    SurfaceLooks glances;
+    SurfaceLooks closer;
+};
 
 /// Makes the trajectory anew with at most so many frames; key frames all stay.
 using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
@@ -18,7 +26,7 @@ using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
 /// rendering and teach nothing.
 /// Errors: Cancelled, and those of `time_within`.
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
-                               const TimeWithin& time_within, const ViewEstimator& views,
+                               const TimeWithin& time_within, FrameLooks& looks,
                                const JobContext& job);
 
 }  // namespace dollytrack::planning
