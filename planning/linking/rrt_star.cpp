@@ -8,8 +8,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kReach = 1.5;   // longest single move, m
-constexpr double kRewire = 2.0;  // factor of the shrinking rewiring radius, m
+constexpr double kReach = 1.5;  // longest single move, m
+constexpr int kSmallTree = 64;  // points
+constexpr int kShorterMoves = 2;
+constexpr double kShorter = 0.3;  // of a move that is blocked
+constexpr double kRewire = 2.0;   // factor of the shrinking rewiring radius, m
 
 struct Node {
     Eigen::Vector3d position;
@@ -133,11 +136,19 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         const Eigen::Vector3d wish = problem.sample(random);
         // No way over such a place is shorter than what there is.
         if ((wish - problem.start).norm() + (wish - problem.goal).norm() >= best_cost) continue;
-        const Eigen::Vector3d& from = tree.at(tree.nearest(wish)).position;
+        const Eigen::Vector3d from = tree.at(tree.nearest(wish)).position;
         const double distance = (wish - from).norm();
         if (distance < 1e-6) continue;
-        const Eigen::Vector3d point = from + (wish - from) * std::min(1.0, kReach / distance);
-        if (!problem.is_free(point) || !tree.add(point)) continue;
+        const Eigen::Vector3d whole = (wish - from) * std::min(1.0, kReach / distance);
+        // In a nook nearly all long moves are blocked, and a tree of short ones finds its way out.
+        const int tries = tree.last() < kSmallTree ? kShorterMoves + 1 : 1;
+        bool added = false;
+        double share = 1.0;
+        for (int k = 0; k < tries && !added; ++k, share *= kShorter) {
+            const Eigen::Vector3d point = from + share * whole;
+            added = problem.is_free(point) && tree.add(point);
+        }
+        if (!added) continue;
         const bool was_found = best_end >= 0;
         tryGoal(tree.last());
         if (!was_found && best_end >= 0) {
