@@ -66,6 +66,10 @@ ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& p
     return isWellCaptured(view) || (!well && isCaptured(view)) ? close : exact;
 }
 
+double highestQuality() {
+    return seenInSteps(1.0) + kCapturedWorth + kWellWorth;
+}
+
 CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
                                double wished_fill)
     : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
@@ -114,7 +118,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     if (judged.candidate.verdict != Verdict::Legal) return judged;
 
     const Pose pose = aim(position, subject_.center, around_.pitch);
-    if (look == Look::Coarse && isHopeless(pose, judged)) return judged;
+    if (look != Look::Fine && isHopeless(pose, judged)) return judged;
     double sum = 0.0;
     double worst = 1.0;
     int occluder = 0;
@@ -149,7 +153,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     const double off = std::abs(std::log(std::max(judged.candidate.fill, 0.01) / wished_fill_));
     const double lost = 0.3 * off + over;
     judged.quality = sum / static_cast<double>(point_.objects.size()) - lost;
-    judged.at_most = may_capture ? seenInSteps(1.0) + kCapturedWorth + kWellWorth - lost : 0.0;
+    judged.at_most = may_capture ? highestQuality() - lost : 0.0;
     if (!all_captured) {
         judged.candidate.occluder = occluder;
         judged.candidate.verdict = cropped     ? Verdict::Cropped

@@ -26,6 +26,9 @@ struct Judged {
 [[nodiscard]] ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& pose,
                                                      int object_id, int grid);
 
+/// Quality of a view that shows all in full and as large as wished for.
+[[nodiscard]] double highestQuality();
+
 /// How carefully a candidate is looked at: rays along each side of each object's extent.
 enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
 

@@ -1,5 +1,6 @@
 #include "planning/viewpoints/view_search.h"
 
+#include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/plan_params.h"
@@ -27,12 +28,14 @@ constexpr int kEnoughGood = 12;
 // Where sampling found nothing, places breed: the best few, and others beside them.
 constexpr std::size_t kParents = 8;
 constexpr int kGenerations = 10;
-constexpr int kChildren = 48;
+constexpr std::size_t kChildren = 48;
 constexpr double kFirstSpread = 0.3;  // of the distance to the target
 constexpr double kShrinking = 0.75;   // of the spread, from one generation to the next
 constexpr double kHope = 1.1;         // of nearness a spread: with less they cannot get there
 constexpr double kWorthAnotherSearch = 0.4;  // of nearness missing
 constexpr double kApart = 0.25;              // of the spread: nearer parents are too much alike
+constexpr double kNegligible = 0.01;         // of a view's quality
+constexpr int kEarlyLooks = 2;               // fine ones, in the hope that the search may end
 // The range of fill that the paper searches.
 constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
@@ -68,11 +71,7 @@ class Search {
                 looked_.sampled_around = judge_.subject().center;
                 looked_.sampled_within_m =
                     furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
-                for (const Eigen::Vector3d& place : randomPlaces(
-                         around_.free_space, around_.sphere, around_.views, judge_.subject(),
-                         kLeastRandomFill, 1.3, kRandomPlaces, random_)) {
-                    tryPlace(place);
-                }
+                tryRandomPlaces(kLeastRandomFill, 1.3, kRandomPlaces);
                 if (!refineBest()) searchHard();
             }
         }
@@ -98,25 +97,61 @@ class Search {
                 const double distance =
                     distanceForFill(around_.views, judge_.subject(), direction, fill);
                 // With a band of heights most directions lead out of it: keep to it instead.
-                tryPlace(around_.sphere.inBand(judge_.subject().center + direction * distance));
+                const bool legal = take(judge_.judge(
+                    around_.sphere.inBand(judge_.subject().center + direction * distance),
+                    Look::Coarse));
+                if (legal && isAsGoodAsAny()) return;
             }
         }
     }
 
-    /// What is judged again at the same place, finer, sees nothing that this did not.
-    Judged judge(const Eigen::Vector3d& place, Look look) {
-        Judged judged = judge_.judge(place, look);
-        looked_.places.push_back({place, isLookedFrom(judged.candidate.verdict)});
+    /// Whether the place tried last is all that can be wished for, by a fine look: then it is taken
+    /// and the search is over.
+    bool isAsGoodAsAny() {
+        if (early_looks_ == kEarlyLooks ||
+            pending_.back().quality < highestQuality() - kNegligible) {
+            return false;
+        }
+        ++early_looks_;
+        Judged fine = judge_.judge(pending_.back().candidate.position, Look::Fine);
+        if (!fine.all_well || fine.quality < highestQuality() - kNegligible) return false;
+        best_ = std::move(fine);
+        pending_.clear();
+        return true;
+    }
+
+    void tryRandomPlaces(double least_fill, double most_fill, int count) {
+        for (Judged& judged :
+             judgeAll(randomPlaces(around_.free_space, around_.sphere, around_.views,
+                                   judge_.subject(), least_fill, most_fill, count, random_),
+                      Look::Coarse)) {
+            take(std::move(judged));
+        }
+    }
+
+    /// Judges places of a search that takes long: what other threads have nothing better to do for.
+    std::vector<Judged> judgeAll(const std::vector<Eigen::Vector3d>& places, Look look) const {
+        std::vector<Judged> judged(places.size());
+        parallelFor(places.size(),
+                    [&](std::size_t i) { judged[i] = judge_.judge(places[i], look); });
         return judged;
     }
 
-    void tryPlace(const Eigen::Vector3d& place) {
-        Judged judged = judge(place, Look::Coarse);
+    /// What is judged again at the same place, finer, sees nothing that this did not.
+    void note(const Judged& judged) {
+        looked_.places.push_back(
+            {judged.candidate.position, isLookedFrom(judged.candidate.verdict)});
+    }
+
+    /// Whether the place is legal and worth a finer look.
+    bool take(Judged judged) {
+        note(judged);
         candidates_.push_back(judged.candidate);
-        if (judged.quality < 0.0) return;
+        if (judged.quality < 0.0) return false;
         judged.order = static_cast<int>(pending_.size());
         if (point_.objects.size() == 1) promising_.push_back(judged);
         pending_.push_back(std::move(judged));
+        return true;
     }
 
     /// Looks again, finer, at the best of what is new; true when the best found captures all well.
@@ -164,12 +199,15 @@ class Search {
             chooseParents(spread);
             // What the places nearby can add shrinks with them.
             if (promising_.empty() || missing() > kHope * spread) return;
-            const std::vector<Judged> parents = promising_;
-            for (int i = 0; i < kChildren; ++i) {
-                const Judged& parent = parents[static_cast<std::size_t>(i) % parents.size()];
+            std::vector<Eigen::Vector3d> children;
+            for (std::size_t i = 0; i < kChildren; ++i) {
+                const Judged& parent = promising_[i % promising_.size()];
                 const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
-                Judged child = judge(
-                    parent.candidate.position + spread * distanceOf(parent) * offset, Look::Closer);
+                children.push_back(parent.candidate.position +
+                                   spread * distanceOf(parent) * offset);
+            }
+            for (Judged& child : judgeAll(children, Look::Closer)) {
+                note(child);
                 if (child.quality >= 0.0) promising_.push_back(std::move(child));
             }
             chooseParents(spread);
@@ -198,11 +236,7 @@ class Search {
         breed();
         if (best_ && best_->all_well) return;
         // Once more from other places: whether a gap is met is luck, and few things get here.
-        for (const Eigen::Vector3d& place :
-             randomPlaces(around_.free_space, around_.sphere, around_.views, judge_.subject(), 0.15,
-                          1.0, kHardPlaces, random_)) {
-            tryPlace(place);
-        }
+        tryRandomPlaces(0.15, 1.0, kHardPlaces);
         if (refineBest()) return;
         breed();
         if (best_ && best_->all_well) return;
@@ -268,6 +302,7 @@ class Search {
     std::vector<Judged> pending_;
     std::vector<Judged> promising_;  // legal places of a single object, for breed()
     std::optional<Judged> best_;
+    int early_looks_ = 0;
     LookedAt looked_;
 };
 
