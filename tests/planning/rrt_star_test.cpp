@@ -1,5 +1,7 @@
 #include "planning/linking/rrt_star.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,6 +127,43 @@ TEST(RrtStar, AGoalInPlainSightNeedsNoCorner) {
     const RrtStarResult result = rrtStar(problem, Random(1));
     EXPECT_TRUE(result.found);
     EXPECT_TRUE(result.corners.empty());
+}
+
+// A chimney of 12 cm with a bend, out of which no straight move leads. Samples are spread as wide
+// as links spread theirs, so that nearly all of them lie behind its walls.
+TEST(RrtStar, FindsItsWayOutOfANook) {
+    const std::vector<Eigen::AlignedBox3d> free = {
+        {Vector3d(-0.06, -0.06, -0.06), Vector3d(0.06, 0.06, 0.26)},
+        {Vector3d(-0.06, -0.06, 0.14), Vector3d(0.5, 0.06, 0.26)},
+        {Vector3d(0.45, -2, -2), Vector3d(3, 2, 2)}};
+    RrtStarProblem problem;
+    problem.goal = {1, 1, 0.5};
+    problem.max_iterations = 300;
+    problem.sample = [](Random& random) {
+        const double x = 0.5 * random.normal();
+        const double y = 0.5 * random.normal();
+        return Vector3d(x, y, 0.5 * random.normal());
+    };
+    problem.is_free = [&](const Vector3d& p) {
+        return std::ranges::any_of(free, [&](const auto& box) { return box.contains(p); });
+    };
+    problem.is_move_free = [&](const Vector3d& a, const Vector3d& b) {
+        const int steps = 1 + static_cast<int>((b - a).norm() / 0.002);
+        for (int i = 0; i <= steps; ++i) {
+            if (!problem.is_free(a + (b - a) * (static_cast<double>(i) / steps))) return false;
+        }
+        return true;
+    };
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const RrtStarResult result = rrtStar(problem, Random(seed));
+        found += result.found ? 1 : 0;
+        const std::vector<Vector3d> way = wholeWay(problem, result);
+        for (std::size_t i = 1; result.found && i < way.size(); ++i) {
+            EXPECT_TRUE(problem.is_move_free(way[i - 1], way[i]));
+        }
+    }
+    EXPECT_GE(found, 18);
 }
 
 }  // namespace dollytrack::planning
