@@ -146,16 +146,26 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                [&]() -> Result<RayCaster> { return memory.cast(*scene); })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.2, "surfaces");
+            const auto before = surfaces.share();
             return run("surfaces", surfaces,
                        std::tuple(geometry_version, params.free_space.octree_resolution_m), part,
-                       [&] { return SurfaceMap::build(*scene, params.free_space, part); });
+                       [&] {
+                           const std::vector<int> moved = memory.takeMovedSinceSurfaces();
+                           return before ? SurfaceMap::afterMoves(*before, *scene, moved,
+                                                                  params.free_space, part)
+                                         : SurfaceMap::build(*scene, params.free_space, part);
+                       });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.2, 0.4, "free space");
+            const auto before = free_space.share();
             return run("free_space", free_space,
                        std::tuple(surfaces.version(), params.camera.camera_radius_m), part, [&] {
-                           return FreeSpace::buildOver(surfaces.share(), *scene, *rays,
-                                                       params.camera, part);
+                           const std::vector<int> moved = memory.takeMovedSinceFreeSpace();
+                           return before ? FreeSpace::afterMoves(*before, surfaces.share(), moved,
+                                                                 *scene, *rays, params.camera, part)
+                                         : FreeSpace::buildOver(surfaces.share(), *scene, *rays,
+                                                                params.camera, part);
                        });
         })
         .and_then([&] {
@@ -362,8 +372,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
                 FrameSeries series = measureFrames(
                     trajectory, estimate->frame_views, estimate->captures,
-                    imageScores(trajectory, estimate->frame_boxes, params.repair.score),
-                    *rays);
+                    imageScores(trajectory, estimate->frame_boxes, params.repair.score), *rays);
                 RepairReport report = repair->report;
                 if (!asksForRepair(params.repair)) {
                     report.threshold = lowThreshold(series.score, params.repair.score_threshold);

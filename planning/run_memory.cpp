@@ -5,6 +5,7 @@
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dollytrack::planning {
 namespace {
@@ -30,8 +31,12 @@ void RunMemory::noteMoves(const Scene& before, const Scene& now, const std::vect
         region_searched_ = map.region;
     }
     if (!rays_before_) rays_before_ = std::move(rays);
-    moved_since_cast_.insert(moved_since_cast_.end(), moved.begin(), moved.end());
-    std::ranges::sort(moved_since_cast_);
+    for (std::vector<int>* since :
+         {&moved_since_cast_, &moved_since_surfaces_, &moved_since_free_space_}) {
+        std::vector<int> all;
+        std::ranges::set_union(*since, moved, std::back_inserter(all));
+        since->swap(all);
+    }
     moved_since_searched_.add(moved, boxes);
     moved_since_shown_.add(moved, boxes);
 }

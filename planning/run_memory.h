@@ -57,6 +57,15 @@ class RunMemory {
     /// The scene's ray structure, with what has not moved shared.
     [[nodiscard]] RayCaster cast(const Scene& scene);
 
+    /// The objects (ids, rising) that have moved since the last call: since there was the map of
+    /// surfaces, or of free space, that is to be made anew.
+    [[nodiscard]] std::vector<int> takeMovedSinceSurfaces() {
+        return std::exchange(moved_since_surfaces_, {});
+    }
+    [[nodiscard]] std::vector<int> takeMovedSinceFreeSpace() {
+        return std::exchange(moved_since_free_space_, {});
+    }
+
     /// Forgets searches that do not hold in this map or with these inputs.
     void refreshSearches(const MapInUse& map, const SearchInputs& inputs);
 
@@ -73,6 +82,11 @@ class RunMemory {
     // What has moved since the ray structure was made, and that.
     std::vector<int> moved_since_cast_;  // rising
     std::shared_ptr<const RayCaster> rays_before_;
+
+    // What has moved since the maps were made, whether or not that came to an end: then there is
+    // none to go on from.
+    std::vector<int> moved_since_surfaces_;  // rising
+    std::vector<int> moved_since_free_space_;
 
     // What has moved since searches and views were made, and the map of then.
     MovedThings moved_since_searched_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dollytrack::planning {
 namespace {
@@ -47,16 +48,17 @@ std::uint16_t largest(const Lanes& lanes) {
     return result;
 }
 
-/// Minimises along one axis, for up to kLanes rows that lie side by side in x.
-void minimiseAlong(std::uint16_t* cells, std::size_t stride, int count, int lanes,
-                   std::vector<Lanes>& rows) {
+/// Minimises along one axis, for up to kLanes rows that lie side by side in x: the cells
+/// [begin, end) of `count`.
+void minimiseAlong(std::uint16_t* cells, std::size_t stride, int count, int begin, int end,
+                   int lanes, std::vector<Lanes>& rows) {
     rows.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         Lanes& row = rows[static_cast<std::size_t>(i)];
         std::copy_n(cells + static_cast<std::size_t>(i) * stride, lanes, row.begin());
         std::fill(row.begin() + lanes, row.end(), std::uint16_t{0});
     }
-    for (int i = 0; i < count; ++i) {
+    for (int i = begin; i < end; ++i) {
         Lanes best = rows[static_cast<std::size_t>(i)];
         for (int step = 1; step <= kMaxGapCells; ++step) {
             const std::uint16_t extra = squaredGap(step);
@@ -67,6 +69,107 @@ void minimiseAlong(std::uint16_t* cells, std::size_t stride, int count, int lane
         }
         std::copy_n(best.begin(), lanes, cells + static_cast<std::size_t>(i) * stride);
     }
+}
+
+/// Squared gap of a cell to the nearest cell of a box.
+int squaredGapTo(const CellBox& box, int x, int y, int z) {
+    const std::array<int, 3> at = {x, y, z};
+    int sum = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const int away = std::max({box.begin[k] - at[k], at[k] - (box.end[k] - 1), 0});
+        if (away > 1) sum += (away - 1) * (away - 1);
+    }
+    return sum;
+}
+
+std::uint16_t largest(const std::vector<std::uint16_t>& gaps, const CellBox& box,
+                      const VoxelGrid& grid) {
+    std::uint16_t found = 0;
+    visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int) {
+        std::uint16_t row = 0;
+        for (const std::uint16_t* gap = gaps.data() + begin; gap != gaps.data() + end; ++gap) {
+            row = std::max(row, *gap);
+        }
+        found = std::max(found, row);
+    });
+    return found;
+}
+
+/// More cells than any of these gaps.
+int stepsOver(std::uint16_t largest_squared_gap) {
+    return static_cast<int>(std::sqrt(largest_squared_gap)) + 2;
+}
+
+/// The cells of `among` whose nearest surface may have been in the box, or may be there now.
+CellBox near(const CellBox& box, const CellBox& among, const VoxelGrid& grid,
+             const std::vector<std::uint16_t>& gaps) {
+    CellBox cells = box;
+    visitRows(among, grid, [&](std::size_t begin, std::size_t end, int x, int y, int z) {
+        for (std::size_t i = begin; i < end; ++i, ++x) {
+            if (squaredGapTo(box, x, y, z) > gaps[i]) continue;
+            const std::array<int, 3> at = {x, y, z};
+            for (unsigned k = 0; k < 3; ++k) {
+                cells.begin[k] = std::min(cells.begin[k], at[k]);
+                cells.end[k] = std::max(cells.end[k], at[k] + 1);
+            }
+        }
+    });
+    return cells;
+}
+
+/// Gaps of the cells in the box to surfaces less than `reach` cells beyond it; false where that
+/// is not enough to be sure of all of them.
+bool gapsIn(const CellBox& box, int reach, const VoxelGrid& grid,
+            const std::vector<std::uint8_t>& surface, std::vector<std::uint16_t>& gaps,
+            const JobContext& job) {
+    const CellBox from = grown(box, reach, grid);
+    const int nx = box.size(0);
+    const int ny = from.size(1);
+    const int nz = from.size(2);
+    const auto row_stride = static_cast<std::size_t>(nx);
+    const std::size_t slice_stride = row_stride * static_cast<std::size_t>(ny);
+    std::vector<std::uint16_t> part(slice_stride * static_cast<std::size_t>(nz));
+    const int skip_x = box.begin[0] - from.begin[0];
+    const int skip_y = box.begin[1] - from.begin[1];
+    const int skip_z = box.begin[2] - from.begin[2];
+    parallelFor(static_cast<std::size_t>(nz), [&](std::size_t z) {
+        if (job.cancelled()) return;
+        std::vector<std::uint16_t> row(static_cast<std::size_t>(from.size(0)));
+        std::uint16_t* slice = part.data() + z * slice_stride;
+        for (int y = 0; y < ny; ++y) {
+            const std::size_t at =
+                grid.indexOf(from.begin[0], from.begin[1] + y, from.begin[2] + static_cast<int>(z));
+            scanRow(surface.data() + at, row.data(), from.size(0));
+            std::copy_n(row.begin() + skip_x, nx, slice + static_cast<std::size_t>(y) * row_stride);
+        }
+        std::vector<Lanes> rows;
+        for (int x = 0; x < nx; x += kLanes) {
+            minimiseAlong(slice + x, row_stride, ny, skip_y, skip_y + box.size(1),
+                          std::min(kLanes, nx - x), rows);
+        }
+    });
+    // Surfaces further away have at least this gap; at the sides of the grid there are none.
+    const bool all = from == wholeGrid(grid) || reach >= kMaxGapCells;
+    const int sure = all ? int{kMaxSquaredGap} : reach * reach;
+    std::vector<std::uint8_t> is_sure(static_cast<std::size_t>(box.size(1)), 1);
+    parallelFor(is_sure.size(), [&](std::size_t y) {
+        if (job.cancelled()) return;
+        std::vector<Lanes> rows;
+        std::uint16_t* first = part.data() + (y + static_cast<std::size_t>(skip_y)) * row_stride;
+        for (int x = 0; x < nx; x += kLanes) {
+            minimiseAlong(first + x, slice_stride, nz, skip_z, skip_z + box.size(2),
+                          std::min(kLanes, nx - x), rows);
+        }
+        for (int z = 0; z < box.size(2); ++z) {
+            const std::uint16_t* made = first + static_cast<std::size_t>(skip_z + z) * slice_stride;
+            if (*std::max_element(made, made + nx) > sure) is_sure[y] = 0;
+            std::copy_n(made, nx,
+                        gaps.begin() + static_cast<std::ptrdiff_t>(grid.indexOf(
+                                           box.begin[0], box.begin[1] + static_cast<int>(y),
+                                           box.begin[2] + z)));
+        }
+    });
+    return std::ranges::count(is_sure, 0) == 0;
 }
 
 }  // namespace
@@ -86,17 +189,34 @@ std::vector<std::uint16_t> squaredGaps(const VoxelGrid& grid,
         }
         std::vector<Lanes> rows;
         for (int x = 0; x < nx; x += kLanes) {
-            minimiseAlong(slice + x, row_stride, ny, std::min(kLanes, nx - x), rows);
+            minimiseAlong(slice + x, row_stride, ny, 0, ny, std::min(kLanes, nx - x), rows);
         }
     });
     parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
         if (job.cancelled()) return;
         std::vector<Lanes> rows;
         for (int x = 0; x < nx; x += kLanes) {
-            minimiseAlong(gaps.data() + y * row_stride + x, slice_stride, nz,
+            minimiseAlong(gaps.data() + y * row_stride + x, slice_stride, nz, 0, nz,
                           std::min(kLanes, nx - x), rows);
         }
     });
+    return gaps;
+}
+
+std::vector<std::uint16_t> squaredGapsAfter(const std::vector<std::uint16_t>& before,
+                                            const std::vector<CellBox>& changed,
+                                            const VoxelGrid& grid,
+                                            const std::vector<std::uint8_t>& surface,
+                                            const JobContext& job) {
+    std::vector<std::uint16_t> gaps = before;
+    if (changed.empty()) return gaps;
+    const int furthest = stepsOver(largest(before, wholeGrid(grid), grid));
+    for (const CellBox& box : changed) {
+        const CellBox cells = near(box, grown(box, furthest, grid), grid, before);
+        // Where something was taken away the next surface may be further than that one was.
+        int reach = stepsOver(largest(before, cells, grid));
+        while (!gapsIn(cells, reach, grid, surface, gaps, job) && !job.cancelled()) reach *= 2;
+    }
     return gaps;
 }
 

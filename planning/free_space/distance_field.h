@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/jobs/job.h"
+#include "planning/free_space/cell_box.h"
 #include "planning/free_space/voxel_grid.h"
 
 #include <cstdint>
@@ -19,5 +20,13 @@ constexpr std::uint16_t kMaxSquaredGap = kMaxGapCells * kMaxGapCells;
 std::vector<std::uint16_t> squaredGaps(const VoxelGrid& grid,
                                        const std::vector<std::uint8_t>& surface,
                                        const JobContext& job);
+
+/// The same from the gaps of other surfaces that differ in these boxes only: gaps are made anew
+/// where a change may be nearer than the surface that was nearest.
+std::vector<std::uint16_t> squaredGapsAfter(const std::vector<std::uint16_t>& before,
+                                            const std::vector<CellBox>& changed,
+                                            const VoxelGrid& grid,
+                                            const std::vector<std::uint8_t>& surface,
+                                            const JobContext& job);
 
 }  // namespace dollytrack::planning

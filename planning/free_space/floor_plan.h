@@ -14,6 +14,7 @@ constexpr int kNoPart = -1;
 struct FloorPlan {
     int parts = 0;
     std::vector<int> part_of_column;  // x first, then y; kNoPart in walls
+    bool operator==(const FloorPlan&) const = default;
 };
 
 /// Walls are columns that hold an upright surface of structure of at least 0.6 m, or any upright

@@ -26,13 +26,23 @@ constexpr double kEnoughAir = 0.15;
 
 constexpr std::array kRules = {EnclosureRule::Walls, EnclosureRule::FewWalls,
                                EnclosureRule::FloorOnly};
+// What has moved is looked for this much further away: distances are asked for in floats.
+constexpr double kHair_m = 0.002;
 
 }  // namespace
+
+/// What a map takes from one of before.
+struct FreeSpace::Moved {
+    const Impl& before;
+    std::vector<CellBox> near;  // cells that what has moved may be, or have been, in reach of
+};
 
 struct FreeSpace::Impl {
     std::shared_ptr<const SurfaceMap> surfaces;
     VoxelGrid grid;
-    std::vector<std::uint8_t> cells;  // state and leaf level
+    double camera_radius_m = 0.0;
+    std::vector<std::uint8_t> cells;                            // state and leaf level
+    std::array<std::vector<std::uint8_t>, kRules.size()> fits;  // the sphere, by rule; if tried
     FoundRooms found;
     std::vector<float> gap_m;  // by squared gap
     std::vector<Room> rooms;
@@ -43,29 +53,43 @@ struct FreeSpace::Impl {
     std::once_flag leaks_asked;  // by the report alone, never by planning
     LeakReport leaks;
 
-    Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays,
-                                     const CameraParams& camera, EnclosureRule& rule,
-                                     const JobContext& job) const;
+    void findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
+                  const JobContext& job);
+    Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays, const Moved* moved,
+                                     EnclosureRule& rule, const JobContext& job);
     void setStates(const std::vector<std::uint8_t>& inside);
     void describeRooms();
     void collectCells(std::size_t room);
     void makeGapTable();
 };
 
+/// Where the sphere fits in what a rule calls inside.
+void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
+                               const JobContext& job) {
+    const FittingPlace place{
+        rays,           grid, surfaces->surfaces().cells, surfaces->gaps(), surfaces->inside(rule),
+        camera_radius_m};
+    const auto index = static_cast<std::size_t>(rule);
+    const bool known = moved != nullptr && !moved->before.fits[index].empty();
+    fits[index] =
+        known ? whereSphereFitsAfter(moved->before.fits[index],
+                                     moved->before.surfaces->inside(rule), moved->near, place, job)
+              : whereSphereFits(place, job);
+}
+
 /// The rooms by the strictest rule that finds any worth the name; sets `rule`.
 Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayCaster& rays,
-                                                  const CameraParams& camera, EnclosureRule& rule,
-                                                  const JobContext& job) const {
+                                                  const Moved* moved, EnclosureRule& rule,
+                                                  const JobContext& job) {
     FoundRooms best;
     std::int64_t best_cells = 0;
     double stage = 0.0;
     for (const EnclosureRule tried : kRules) {
-        const std::vector<std::uint8_t>& inside = surfaces->inside(tried);
+        findFits(tried, rays, moved, job);
         if (job.cancelled()) return mappingCancelled();
         job.report(stage += 0.1);
         FoundRooms tried_rooms =
-            findRooms(scene, rays, surfaces->grid(), surfaces->surfaces().cells, surfaces->gaps(),
-                      inside, camera.camera_radius_m, job);
+            findRooms(scene, rays, grid, fits[static_cast<std::size_t>(tried)], surfaces->gaps());
         if (job.cancelled()) return mappingCancelled();
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
@@ -91,9 +115,17 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& inside) {
     const std::vector<std::uint8_t>& surface = surfaces->surfaces().cells;
     cells.resize(grid.size());
     parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
+        // Many cells at a time, which takes pointers that nothing in the loop can change.
+        const std::uint8_t* in = inside.data();
+        const std::uint8_t* hollow = found.hollow.data();
+        const std::uint8_t* on_surface = surface.data();
+        std::uint8_t* is_open = open.data();
+        std::uint8_t* cell = cells.data();
         for (std::size_t i = begin; i < end; ++i) {
-            open[i] = inside[i] != 0 && found.hollow[i] == 0 ? 1 : 0;
-            cells[i] = surface[i] != 0 ? kOccupiedCell : kUnknownCell;
+            is_open[i] = static_cast<std::uint8_t>((in[i] != 0) & (hollow[i] == 0));
+        }
+        for (std::size_t i = begin; i < end; ++i) {
+            cell[i] = on_surface[i] != 0 ? kOccupiedCell : kUnknownCell;
         }
     });
     const CellComponents air = findComponents(grid, open, 1);
@@ -135,25 +167,29 @@ void FreeSpace::Impl::collectCells(std::size_t room) {
     const double volume_cells = rooms[room].volume_m3 / std::pow(grid.resolution_m, 3);
     const auto count = static_cast<std::size_t>(std::llround(volume_cells));
     const std::size_t every = (count + kMaxSampleCells - 1) / kMaxSampleCells;
-    std::vector<Eigen::Vector3f>& centers = room_cells[room];
-    centers.reserve(count / every + count / every / 8);
-    std::array<int, 3> low;
-    std::array<int, 3> high;
-    const Eigen::Vector3d inset = Eigen::Vector3d::Constant(0.5 * grid.resolution_m);
-    if (!grid.find(rooms[room].box.min() + inset, low)) return;
-    if (!grid.find(rooms[room].box.max() - inset, high)) return;
-    for (int z = low[2]; z <= high[2]; ++z) {
+    const std::array<int, 3>& low = found.rooms[room].low;
+    const std::array<int, 3>& high = found.rooms[room].high;
+    std::vector<std::vector<Eigen::Vector3f>> slices(static_cast<std::size_t>(high[2] - low[2]) +
+                                                     1);
+    parallelFor(slices.size(), [&](std::size_t slice) {
+        const int z = low[2] + static_cast<int>(slice);
         for (int y = low[1]; y <= high[1]; ++y) {
             const std::size_t row = grid.rowOf(y, z);
+            const std::uint8_t* room_of = found.room_of_cell.data() + row;
             for (int x = low[0]; x <= high[0]; ++x) {
+                if (room_of[x] != room) continue;
                 const std::size_t i = row + static_cast<std::size_t>(x);
-                if (found.room_of_cell[i] != room) continue;
                 // A hashed choice: every n-th cell in order would leave stripes.
                 if (every > 1 && ((i * 0x9E3779B97F4A7C15U) >> 32U) % every != 0) continue;
-                centers.emplace_back(grid.centerOf(x, y, z).cast<float>());
+                slices[slice].emplace_back(grid.centerOf(x, y, z).cast<float>());
             }
         }
-    }
+    });
+    std::vector<Eigen::Vector3f>& centers = room_cells[room];
+    std::size_t all = 0;
+    for (const auto& slice : slices) all += slice.size();
+    centers.reserve(all);
+    for (const auto& slice : slices) centers.insert(centers.end(), slice.begin(), slice.end());
 }
 
 void FreeSpace::Impl::makeGapTable() {
@@ -183,14 +219,46 @@ Result<FreeSpace> FreeSpace::build(const Scene& scene, const RayCaster& rays,
 Result<FreeSpace> FreeSpace::buildOver(std::shared_ptr<const SurfaceMap> surfaces,
                                        const Scene& scene, const RayCaster& rays,
                                        const CameraParams& camera, const JobContext& job) {
+    return make(std::move(surfaces), nullptr, scene, rays, camera, job);
+}
+
+Result<FreeSpace> FreeSpace::afterMoves(const FreeSpace& before,
+                                        std::shared_ptr<const SurfaceMap> surfaces,
+                                        const std::vector<int>& moved, const Scene& scene,
+                                        const RayCaster& rays, const CameraParams& camera,
+                                        const JobContext& job) {
+    const Impl& old = *before.impl_;
+    const VoxelGrid& grid = surfaces->grid();
+    if (!(grid == old.grid) || camera.camera_radius_m != old.camera_radius_m) {
+        return make(std::move(surfaces), nullptr, scene, rays, camera, job);
+    }
+    Moved from{old, {}};
+    const Eigen::Vector3d reach =
+        Eigen::Vector3d::Constant((camera.camera_radius_m + kHair_m) / grid.resolution_m);
+    for (const int id : moved) {
+        for (const SurfaceMap* map : {old.surfaces.get(), surfaces.get()}) {
+            const Eigen::AlignedBox3d& box =
+                map->surfaces().reach[static_cast<std::size_t>(id) - 1].box_in_cells;
+            if (box.isEmpty()) continue;
+            from.near.push_back(cellsAround(grid, {box.min() - reach, box.max() + reach}));
+        }
+    }
+    from.near = apart(from.near);
+    return make(std::move(surfaces), &from, scene, rays, camera, job);
+}
+
+Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, const Moved* moved,
+                                  const Scene& scene, const RayCaster& rays,
+                                  const CameraParams& camera, const JobContext& job) {
     if (!(camera.camera_radius_m >= 0.01 && camera.camera_radius_m <= 1.0)) {
         return fail(ErrorCode::BadInput, "give a radius from 0.01 to 1 m", "camera_radius_m");
     }
     auto impl = std::make_unique<Impl>();
     impl->surfaces = std::move(surfaces);
     impl->grid = impl->surfaces->grid();
+    impl->camera_radius_m = camera.camera_radius_m;
     EnclosureRule rule = EnclosureRule::Walls;
-    Result<FoundRooms> found = impl->findBestRooms(scene, rays, camera, rule, job);
+    Result<FoundRooms> found = impl->findBestRooms(scene, rays, moved, rule, job);
     if (!found) return tl::unexpected(found.error());
     if (found->rooms.empty()) {
         return fail(ErrorCode::BadInput,
@@ -206,7 +274,11 @@ Result<FreeSpace> FreeSpace::buildOver(std::shared_ptr<const SurfaceMap> surface
     if (job.cancelled()) return mappingCancelled();
     job.report(0.8);
 
-    markLeaves(impl->grid, impl->cells);
+    if (moved != nullptr) {
+        markLeavesAfter(moved->before.cells, moved->near, impl->grid, impl->cells);
+    } else {
+        markLeaves(impl->grid, impl->cells);
+    }
     impl->bounds = impl->grid.box();
     impl->makeGapTable();
     job.report(1.0);

@@ -60,6 +60,14 @@ class FreeSpace {
                                        const Scene& scene, const RayCaster& rays,
                                        const CameraParams& camera, const JobContext& job = {});
 
+    /// The same from the map `before` of a scene in which only these objects (ids, rising) stood
+    /// elsewhere, of whose surfaces these are SurfaceMap::afterMoves().
+    static Result<FreeSpace> afterMoves(const FreeSpace& before,
+                                        std::shared_ptr<const SurfaceMap> surfaces,
+                                        const std::vector<int>& moved, const Scene& scene,
+                                        const RayCaster& rays, const CameraParams& camera,
+                                        const JobContext& job = {});
+
     ~FreeSpace();
     FreeSpace(FreeSpace&&) noexcept;
     FreeSpace& operator=(FreeSpace&&) noexcept;
@@ -107,6 +115,10 @@ class FreeSpace {
 
   private:
     struct Impl;
+    struct Moved;
+    static Result<FreeSpace> make(std::shared_ptr<const SurfaceMap> surfaces, const Moved* moved,
+                                  const Scene& scene, const RayCaster& rays,
+                                  const CameraParams& camera, const JobContext& job);
     explicit FreeSpace(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

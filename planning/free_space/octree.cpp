@@ -32,13 +32,25 @@ struct Level {
     }
 };
 
-Level finestLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells) {
+/// That of the cells in a box.
+Level finestLevel(const VoxelGrid& grid, const CellBox& box,
+                  const std::vector<std::uint8_t>& cells) {
     Level level;
-    for (unsigned k = 0; k < 3; ++k) level.first[k] = grid.first[k] + kKeyOffset;
-    level.count = grid.count;
-    level.states.resize(cells.size());
-    parallelRanges(cells.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) level.states[i] = cells[i] & kCellStateMask;
+    for (unsigned k = 0; k < 3; ++k) {
+        level.first[k] = grid.first[k] + box.begin[k] + kKeyOffset;
+        level.count[k] = box.size(k);
+    }
+    const auto width = static_cast<std::size_t>(box.size(0));
+    const auto depth = static_cast<std::size_t>(box.size(1));
+    level.states.resize(width * depth * static_cast<std::size_t>(box.size(2)));
+    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t z) {
+        for (std::size_t y = 0; y < depth; ++y) {
+            const std::uint8_t* from =
+                cells.data() + grid.indexOf(box.begin[0], box.begin[1] + static_cast<int>(y),
+                                            box.begin[2] + static_cast<int>(z));
+            std::uint8_t* to = level.states.data() + (z * depth + y) * width;
+            for (std::size_t x = 0; x < width; ++x) to[x] = from[x] & kCellStateMask;
+        }
     });
     return level;
 }
@@ -100,10 +112,82 @@ Level coarser(const Level& fine) {
     return level;
 }
 
-std::vector<Level> allLevels(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells) {
-    std::vector<Level> levels = {finestLevel(grid, cells)};
-    while (levels.size() <= kRootLevel) levels.push_back(coarser(levels.back()));
+/// The levels from the smallest cells up to this one.
+std::vector<Level> levelsUpTo(int top, const VoxelGrid& grid, const CellBox& box,
+                              const std::vector<std::uint8_t>& cells) {
+    std::vector<Level> levels = {finestLevel(grid, box, cells)};
+    while (levels.size() <= static_cast<std::size_t>(top)) levels.push_back(coarser(levels.back()));
     return levels;
+}
+
+/// Writes the leaves' levels into the cells of a box, which are no larger than the levels go.
+void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGrid& grid,
+            std::vector<std::uint8_t>& cells) {
+    const int top = static_cast<int>(levels.size()) - 1;
+    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t slice) {
+        const int z = box.begin[2] + static_cast<int>(slice);
+        for (int y = box.begin[1]; y < box.end[1]; ++y) {
+            const std::size_t row = grid.rowOf(y, z);
+            for (int x = box.begin[0]; x < box.end[0];) {
+                const Cube key = {grid.first[0] + x + kKeyOffset, grid.first[1] + y + kKeyOffset,
+                                  grid.first[2] + z + kKeyOffset};
+                int level = 0;
+                while (level < top && levels[static_cast<std::size_t>(level) + 1].at(
+                                          {key[0] >> (level + 1), key[1] >> (level + 1),
+                                           key[2] >> (level + 1)}) != kMixed) {
+                    ++level;
+                }
+                // The leaf goes on until its cube ends.
+                const int next = (((key[0] >> level) + 1) << level) - key[0] + x;
+                const int end = std::min(next, box.end[0]);
+                for (; x < end; ++x) {
+                    std::uint8_t& cell = cells[row + static_cast<std::size_t>(x)];
+                    cell = static_cast<std::uint8_t>((cell & kCellStateMask) |
+                                                     level << kCellLevelShift);
+                }
+            }
+        }
+    });
+}
+
+/// The cells of all cubes of one level that the box touches, as far as the grid goes.
+CellBox wholeCubes(const CellBox& box, int level, const VoxelGrid& grid) {
+    CellBox cubes;
+    for (unsigned k = 0; k < 3; ++k) {
+        const int first = grid.first[k] + kKeyOffset;
+        const int low = ((first + box.begin[k]) >> level) << level;
+        const int high = (((first + box.end[k] - 1) >> level) + 1) << level;
+        cubes.begin[k] = std::max(low - first, 0);
+        cubes.end[k] = std::min(high - first, grid.count[k]);
+    }
+    return cubes;
+}
+
+/// Whether a leaf of that level or a larger one lies in the box.
+bool hasLeaf(int level, const CellBox& box, const VoxelGrid& grid,
+             const std::vector<std::uint8_t>& cells) {
+    std::uint8_t largest = 0;
+    visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int) {
+        for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, cells[i]);
+    });
+    return largest >> kCellLevelShift >= level;
+}
+
+/// Marks what a change in the box can have changed. Where a cube of some level holds more than one
+/// state, before and now, all larger ones around it do, too: no leaf beyond it is another.
+void markAround(const CellBox& changed, const std::vector<std::uint8_t>& before,
+                const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
+    constexpr int kFirstTry = 2;
+    for (int top = kFirstTry;; ++top) {
+        const CellBox box = wholeCubes(changed, std::min(top, kRootLevel), grid);
+        const std::vector<Level> levels = levelsUpTo(std::min(top, kRootLevel), grid, box, cells);
+        const bool done =
+            top >= kRootLevel ||
+            (std::ranges::all_of(levels.back().states,
+                                 [](std::uint8_t state) { return state == kMixed; }) &&
+             !hasLeaf(top, box, grid, before));
+        if (done) return markIn(box, levels, grid, cells);
+    }
 }
 
 /// An OctoMap tree that grows from its root: OctoMap's own calls insert cell by cell.
@@ -152,35 +236,28 @@ bool fitsOctree(const VoxelGrid& grid) {
 }
 
 void markLeaves(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
-    const std::vector<Level> levels = allLevels(grid, cells);
-    parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
-        for (int y = 0; y < grid.count[1]; ++y) {
-            const std::size_t row = grid.rowOf(y, static_cast<int>(z));
-            for (int x = 0; x < grid.count[0];) {
-                const Cube key = {grid.first[0] + x + kKeyOffset, grid.first[1] + y + kKeyOffset,
-                                  grid.first[2] + static_cast<int>(z) + kKeyOffset};
-                int level = 0;
-                while (level < kRootLevel && levels[static_cast<std::size_t>(level) + 1].at(
-                                                 {key[0] >> (level + 1), key[1] >> (level + 1),
-                                                  key[2] >> (level + 1)}) != kMixed) {
-                    ++level;
-                }
-                // The leaf goes on until its cube ends.
-                const int next = (((key[0] >> level) + 1) << level) - key[0] + x;
-                const int end = std::min(next, grid.count[0]);
-                for (; x < end; ++x) {
-                    std::uint8_t& cell = cells[row + static_cast<std::size_t>(x)];
-                    cell = static_cast<std::uint8_t>((cell & kCellStateMask) |
-                                                     level << kCellLevelShift);
-                }
-            }
+    const CellBox all = wholeGrid(grid);
+    markIn(all, levelsUpTo(kRootLevel, grid, all, cells), grid, cells);
+}
+
+void markLeavesAfter(const std::vector<std::uint8_t>& before, const std::vector<CellBox>& likely,
+                     const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
+    parallelRanges(cells.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
+        std::uint8_t* cell = cells.data();
+        const std::uint8_t* leaf = before.data();
+        constexpr std::uint8_t kLeaf = static_cast<std::uint8_t>(~unsigned{kCellStateMask});
+        for (std::size_t i = begin; i < end; ++i) {
+            cell[i] = static_cast<std::uint8_t>((cell[i] & kCellStateMask) | (leaf[i] & kLeaf));
         }
     });
+    for (const CellBox& changed : changedBoxes(likely, grid, before, cells)) {
+        markAround(changed, before, grid, cells);
+    }
 }
 
 OctreePtr growOctree(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells) {
     auto tree = std::make_unique<GrownTree>(grid.resolution_m);
-    tree->grow(allLevels(grid, cells));
+    tree->grow(levelsUpTo(kRootLevel, grid, wholeGrid(grid), cells));
     return OctreePtr(tree.release());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/free_space/cell_box.h"
 #include "planning/free_space/voxel_grid.h"
 
 #include <cstdint>
@@ -29,6 +30,11 @@ constexpr int kCellLevelShift = 2;
 /// Writes the level of the octree's leaf around it into every cell: leaves are the largest cubes of
 /// equal state.
 void markLeaves(const VoxelGrid& grid, std::vector<std::uint8_t>& cells);
+
+/// The same, from cells of other states that were marked before. States should differ near these
+/// boxes only; where they do elsewhere it takes longer.
+void markLeavesAfter(const std::vector<std::uint8_t>& before, const std::vector<CellBox>& likely,
+                     const VoxelGrid& grid, std::vector<std::uint8_t>& cells);
 
 /// The tree with those leaves; free has the lowest occupancy, occupied the highest, unknown has no
 /// node.

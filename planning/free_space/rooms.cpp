@@ -62,39 +62,29 @@ class SurfaceInSphere {
     int steps_ = 0;
 };
 
-/// Cells of `inside` in whose middle the sphere fits.
-std::vector<std::uint8_t> whereSphereFits(const RayCaster& rays, const VoxelGrid& grid,
-                                          const std::vector<std::uint8_t>& surfaces,
-                                          const std::vector<std::uint16_t>& squared_gaps,
-                                          const std::vector<std::uint8_t>& inside, double radius_m,
-                                          const JobContext& job) {
-    std::vector<std::uint8_t> fits(grid.size(), 0);
-    const double radius = radius_m / grid.resolution_m;  // cells
-    const auto sure =
-        static_cast<std::uint16_t>(std::min<double>(std::ceil(radius * radius), kMaxSquaredGap));
-    const SurfaceInSphere surface_in_sphere(grid, surfaces, radius);
-    const auto row = static_cast<std::size_t>(grid.count[0]);
-    const auto rows =
-        static_cast<std::size_t>(grid.count[1]) * static_cast<std::size_t>(grid.count[2]);
-    parallelRanges(rows, 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t at = begin; at < end; ++at) {
-            if (job.cancelled()) return;
-            const int y = static_cast<int>(at % static_cast<std::size_t>(grid.count[1]));
-            const int z = static_cast<int>(at / static_cast<std::size_t>(grid.count[1]));
-            for (int x = 0; x < grid.count[0]; ++x) {
-                const std::size_t i = at * row + static_cast<std::size_t>(x);
-                if (inside[i] == 0) continue;
-                if (squared_gaps[i] >= sure) {
-                    fits[i] = 1;
-                    continue;
-                }
-                if (surface_in_sphere(x, y, z)) continue;
-                fits[i] = rays.isClear(grid.centerOf(x, y, z), radius_m) ? 1 : 0;
-            }
-        }
-    });
-    return fits;
-}
+/// Asks whether the sphere fits in the middle of cells inside.
+class SphereFit {
+  public:
+    explicit SphereFit(const FittingPlace& place)
+        : place_(place),
+          radius_(place.camera_radius_m / place.grid.resolution_m),
+          sure_(static_cast<std::uint16_t>(
+              std::min<double>(std::ceil(radius_ * radius_), kMaxSquaredGap))),
+          surface_in_sphere_(place.grid, place.surfaces, radius_) {}
+
+    [[nodiscard]] std::uint8_t operator()(std::size_t i, int x, int y, int z) const {
+        if (place_.inside[i] == 0) return 0;
+        if (place_.squared_gaps[i] >= sure_) return 1;
+        if (surface_in_sphere_(x, y, z)) return 0;
+        return place_.rays.isClear(place_.grid.centerOf(x, y, z), place_.camera_radius_m) ? 1 : 0;
+    }
+
+  private:
+    const FittingPlace& place_;
+    double radius_;       // cells
+    std::uint16_t sure_;  // so large a gap leaves room for it
+    SurfaceInSphere surface_in_sphere_;
+};
 
 std::vector<FoundRoom> measure(const VoxelGrid& grid, const CellComponents& pieces,
                                const std::vector<std::uint16_t>& squared_gaps) {
@@ -170,15 +160,51 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
 
 }  // namespace
 
+std::vector<std::uint8_t> whereSphereFits(const FittingPlace& place, const JobContext& job) {
+    return whereSphereFitsAfter(std::vector<std::uint8_t>(place.grid.size(), 0), {},
+                                {wholeGrid(place.grid)}, place, job);
+}
+
+std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& before,
+                                               const std::vector<std::uint8_t>& inside_before,
+                                               const std::vector<CellBox>& near_moved,
+                                               const FittingPlace& place, const JobContext& job) {
+    const VoxelGrid& grid = place.grid;
+    const SphereFit sphere_fits(place);
+    std::vector<std::uint8_t> fits = before;
+    const auto rows =
+        static_cast<std::size_t>(grid.count[1]) * static_cast<std::size_t>(grid.count[2]);
+    parallelRanges(rows, 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t at = begin; at < end; ++at) {
+            if (job.cancelled()) return;
+            const int y = static_cast<int>(at % static_cast<std::size_t>(grid.count[1]));
+            const int z = static_cast<int>(at / static_cast<std::size_t>(grid.count[1]));
+            const std::size_t row = grid.rowOf(y, z);
+            for (const CellBox& box : near_moved) {
+                if (box.empty() || !box.contains(box.begin[0], y, z)) continue;
+                for (int x = box.begin[0]; x < box.end[0]; ++x) {
+                    const std::size_t i = row + static_cast<std::size_t>(x);
+                    fits[i] = sphere_fits(i, x, y, z);
+                }
+            }
+            if (inside_before.empty()) continue;
+            const auto width = static_cast<std::size_t>(grid.count[0]);
+            const std::uint8_t* was = inside_before.data() + row;
+            const std::uint8_t* is = place.inside.data() + row;
+            if (std::equal(was, was + width, is)) continue;
+            for (int x = 0; x < grid.count[0]; ++x) {
+                const std::size_t i = row + static_cast<std::size_t>(x);
+                if (was[x] != is[x]) fits[i] = sphere_fits(i, x, y, z);
+            }
+        }
+    });
+    return fits;
+}
+
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
-                     const std::vector<std::uint8_t>& surfaces,
-                     const std::vector<std::uint16_t>& squared_gaps,
-                     const std::vector<std::uint8_t>& inside, double camera_radius_m,
-                     const JobContext& job) {
+                     const std::vector<std::uint8_t>& fits,
+                     const std::vector<std::uint16_t>& squared_gaps) {
     FoundRooms result;
-    const std::vector<std::uint8_t> fits =
-        whereSphereFits(rays, grid, surfaces, squared_gaps, inside, camera_radius_m, job);
-    if (job.cancelled()) return result;
     const CellComponents pieces = findComponents(grid, fits, 1);
     const std::vector<FoundRoom> measured = measure(grid, pieces, squared_gaps);
 

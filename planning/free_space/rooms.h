@@ -3,6 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
+#include "planning/free_space/cell_box.h"
 #include "planning/free_space/voxel_grid.h"
 
 #include <array>
@@ -30,13 +31,30 @@ struct FoundRooms {
     std::vector<std::uint8_t> hollow;
 };
 
-/// Finds the rooms among the cells marked inside: connected places where the sphere fits in the
-/// middle of every cell, by exact distance, and that are rooms rather than the hollow of a piece
-/// of furniture.
+/// Where the camera's sphere fits, and what tells it. References must outlive it.
+struct FittingPlace {
+    const RayCaster& rays;
+    const VoxelGrid& grid;
+    const std::vector<std::uint8_t>& surfaces;       // CellSurface sets
+    const std::vector<std::uint16_t>& squared_gaps;  // see squaredGaps()
+    const std::vector<std::uint8_t>& inside;         // see Enclosure
+    double camera_radius_m = 0.0;
+};
+
+/// The cells inside in whose middle the sphere fits, by exact distance: 1, else 0.
+std::vector<std::uint8_t> whereSphereFits(const FittingPlace& place, const JobContext& job);
+
+/// The same from what fitted when things stood elsewhere: only cells in these boxes can be nearer
+/// to what has moved than the sphere is large, now or then.
+std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& before,
+                                               const std::vector<std::uint8_t>& inside_before,
+                                               const std::vector<CellBox>& near_moved,
+                                               const FittingPlace& place, const JobContext& job);
+
+/// Finds the rooms: connected places where the sphere fits in the middle of every cell, and that
+/// are rooms rather than the hollow of a piece of furniture.
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
-                     const std::vector<std::uint8_t>& surfaces,
-                     const std::vector<std::uint16_t>& squared_gaps,
-                     const std::vector<std::uint8_t>& inside, double camera_radius_m,
-                     const JobContext& job);
+                     const std::vector<std::uint8_t>& fits,
+                     const std::vector<std::uint16_t>& squared_gaps);
 
 }  // namespace dollytrack::planning

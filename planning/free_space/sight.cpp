@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <numeric>
 
 namespace dollytrack::planning {
 namespace {
@@ -106,21 +107,22 @@ class Slice {
 };
 
 /// What is below and above: one pass down and one up through the columns over each row of cells.
+/// Only the columns of the box; there the two bits are 0 before.
 void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
-                   std::vector<std::uint8_t>& sight) {
-    const auto [nx, ny, nz] = grid.count;
-    parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
-        std::vector<std::uint8_t> seen(static_cast<std::size_t>(nx));
+                   const CellBox& box, std::vector<std::uint8_t>& sight) {
+    parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
+        const int y = box.begin[1] + static_cast<int>(row_in_box);
+        std::vector<std::uint8_t> seen(static_cast<std::size_t>(box.size(0)));
         const auto pass = [&](int z, std::uint8_t bit) {
-            const std::size_t row = grid.rowOf(static_cast<int>(y), z);
+            const std::size_t row = grid.indexOf(box.begin[0], y, z);
             for (std::size_t x = 0; x < seen.size(); ++x) {
                 sight[row + x] = static_cast<std::uint8_t>(sight[row + x] | (seen[x] * bit));
                 seen[x] |= static_cast<std::uint8_t>((surfaces[row + x] & kBuilding) / kBuilding);
             }
         };
-        for (int z = 0; z < nz; ++z) pass(z, kFloorBelow);
+        for (int z = 0; z < grid.count[2]; ++z) pass(z, kFloorBelow);
         std::ranges::fill(seen, std::uint8_t{0});
-        for (int z = nz - 1; z >= 0; --z) pass(z, kCeilingAbove);
+        for (int z = grid.count[2] - 1; z >= 0; --z) pass(z, kCeilingAbove);
     });
 }
 
@@ -131,13 +133,80 @@ std::uint8_t wallBits(const std::vector<std::uint8_t>& surfaces) {
     constexpr double kEnoughStructure = 0.05;
     std::int64_t upright = 0;
     std::int64_t structure = 0;
-    for (const std::uint8_t cell : surfaces) {
-        upright += (cell & kUpright) == kUpright ? 1 : 0;
-        structure += (cell & (kUpright | kStructure)) == (kUpright | kStructure) ? 1 : 0;
+    constexpr std::size_t kPart = 128;  // few enough for sums of bytes, which add many at a time
+    for (std::size_t begin = 0; begin < surfaces.size(); begin += kPart) {
+        const std::size_t end = std::min(begin + kPart, surfaces.size());
+        std::uint8_t some = 0;
+        std::uint8_t of_structure = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint8_t cell = surfaces[i];
+            some += (cell & kUpright) == kUpright ? 1 : 0;
+            of_structure += (cell & (kUpright | kStructure)) == (kUpright | kStructure) ? 1 : 0;
+        }
+        upright += some;
+        structure += of_structure;
     }
     return static_cast<double>(structure) > kEnoughStructure * static_cast<double>(upright)
                ? kBuilding | kStructure
                : kBuilding;
+}
+
+/// Counts the directions with walls in these slices; the bits for them are 0 before.
+void lookLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces, std::uint8_t wall,
+               const std::vector<int>& slices, std::vector<std::uint8_t>& sight,
+               const JobContext& job) {
+    parallelRanges(slices.size(), 1, [&](std::size_t begin, std::size_t end) {
+        Slice slice(grid.count[0], grid.count[1]);
+        for (std::size_t at = begin; at < end; ++at) {
+            const int z = slices[at];
+            if (job.cancelled()) return;
+            for (int y = 0; y < grid.count[1]; ++y) {
+                const std::size_t row = grid.rowOf(y, z);
+                std::uint8_t* walls = slice.walls(y);
+                for (int x = 0; x < grid.count[0]; ++x) {
+                    const std::uint8_t surface = surfaces[row + static_cast<std::size_t>(x)];
+                    walls[x] = (surface & wall) == wall ? 1 : 0;
+                }
+            }
+            slice.countHits();
+            for (int y = 0; y < grid.count[1]; ++y) {
+                std::uint8_t* row = sight.data() + grid.rowOf(y, z);
+                const std::uint8_t* hits = slice.hits(y);
+                for (int x = 0; x < grid.count[0]; ++x) row[x] |= hits[x];
+            }
+        }
+    });
+}
+
+void clearBits(std::uint8_t bits, const CellBox& box, const VoxelGrid& grid,
+               std::vector<std::uint8_t>& cells) {
+    visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            cells[i] &= static_cast<std::uint8_t>(~unsigned{bits});
+        }
+    });
+}
+
+/// Slices whose walls differ.
+std::vector<int> slicesAfter(const std::vector<CellBox>& changed, const VoxelGrid& grid,
+                             const std::vector<std::uint8_t>& before, std::uint8_t wall_before,
+                             const std::vector<std::uint8_t>& now, std::uint8_t wall) {
+    std::vector<std::uint8_t> differs(static_cast<std::size_t>(grid.count[2]),
+                                      wall != wall_before ? 1 : 0);
+    for (const CellBox& box : changed) {
+        visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int z) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (((before[i] & wall) == wall) == ((now[i] & wall) == wall)) continue;
+                differs[static_cast<std::size_t>(z)] = 1;
+                return;
+            }
+        });
+    }
+    std::vector<int> slices;
+    for (std::size_t z = 0; z < differs.size(); ++z) {
+        if (differs[z] != 0) slices.push_back(static_cast<int>(z));
+    }
+    return slices;
 }
 
 }  // namespace
@@ -146,30 +215,41 @@ std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
                                      const JobContext& job) {
     std::vector<std::uint8_t> sight(grid.size(), 0);
-    lookUpAndDown(grid, surfaces, sight);
+    lookUpAndDown(grid, surfaces, wholeGrid(grid), sight);
+    std::vector<int> slices(static_cast<std::size_t>(grid.count[2]));
+    std::iota(slices.begin(), slices.end(), 0);
+    lookLevel(grid, surfaces, wallBits(surfaces), slices, sight, job);
+    return sight;
+}
+
+std::vector<std::uint8_t> lookAroundAfter(const std::vector<std::uint8_t>& before,
+                                          const std::vector<std::uint8_t>& surfaces_before,
+                                          const VoxelGrid& grid,
+                                          const std::vector<std::uint8_t>& surfaces,
+                                          std::vector<CellBox>& changed, const JobContext& job) {
+    std::vector<std::uint8_t> sight = before;
+    if (changed.empty()) return sight;
     const std::uint8_t wall = wallBits(surfaces);
-    parallelRanges(
-        static_cast<std::size_t>(grid.count[2]), 1, [&](std::size_t begin, std::size_t end) {
-            Slice slice(grid.count[0], grid.count[1]);
-            for (std::size_t at = begin; at < end; ++at) {
-                const int z = static_cast<int>(at);
-                if (job.cancelled()) return;
-                for (int y = 0; y < grid.count[1]; ++y) {
-                    const std::size_t row = grid.rowOf(y, z);
-                    std::uint8_t* walls = slice.walls(y);
-                    for (int x = 0; x < grid.count[0]; ++x) {
-                        const std::uint8_t surface = surfaces[row + static_cast<std::size_t>(x)];
-                        walls[x] = (surface & wall) == wall ? 1 : 0;
-                    }
-                }
-                slice.countHits();
-                for (int y = 0; y < grid.count[1]; ++y) {
-                    std::uint8_t* row = sight.data() + grid.rowOf(y, z);
-                    const std::uint8_t* hits = slice.hits(y);
-                    for (int x = 0; x < grid.count[0]; ++x) row[x] |= hits[x];
-                }
-            }
-        });
+    const std::vector<int> slices =
+        slicesAfter(changed, grid, surfaces_before, wallBits(surfaces_before), surfaces, wall);
+    std::vector<CellBox> looked;
+    for (CellBox box : changed) {
+        box.begin[2] = 0;
+        box.end[2] = grid.count[2];
+        looked.push_back(box);
+    }
+    looked = apart(looked);
+    for (const CellBox& columns : looked) {
+        clearBits(kFloorBelow | kCeilingAbove, columns, grid, sight);
+        lookUpAndDown(grid, surfaces, columns, sight);
+    }
+    for (const int z : slices) {
+        const CellBox slice = {{0, 0, z}, {grid.count[0], grid.count[1], z + 1}};
+        clearBits(kSightHitsMask, slice, grid, sight);
+        looked.push_back(slice);
+    }
+    lookLevel(grid, surfaces, wall, slices, sight, job);
+    changed = apart(looked);
     return sight;
 }
 

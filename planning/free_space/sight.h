@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/jobs/job.h"
+#include "planning/free_space/cell_box.h"
 #include "planning/free_space/voxel_grid.h"
 
 #include <cstdint>
@@ -20,5 +21,13 @@ constexpr std::uint8_t kCeilingAbove = 64;
 std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
                                      const JobContext& job);
+
+/// The same from what was seen among other surfaces that differ in these boxes only. `changed` is
+/// then what was looked at anew: the columns through the boxes, and where walls differ the slices.
+std::vector<std::uint8_t> lookAroundAfter(const std::vector<std::uint8_t>& before,
+                                          const std::vector<std::uint8_t>& surfaces_before,
+                                          const VoxelGrid& grid,
+                                          const std::vector<std::uint8_t>& surfaces,
+                                          std::vector<CellBox>& changed, const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -28,8 +28,10 @@ struct SurfaceMap::Impl {
     std::vector<std::uint8_t> sight;
     FloorPlan plan;
     std::int64_t air = 0;
-    std::array<std::once_flag, kRules> asked;
-    std::array<std::vector<std::uint8_t>, kRules> inside;
+    std::mutex asked;
+    std::array<std::unique_ptr<const Enclosure>, kRules> enclosures;  // by rule; null: never asked
+
+    [[nodiscard]] SeenCells seen() const { return {grid, surfaces.cells, sight}; }
 };
 
 SurfaceMap::SurfaceMap(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -37,8 +39,9 @@ SurfaceMap::~SurfaceMap() = default;
 SurfaceMap::SurfaceMap(SurfaceMap&&) noexcept = default;
 SurfaceMap& SurfaceMap::operator=(SurfaceMap&&) noexcept = default;
 
-Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& params,
-                                     const JobContext& job) {
+/// Its grid alone.
+Result<std::unique_ptr<SurfaceMap::Impl>> SurfaceMap::begin(const Scene& scene,
+                                                            const FreeSpaceParams& params) {
     if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {
         return fail(ErrorCode::BadInput, "give a cell size from 0.01 to 0.5 m",
                     "octree_resolution_m");
@@ -65,7 +68,15 @@ Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& 
                                   inMetres(grid.resolution_m) +
                                   "; set octree_resolution_m, or check the scene's units");
     }
+    return impl;
+}
 
+Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& params,
+                                     const JobContext& job) {
+    auto begun = begin(scene, params);
+    if (!begun) return tl::unexpected<Error>(std::move(begun.error()));
+    std::unique_ptr<Impl>& impl = *begun;
+    const VoxelGrid& grid = impl->grid;
     impl->surfaces = voxelize(scene, grid, job);
     if (job.cancelled()) return mappingCancelled();
     job.report(0.4);
@@ -76,6 +87,38 @@ Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& 
     if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, impl->surfaces.cells);
     impl->air = std::ranges::count(impl->surfaces.cells, std::uint8_t{0});
+    job.report(1.0);
+    return SurfaceMap(std::move(impl));
+}
+
+Result<SurfaceMap> SurfaceMap::afterMoves(const SurfaceMap& before, const Scene& scene,
+                                          const std::vector<int>& moved,
+                                          const FreeSpaceParams& params, const JobContext& job) {
+    auto begun = begin(scene, params);
+    if (!begun) return tl::unexpected<Error>(std::move(begun.error()));
+    std::unique_ptr<Impl>& impl = *begun;
+    const VoxelGrid& grid = impl->grid;
+    Impl& old = *before.impl_;
+    if (!(grid == old.grid)) return build(scene, params, job);
+
+    std::vector<CellBox> changed;
+    impl->surfaces = voxelizeMoved(old.surfaces, scene, grid, moved, changed, job);
+    const std::vector<std::uint8_t>& cells = impl->surfaces.cells;
+    impl->gaps = squaredGapsAfter(old.gaps, changed, grid, cells, job);
+    if (job.cancelled()) return mappingCancelled();
+    job.report(0.5);
+    impl->sight = lookAroundAfter(old.sight, old.surfaces.cells, grid, cells, changed, job);
+    if (job.cancelled()) return mappingCancelled();
+    impl->plan = drawFloorPlan(grid, cells);
+    impl->air = std::ranges::count(cells, std::uint8_t{0});
+    if (impl->plan == old.plan) {
+        const std::lock_guard lock(old.asked);
+        for (std::size_t rule = 0; rule < kRules; ++rule) {
+            if (!old.enclosures[rule]) continue;
+            impl->enclosures[rule] = std::make_unique<const Enclosure>(
+                *old.enclosures[rule], old.seen(), impl->seen(), impl->plan, changed);
+        }
+    }
     job.report(1.0);
     return SurfaceMap(std::move(impl));
 }
@@ -94,12 +137,10 @@ std::int64_t SurfaceMap::airCells() const {
 }
 
 const std::vector<std::uint8_t>& SurfaceMap::inside(EnclosureRule rule) const {
-    const auto index = static_cast<std::size_t>(rule);
-    std::call_once(impl_->asked.at(index), [&] {
-        impl_->inside[index] =
-            findInside(impl_->grid, impl_->surfaces.cells, impl_->sight, impl_->plan, rule);
-    });
-    return impl_->inside[index];
+    const std::lock_guard lock(impl_->asked);
+    std::unique_ptr<const Enclosure>& found = impl_->enclosures.at(static_cast<std::size_t>(rule));
+    if (!found) found = std::make_unique<const Enclosure>(impl_->seen(), impl_->plan, rule);
+    return found->cells();
 }
 
 }  // namespace dollytrack::planning

@@ -25,6 +25,13 @@ class SurfaceMap {
     static Result<SurfaceMap> build(const Scene& scene, const FreeSpaceParams& params,
                                     const JobContext& job = {});
 
+    /// The map of a scene in which only these objects (ids, rising) stand elsewhere than in that of
+    /// `before`, in rooms of the same bounds: the one that build() makes, with only that made anew
+    /// which they can have changed.
+    static Result<SurfaceMap> afterMoves(const SurfaceMap& before, const Scene& scene,
+                                         const std::vector<int>& moved,
+                                         const FreeSpaceParams& params, const JobContext& job = {});
+
     ~SurfaceMap();
     SurfaceMap(SurfaceMap&&) noexcept;
     SurfaceMap& operator=(SurfaceMap&&) noexcept;
@@ -38,11 +45,12 @@ class SurfaceMap {
     /// Cells without surface.
     [[nodiscard]] std::int64_t airCells() const;
 
-    /// As findInside() makes it. The first who asks for a rule waits for it.
+    /// What an Enclosure has inside, 1 or 0. The first who asks for a rule waits for it.
     [[nodiscard]] const std::vector<std::uint8_t>& inside(EnclosureRule rule) const;
 
   private:
     struct Impl;
+    static Result<std::unique_ptr<Impl>> begin(const Scene& scene, const FreeSpaceParams& params);
     explicit SurfaceMap(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -19,6 +19,7 @@ struct VoxelGrid {
     // Cells whose centre lies in the room's bounds; around them is a rim that only holds surfaces.
     std::array<int, 3> room_begin = {0, 0, 0};
     std::array<int, 3> room_end = {0, 0, 0};
+    bool operator==(const VoxelGrid&) const = default;
 
     [[nodiscard]] std::size_t size() const {
         return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *

@@ -45,15 +45,17 @@ class TriangleCells {
         }
     }
 
+    /// Calls mark(cell) for the cells of the window that the triangle overlaps.
     template <class Mark>
-    void visit(const std::array<int, 3>& count, Mark&& mark) const {
+    void visit(const CellBox& window, Mark&& mark) const {
         std::array<int, 3> begin;
         std::array<int, 3> last;
         for (unsigned k = 0; k < 3; ++k) {
-            const double top = count[k] - 1.0;
-            if (high_[k] < 0.0 || low_[k] >= top + 1.0) return;
-            begin[k] = static_cast<int>(std::clamp(std::floor(low_[k]), 0.0, top));
-            last[k] = static_cast<int>(std::clamp(std::floor(high_[k]), 0.0, top));
+            const double bottom = window.begin[k];
+            const double top = window.end[k] - 1.0;
+            if (high_[k] < bottom || low_[k] >= top + 1.0) return;
+            begin[k] = static_cast<int>(std::clamp(std::floor(low_[k]), bottom, top));
+            last[k] = static_cast<int>(std::clamp(std::floor(high_[k]), bottom, top));
         }
         const auto w = static_cast<unsigned>(w_);
         const unsigned u = (w + 1) % 3;
@@ -124,69 +126,171 @@ std::uint8_t surfaceKind(const Object& object, const Eigen::AlignedBox3d& room) 
     return static_cast<std::uint8_t>(kind);
 }
 
-}  // namespace
+// Objects are cut into pieces of work, so that one large mesh does not keep one thread busy.
+constexpr std::uint32_t kPieceTriangles = 512;
 
-SurfaceCells voxelize(const Scene& scene, const VoxelGrid& grid, const JobContext& job) {
-    SurfaceCells result;
-    result.cells.assign(grid.size(), 0);
-    const Vector3d origin(grid.first[0], grid.first[1], grid.first[2]);
-    const Vector3d size(grid.count[0], grid.count[1], grid.count[2]);
+struct Piece {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::size_t object = 0;
+    std::uint8_t kind = 0;
+    SurfaceReach reach = {};
+};
 
-    // Objects are cut into pieces of work, so that one large mesh does not keep one thread busy.
-    struct Piece {
-        std::uint32_t begin = 0;
-        std::uint32_t end = 0;
-        std::uint8_t kind = 0;
-        std::array<double, 6> gap = {};
-    };
-    constexpr std::uint32_t kPieceTriangles = 512;
-    std::vector<Piece> pieces;
-    for (const Object& object : scene.objects) {
-        const std::uint8_t kind = surfaceKind(object, scene.room_bounds);
-        const std::uint32_t end = object.first_triangle + object.triangle_count;
-        for (std::uint32_t t = object.first_triangle; t < end; t += kPieceTriangles) {
-            pieces.push_back({t, std::min(end, t + kPieceTriangles), kind, {}});
-        }
+void addPieces(const Scene& scene, std::size_t index, std::vector<Piece>& pieces) {
+    const Object& object = scene.objects[index];
+    const std::uint8_t kind = surfaceKind(object, scene.room_bounds);
+    const std::uint32_t end = object.first_triangle + object.triangle_count;
+    for (std::uint32_t t = object.first_triangle; t < end; t += kPieceTriangles) {
+        pieces.push_back({t, std::min(end, t + kPieceTriangles), index, kind});
     }
-    parallelFor(pieces.size(), [&](std::size_t index) {
-        Piece& piece = pieces[index];
-        piece.gap.fill(std::numeric_limits<double>::infinity());
-        if (job.cancelled()) return;
-        for (std::uint32_t t = piece.begin; t < piece.end; ++t) {
-            std::array<Vector3d, 3> p;
-            for (unsigned k = 0; k < 3; ++k) {
-                p[k] = scene.positions[scene.triangles[t][k]].cast<double>() / grid.resolution_m -
-                       origin;
+}
+
+/// Calls visit(corners) for the triangles of a piece, in units of cells from the grid's first
+/// corner.
+template <class Visit>
+void visitTriangles(const Scene& scene, const VoxelGrid& grid, const Piece& piece, Visit&& visit) {
+    const Vector3d origin(grid.first[0], grid.first[1], grid.first[2]);
+    for (std::uint32_t t = piece.begin; t < piece.end; ++t) {
+        std::array<Vector3d, 3> p;
+        for (unsigned k = 0; k < 3; ++k) {
+            p[k] =
+                scene.positions[scene.triangles[t][k]].cast<double>() / grid.resolution_m - origin;
+        }
+        if ((p[0] + p[1] + p[2]).hasNaN()) continue;
+        const Vector3d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
+        const Vector3d high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+        if (low.allFinite() && high.allFinite()) visit(p, Eigen::AlignedBox3d(low, high));
+    }
+}
+
+void measureReach(const Scene& scene, const VoxelGrid& grid, Piece& piece) {
+    piece.reach.gap_beyond_m.fill(std::numeric_limits<double>::infinity());
+    const Vector3d size(grid.count[0], grid.count[1], grid.count[2]);
+    visitTriangles(scene, grid, piece, [&](const auto&, const Eigen::AlignedBox3d& box) {
+        piece.reach.box_in_cells.extend(box);
+        for (unsigned k = 0; k < 3; ++k) {
+            double& below = piece.reach.gap_beyond_m[2 * k];
+            double& above = piece.reach.gap_beyond_m[2 * k + 1];
+            const double low = box.min()[k];
+            const double high = box.max()[k];
+            if (low < 0.0) below = std::min(below, std::max(0.0, -high) * grid.resolution_m);
+            if (high > size[k]) {
+                above = std::min(above, std::max(0.0, low - size[k]) * grid.resolution_m);
             }
-            const Vector3d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
-            const Vector3d high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
-            if (!low.allFinite() || !high.allFinite() || (p[0] + p[1] + p[2]).hasNaN()) continue;
+        }
+    });
+}
+
+/// Marks what the triangles of a piece touch of the windows. Several threads may mark one cell;
+/// bits only get set, so their order is the same to the result.
+void mark(const Scene& scene, const VoxelGrid& grid, const Piece& piece,
+          const std::vector<CellBox>& windows, std::vector<std::uint8_t>& cells) {
+    visitTriangles(scene, grid, piece, [&](const auto& p, const Eigen::AlignedBox3d& box) {
+        const auto reaches = [&](const CellBox& window) {
             for (unsigned k = 0; k < 3; ++k) {
-                double& below = piece.gap[2 * k];
-                double& above = piece.gap[2 * k + 1];
-                if (low[k] < 0.0) below = std::min(below, std::max(0.0, -high[k]));
-                if (high[k] > size[k]) above = std::min(above, std::max(0.0, low[k] - size[k]));
+                if (box.max()[k] < window.begin[k] - 1.0 || box.min()[k] > window.end[k] + 1.0) {
+                    return false;
+                }
             }
-            const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-            const bool steep = std::abs(normal.z()) < kSteepCosine * normal.norm();
-            const auto kind =
-                static_cast<std::uint8_t>(piece.kind | (steep ? unsigned{kSteep} : 0U));
-            TriangleCells(p[0], p[1], p[2]).visit(grid.count, [&](const std::array<int, 3>& c) {
-                // Several threads may mark one cell; bits only get set, so their order is the same
-                // to the result.
-                std::atomic_ref<std::uint8_t> at(result.cells[grid.indexOf(c[0], c[1], c[2])]);
+            return true;
+        };
+        if (std::ranges::none_of(windows, reaches)) return;
+        const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+        const bool steep = std::abs(normal.z()) < kSteepCosine * normal.norm();
+        const auto kind = static_cast<std::uint8_t>(piece.kind | (steep ? unsigned{kSteep} : 0U));
+        const TriangleCells triangle(p[0], p[1], p[2]);
+        for (const CellBox& window : windows) {
+            triangle.visit(window, [&](const std::array<int, 3>& c) {
+                std::atomic_ref<std::uint8_t> at(cells[grid.indexOf(c[0], c[1], c[2])]);
                 if ((at.load(std::memory_order_relaxed) & kind) != kind) {
                     at.fetch_or(kind, std::memory_order_relaxed);
                 }
             });
         }
     });
-    result.gap_beyond_m.fill(std::numeric_limits<double>::infinity());
-    for (const Piece& piece : pieces) {
-        for (unsigned k = 0; k < 6; ++k) {
-            double& gap = result.gap_beyond_m[k];
-            gap = std::min(gap, piece.gap[k] * grid.resolution_m);
-        }
+}
+
+void join(SurfaceReach& all, const SurfaceReach& part) {
+    all.box_in_cells.extend(part.box_in_cells);
+    for (unsigned k = 0; k < 6; ++k) {
+        all.gap_beyond_m[k] = std::min(all.gap_beyond_m[k], part.gap_beyond_m[k]);
+    }
+}
+
+/// An object without triangles reaches nowhere.
+SurfaceReach nowhere() {
+    SurfaceReach reach;
+    reach.gap_beyond_m.fill(std::numeric_limits<double>::infinity());
+    return reach;
+}
+
+void joinReaches(SurfaceCells& result) {
+    SurfaceReach all = nowhere();
+    for (const SurfaceReach& reach : result.reach) join(all, reach);
+    result.gap_beyond_m = all.gap_beyond_m;
+}
+
+}  // namespace
+
+SurfaceCells voxelize(const Scene& scene, const VoxelGrid& grid, const JobContext& job) {
+    SurfaceCells result;
+    result.cells.assign(grid.size(), 0);
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) addPieces(scene, i, pieces);
+    const std::vector<CellBox> everywhere = {wholeGrid(grid)};
+    parallelFor(pieces.size(), [&](std::size_t index) {
+        if (job.cancelled()) return;
+        measureReach(scene, grid, pieces[index]);
+        mark(scene, grid, pieces[index], everywhere, result.cells);
+    });
+    result.reach.assign(scene.objects.size(), nowhere());
+    for (const Piece& piece : pieces) join(result.reach[piece.object], piece.reach);
+    joinReaches(result);
+    return result;
+}
+
+SurfaceCells voxelizeMoved(const SurfaceCells& before, const Scene& scene, const VoxelGrid& grid,
+                           const std::vector<int>& moved, std::vector<CellBox>& changed,
+                           const JobContext& job) {
+    SurfaceCells result = before;
+    std::vector<Piece> moved_pieces;
+    for (const int id : moved) {
+        const auto index = static_cast<std::size_t>(id) - 1;
+        addPieces(scene, index, moved_pieces);
+        result.reach[index] = nowhere();
+    }
+    parallelFor(moved_pieces.size(),
+                [&](std::size_t i) { measureReach(scene, grid, moved_pieces[i]); });
+    for (const Piece& piece : moved_pieces) join(result.reach[piece.object], piece.reach);
+    joinReaches(result);
+
+    std::vector<CellBox> touched;
+    for (const int id : moved) {
+        const auto index = static_cast<std::size_t>(id) - 1;
+        touched.push_back(cellsAround(grid, before.reach[index].box_in_cells));
+        touched.push_back(cellsAround(grid, result.reach[index].box_in_cells));
+    }
+    touched = apart(touched);
+    for (const CellBox& window : touched) {
+        visitRows(window, grid, [&](std::size_t begin, std::size_t end, int, int, int) {
+            std::fill(result.cells.begin() + static_cast<std::ptrdiff_t>(begin),
+                      result.cells.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{0});
+        });
+    }
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const CellBox reach = cellsAround(grid, result.reach[i].box_in_cells);
+        const auto meets = [&](const CellBox& window) { return overlap(reach, window); };
+        if (std::ranges::any_of(touched, meets)) addPieces(scene, i, pieces);
+    }
+    parallelFor(pieces.size(), [&](std::size_t i) {
+        if (!job.cancelled()) mark(scene, grid, pieces[i], touched, result.cells);
+    });
+    changed.clear();
+    for (const CellBox& window : touched) {
+        const CellBox box = changedIn(window, grid, before.cells, result.cells);
+        if (!box.empty()) changed.push_back(box);
     }
     return result;
 }
