@@ -66,6 +66,7 @@ void Editor::refreshScene() {
     if (workspace_.takeOpened()) {
         selected_.clear();
         playback_.reset();
+        track_time_.reset();
         step_playback_.goTo(0);
         through_camera_ = false;
         sent_scene_.forget();
@@ -118,6 +119,7 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     play();
+    followTracks();
     if (!files_.isOpen() && !panels_.palette.open && !panels_.help.open && !sheet_.isOpen() &&
         !questions_.waiting()) {
         commands_.runShortcuts(&Window::signOfKey);
@@ -149,7 +151,9 @@ void Editor::arrange() {
     layout.bottom = std::clamp(layout.bottom, 110.0F, most_bottom);
     const float left = layout.show_left ? scale * layout.left : 0.0F;
     const float right = layout.show_right ? scale * layout.right : 0.0F;
-    const float bottom = layout.show_bottom ? scale * layout.bottom : 0.0F;
+    // The row for moving things comes on top: it must not push the last strip out of the panel.
+    const float more = hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
+    const float bottom = layout.show_bottom ? scale * layout.bottom + more : 0.0F;
     const float middle = size.y - status - bottom;
     if (layout.show_left) {
         beginPart("left", low, {left, middle});

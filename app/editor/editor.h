@@ -17,6 +17,7 @@
 #include "app/editor/sent_scene.h"
 #include "app/editor/settings.h"
 #include "app/editor/step_playback.h"
+#include "app/editor/track_time.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
 #include "ui/edit_request.h"
@@ -71,6 +72,7 @@ class Editor {
     void addEditCommands();
     void addViewCommands();
     void addTimelineCommands();
+    void addObjectCommands();  // editor_objects.cpp
     void drawMenus();
 
     // editor_panels.cpp
@@ -112,6 +114,20 @@ class Editor {
     /// By what widths and sizes of overlays are multiplied on this screen, from this far.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
+
+    // editor_objects.cpp
+    /// The selected object, where it is one and can be moved; else 0.
+    [[nodiscard]] int movableObject() const;
+    /// Where it will be: the scene on the screen may be behind.
+    [[nodiscard]] OrientedBox objectBox(int id) const;
+    [[nodiscard]] Pose objectPose(int id) const;  // its heading is its turn
+    void moveWithGizmo(const ui::GizmoView& view, int id);
+    [[nodiscard]] nlohmann::json removeKeyHere() const;
+    void playTracks();
+    void goToTrackTime(double time_s);
+    void followTracks();
+    void drawTracks();
+    [[nodiscard]] bool hasTracks() const;
 
     // editor_dialogs.cpp
     void drawDialogs();
@@ -167,6 +183,8 @@ class Editor {
     Selected selected_;
     ui::LayerSettings layer_settings_;
     Playback playback_;
+    TrackTime track_time_;
+    CommandStack::State followed_tracks_;  // from which the tracks' time was read
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;

@@ -34,6 +34,7 @@ void Editor::addCommands() {
     addEditCommands();
     addViewCommands();
     addTimelineCommands();
+    addObjectCommands();
 }
 
 void Editor::addFileCommands() {

@@ -169,12 +169,14 @@ void Editor::drawSelection() {
     view.measured = shown.measured;
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     view.free_space = shown.free_space.get();
+    view.track_time_s = track_time_.now();
     panels_.selection.show_candidates = layer_settings_.candidates;
     const int object =
         selected_.now().kind == ui::Selection::Kind::Object ? selected_.now().objects.front() : 0;
     if (object != 0) view.remedy = remedies_.state(shown, object);
     const ui::SelectionActions actions = ui::drawSelectionPanel(view, panels_.selection);
     layer_settings_.candidates = panels_.selection.show_candidates;
+    if (actions.went_to_s) track_time_.goTo(*actions.went_to_s);
     applyRequest(actions.edit);
     if (actions.frame) commands_.find("view.frame_selected")->run();
     if (actions.go_to_frame >= 0) goToFrame(actions.go_to_frame);
@@ -260,6 +262,7 @@ void Editor::drawBottom() {
     // The algorithm's picture is shown as long as one looks at its steps.
     step_playback_.show(false);
     if (beginTab("Timeline", focus_tab_)) {
+        drawTracks();
         drawTimeline();
         ImGui::EndTabItem();
     }

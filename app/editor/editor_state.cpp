@@ -67,6 +67,8 @@ nlohmann::json Editor::stateJson() {
         {"selection_index", selected_.now().index},
         {"frame", playback_.frame()},
         {"playing", playback_.playing()},
+        {"track_time", track_time_.now()},
+        {"tracks_play", track_time_.playing()},
         {"step", step_playback_.taken()},
         {"through_camera", through_camera_},
         {"edits", workspace_.isOpen() ? editsJson(workspace_.state().edits) : nlohmann::json()},

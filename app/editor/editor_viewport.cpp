@@ -138,7 +138,7 @@ void Editor::requestPreview() {
 void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
     const ui::ViewImage& image = drawing_.view();
     // A picture or layers of what was open before say nothing of what is.
-    if (image.geometry != workspace_.shown().geometry) return;
+    if (!workspace_.shown().hasObjectsOf(image.geometry)) return;
     const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
     const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
     const auto picked = layers_.layers().pick(image.view, pixel, depth, overlayScale());
@@ -182,7 +182,7 @@ OrientedBox Editor::boxInView() {
     const double size = std::clamp(std::round(camera.distance * 2.0) / 10.0, 0.3, 1.0);
     Eigen::Vector3d base = camera.pivot;
     const PlanOutcome& shown = workspace_.shown();
-    const bool is_shown = image.geometry == shown.geometry;
+    const bool is_shown = shown.hasObjectsOf(image.geometry);
     if (const auto surface =
             is_shown ? ui::surfaceAt(image, 0.5 * Eigen::Vector2d(pane_.width, pane_.height))
                      : std::nullopt) {
@@ -217,7 +217,11 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     view.origin = pane_.origin;
     view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered;
     view.turns = point != nullptr;
-    if (no_go != nullptr) {
+    if (const int object = movableObject(); object != 0) {
+        view.pose = objectPose(object);
+        view.turns = true;
+        view.tilts = false;
+    } else if (no_go != nullptr) {
         view.pose.position = no_go->box.center;
     } else if (region != nullptr) {
         view.pose.position = region->box.center;
@@ -236,6 +240,10 @@ void Editor::editWithGizmo() {
         return;
     }
     const ui::GizmoView& view = *handles;
+    if (const int object = movableObject(); object != 0) {
+        moveWithGizmo(view, object);
+        return;
+    }
     const PositionPoint* point = selected_.positionPoint(plan());
     const PlanEdits& edits = workspace_.state().edits.plan;
     const NoGoBox* no_go = selected_.noGoBox(edits.no_go);
@@ -339,7 +347,7 @@ void Editor::drawBars() {
 void Editor::drawCentre() {
     drawBars();
     ui::ViewportView view;
-    view.image = sent_scene_.isSent() && drawing_.ready() ? &drawing_.view() : nullptr;
+    view.image = sent_scene_.isSent() ? &drawing_.view() : nullptr;
     const BackgroundWorker::State loading = workspace_.loading();
     if (loading.busy) {
         view.message = fmt::format("Opening … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,
@@ -347,7 +355,7 @@ void Editor::drawCentre() {
     } else if (!workspace_.isOpen()) {
         view.message = "Drop a scene or a project here, or press Ctrl+O to open one.";
     } else if (view.image == nullptr || view.image->serial == 0 ||
-               view.image->geometry != workspace_.shown().geometry) {
+               !workspace_.shown().hasObjectsOf(view.image->geometry)) {
         view.image = nullptr;
         const bool failed = !workspace_.shown().scene && !workspace_.planError().empty();
         view.message = failed ? "The scene cannot be shown: " + workspace_.planError()

@@ -11,6 +11,7 @@ namespace dollytrack::editor {
 class GizmoSession {
   public:
     [[nodiscard]] bool dragging() const { return state_.dragged != ui::GizmoPart::None; }
+    [[nodiscard]] bool turning() const { return state_.dragged == ui::GizmoPart::Yaw; }
     /// Where the dragged point is; nothing while none is dragged.
     [[nodiscard]] const std::optional<Pose>& draggedPose() const { return pose_; }
 

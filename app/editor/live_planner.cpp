@@ -19,6 +19,7 @@ struct LivePlanner::Desk {
     std::shared_ptr<const Scene> scene;
     std::vector<std::string> warnings;
     std::uint64_t geometry = 0;
+    std::uint64_t objects_since = 0;
     std::optional<planning::Pipeline> pipeline;
 
     Status prepareScene(const PlanRequest& request, const planning::PlanParams& params);
@@ -34,6 +35,7 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     if (same_file && scene && same_rules && scene_edits == edits) return {};
     const bool goes_on = same_file && scene != nullptr;
     const bool same_geometry = goes_on && sameGeometry(scene_edits, edits);
+    const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
     if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
     imported = request.imported;
@@ -44,6 +46,7 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     warnings.assign(all.begin() + static_cast<std::ptrdiff_t>(imported_ones), all.end());
     scene = std::make_shared<const Scene>(std::move(*edited));
     if (!same_geometry) ++geometry;
+    if (!same_objects) objects_since = geometry;
     // Frees its memory before the new one is built; where things have only moved much is kept.
     if (!goes_on) pipeline.reset();
     if (pipeline) {
@@ -85,6 +88,7 @@ void LivePlanner::start(PlanRequest request) {
         }
         outcome.scene = desk->scene;
         outcome.geometry = desk->geometry;
+        outcome.objects_since = desk->objects_since;
         outcome.warnings = desk->warnings;
         const PlanEdits edits =
             findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);

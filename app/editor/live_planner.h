@@ -35,6 +35,7 @@ struct PlanOutcome {
     std::shared_ptr<const ProjectState> state;
     std::shared_ptr<const Scene> scene;  // with the state's edits
     std::uint64_t geometry = 0;          // equal numbers: equal triangles in equal objects
+    std::uint64_t objects_since = 0;     // since that geometry objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error
@@ -44,6 +45,11 @@ struct PlanOutcome {
     std::optional<Error> error;
     bool outdated = false;              // the plan is of an earlier request: the newest was refused
     std::vector<std::string> warnings;  // edits that no longer fit the scene
+
+    /// Whether a picture of that geometry shows the same objects, if perhaps elsewhere.
+    [[nodiscard]] bool hasObjectsOf(std::uint64_t other_geometry) const {
+        return other_geometry >= objects_since && other_geometry <= geometry;
+    }
 };
 
 /// Plans in the background, keeping what earlier plans of the same scene made, so that a change

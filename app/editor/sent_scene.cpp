@@ -5,7 +5,7 @@ namespace dollytrack::editor {
 void SentScene::forget() {
     sent_ = false;
     looked_at_ = false;
-    geometry_ = 0;
+    objects_since_ = 0;
     scene_.reset();
     light_.reset();
 }
@@ -17,7 +17,7 @@ bool SentScene::send(const PlanOutcome& shown,
     scene_ = shown.scene;
     light_ = light;
     sent_ = true;
-    return std::exchange(geometry_, shown.geometry) != shown.geometry;
+    return std::exchange(objects_since_, shown.objects_since) != shown.objects_since;
 }
 
 }  // namespace dollytrack::editor

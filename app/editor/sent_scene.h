@@ -27,7 +27,7 @@ class SentScene {
     ui::RenderThread& drawing_;
     bool sent_ = false;
     bool looked_at_ = false;
-    std::uint64_t geometry_ = 0;
+    std::uint64_t objects_since_ = 0;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const render::LightVolume> light_;
 };

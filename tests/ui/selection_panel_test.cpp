@@ -7,6 +7,8 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace dollytrack::ui {
 namespace {
 
@@ -93,6 +95,7 @@ class SelectionPanelTest : public testing::Test {
         view.plan = &plan;
         view.measured = true;
         view.edits = &state.edits;
+        view.track_time_s = track_time_s;
         const SelectionActions now = drawSelectionPanel(view, memory);
         if (now.edit.asks()) {
             asked.push_back(now.edit);
@@ -127,6 +130,7 @@ class SelectionPanelTest : public testing::Test {
     std::optional<Pose> looked;
     int frame = -1;
     bool framed = false;
+    double track_time_s = 0.0;
     test::Screen screen{[this] { draw(); }, 340, 1000};
 };
 
@@ -167,6 +171,37 @@ TEST_F(SelectionPanelTest, FrontIsTypedInDegreesAndDraggedAsOneStep) {
     EXPECT_FALSE(asked[0].merge_key.empty());
     EXPECT_TRUE(drag_ended);
     EXPECT_LT(change().front->x(), -0.1);
+}
+
+TEST_F(SelectionPanelTest, MoveAndTurnArePutBackEachByItself) {
+    show(Selection::ofObject(sofa));
+    EXPECT_FALSE(screen.enabled("selection.move.reset"));
+    ASSERT_TRUE(screen.typeInto("selection.move.x", "0.25"));
+    ASSERT_TRUE(screen.typeInto("selection.turn", "90"));
+    ASSERT_TRUE(screen.click("selection.move.reset"));
+    EXPECT_TRUE(change().move->offset_m.isZero(0.0));
+    EXPECT_DOUBLE_EQ(change().move->turn_rad, 0.5 * std::numbers::pi);
+    ASSERT_TRUE(screen.click("selection.turn.reset"));
+    EXPECT_TRUE(state.edits.scene.changes.empty());
+}
+
+TEST_F(SelectionPanelTest, KeysAreSetWhereTheObjectIsAndTakenAway) {
+    show(Selection::ofObject(sofa));
+    EXPECT_FALSE(screen.enabled("selection.remove_key"));
+    EXPECT_FALSE(screen.enabled("selection.remove_track"));
+    ASSERT_TRUE(screen.click("selection.add_key"));
+    track_time_s = 2.5;
+    ASSERT_TRUE(screen.typeInto("selection.move.x", "0.25"));
+    ASSERT_TRUE(screen.click("selection.add_key"));
+    ASSERT_EQ(change().track.size(), 2U);
+    EXPECT_EQ(change().track[1], (TrackKey{2.5, {{0.25, 0, 0}, 0.0}}));
+    ASSERT_TRUE(screen.click("selection.key.0"));
+    EXPECT_EQ(asked.back().operation, (json{{"op", "at_time"}, {"time_s", 0.0}}));
+    ASSERT_TRUE(screen.click("selection.remove_key"));
+    ASSERT_EQ(change().track.size(), 1U) << "that of 2.5 s is gone";
+    EXPECT_EQ(change().track[0].time_s, 0.0);
+    ASSERT_TRUE(screen.click("selection.remove_track"));
+    EXPECT_TRUE(state.edits.scene.changes.empty());
 }
 
 TEST_F(SelectionPanelTest, CapturedObjectLeadsToItsFrameAndPoint) {

@@ -12,6 +12,9 @@ void drawObject(const SelectionView& view, int id, SelectionState& state,
                 SelectionActions& actions);
 void drawObjects(const SelectionView& view, SelectionState& state, SelectionActions& actions);
 
+// selection_track.cpp: where an object is at which time
+void drawTrack(const SelectionView& view, int id, SelectionActions& actions);
+
 // selection_search.cpp: what was tried for an observation point, and how it ended
 void drawSearch(const SelectionView& view, int observation_point, SelectionActions& actions);
 void drawCandidate(const SelectionView& view, SelectionActions& actions);

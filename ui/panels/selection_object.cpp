@@ -6,6 +6,7 @@
 #include "ui/widgets/class_combo.h"
 #include "ui/widgets/drag_fields.h"
 #include "ui/widgets/form.h"
+#include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
@@ -115,14 +116,30 @@ void drawMove(const Said& said, const json& key, EditRequest& edit) {
         }
         edit.ends_merge = edit.ends_merge || field.finished;
     };
+    // A cross puts back what is not as in the file, and leaves room for itself where nothing is.
+    const auto reset = [&](const char* name, const char* tip, bool changed, const char* what,
+                           json value) {
+        ImGui::SameLine();
+        if (iconButton(Icon::Close, name,
+                       {tip, changed ? "" : "It is where the scene file has it."})) {
+            edit.operation = {{"op", "move_object"}, {"object", key}};
+            edit.operation[what] = std::move(value);
+        }
+    };
+    const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x;
     formLabel("Moved", "From where the scene file has it, m");
     Eigen::Vector3d offset = said.move.offset_m;
-    const FieldEdit moved = dragPoint(offset, kPlaceRange, "selection.move");
+    const FieldEdit moved = dragPoint(offset, kPlaceRange, "selection.move", {}, room);
     request(moved, "offset", pointJson(offset));
+    reset("selection.move.reset", "Back to its place in the file (Alt+G)",
+          !said.move.offset_m.isZero(0.0), "offset", pointJson(Eigen::Vector3d::Zero()));
     formLabel("Turned", "About the vertical through its middle; positive is counter-clockwise");
     double turn = said.move.turn_rad * 180.0 / std::numbers::pi;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - room);
     const FieldEdit turned = dragNumber(turn, kAngleRange, "selection.turn");
     request(turned, "turn_deg", turn);
+    reset("selection.turn.reset", "As the file has it (Alt+R)", said.move.turn_rad != 0.0,
+          "turn_deg", 0.0);
 }
 
 void drawButtons(const SelectionView& view, const Object& object, SelectionActions& actions) {
@@ -241,6 +258,7 @@ void drawObject(const SelectionView& view, int id, SelectionState& state,
     drawCapture(view, object, actions);
     heading("Properties");
     drawProperties(view, object, state, actions);
+    drawTrack(view, id, actions);
     if (view.plan == nullptr || object.role != Role::Target) return;
     const int point = observationPointOf(*view.plan, id);
     if (point < 0) return;

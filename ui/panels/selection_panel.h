@@ -24,6 +24,7 @@ struct SelectionView {
     const Edits* edits = nullptr;                     // the newest; may be ahead of scene and plan
     const planning::FreeSpace* free_space = nullptr;  // null before planning
     RemedySearch remedy;                              // of the selected object
+    double track_time_s = 0.0;                        // at which objects' tracks are looked at
 };
 
 /// What the panel remembers between frames.
@@ -41,10 +42,16 @@ struct SelectionActions {
     int go_to_frame = -1;
     std::optional<Pose> look_through;
     RemedyActions remedy;
+    std::optional<double> went_to_s;  // the time of the tracks that `edit` goes to
 };
 
 /// What is known of the thing that was clicked, why the plan treats it as it does, and what can be
 /// changed of it.
 SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& state);
+
+/// The operation that gives an object's track a key at this time, where the object now is.
+nlohmann::json addKeyOperation(const Edits& edits, const Scene& scene, int id, double time_s);
+/// And the one that takes it away; null where there is none.
+nlohmann::json removeKeyOperation(const Edits& edits, const Scene& scene, int id, double time_s);
 
 }  // namespace dollytrack::ui

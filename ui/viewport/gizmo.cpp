@@ -19,6 +19,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kArrow_px = 78.0;  // length on the screen, whatever the distance
 constexpr double kRing_px = 58.0;
 constexpr double kGrab_px = 9.0;
+constexpr double kClick_px = 2.0;  // a hand that clicks is not quite still
 
 constexpr std::array<ImU32, 3> kAxisColors = {
     IM_COL32(232, 84, 84, 255), IM_COL32(104, 200, 96, 255), IM_COL32(88, 140, 255, 255)};
@@ -151,6 +152,9 @@ Pose dragged(const GizmoView& view, const GizmoState& state) {
 void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
     state.dragged = part;
     state.begin = view.pose;
+    state.pressed_at = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
+    state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
+    state.moved = false;
     const render::ViewRay ray = rayUnderMouse(view);
     if (part == GizmoPart::MoveFree) {
         state.grabbed_at = onScreenPlane(ray, view, view.pose.position);
@@ -178,8 +182,8 @@ std::optional<Handles> handlesOf(const GizmoView& view) {
         handles.tips[i] = paint.at(view.pose.position + length * Eigen::Vector3d::Unit(i));
     }
     if (view.turns) {
-        handles.curves = {curve(paint, view.pose, GizmoPart::Yaw),
-                          curve(paint, view.pose, GizmoPart::Pitch)};
+        handles.curves[0] = curve(paint, view.pose, GizmoPart::Yaw);
+        if (view.tilts) handles.curves[1] = curve(paint, view.pose, GizmoPart::Pitch);
     }
     return handles;
 }
@@ -260,12 +264,19 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
     if (state.dragged != GizmoPart::None) {
         hot = state.dragged;
         if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            actions.pose = dragged(view, state);
-            actions.changed =
-                ImGui::GetIO().MouseDelta.x != 0.0F || ImGui::GetIO().MouseDelta.y != 0.0F;
+            const ImGuiIO& io = ImGui::GetIO();
+            const double way = std::hypot(io.MousePos.x - state.pressed_at.x(),
+                                          io.MousePos.y - state.pressed_at.y());
+            state.moved = state.moved || way > scaled(kClick_px);
+            if (state.moved) {
+                actions.pose = dragged(view, state);
+                actions.changed = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
+            }
         } else {
             state.dragged = GizmoPart::None;
             actions.finished = true;
+            actions.clicked = !state.moved;
+            actions.with_ctrl = state.pressed_with_ctrl;
         }
     }
     actions.has_mouse = hot != GizmoPart::None;

@@ -16,7 +16,8 @@ struct GizmoView {
     render::View view;                                 // of the viewport's picture
     Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // of the picture in the window, px
     Pose pose;                                         // of the thing that is edited
-    bool turns = true;                                 // has handles for yaw and pitch
+    bool turns = true;                                 // has a handle for yaw
+    bool tilts = true;                                 // and one for pitch
     bool hovered = false;                              // the viewport has the mouse
 };
 
@@ -24,7 +25,10 @@ struct GizmoView {
 struct GizmoState {
     GizmoPart dragged = GizmoPart::None;
     Pose begin;
-    double grabbed = 0.0;  // m along the axis, or radians around it
+    Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // of the window, px
+    bool pressed_with_ctrl = false;  // Ctrl may be up again when the button is
+    bool moved = false;              // far enough to be no click
+    double grabbed = 0.0;            // m along the axis, or radians around it
     Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
 };
 
@@ -32,6 +36,8 @@ struct GizmoActions {
     bool has_mouse = false;  // the viewport must leave the mouse alone
     bool changed = false;
     bool finished = false;
+    bool clicked = false;  // it ended without having begun: meant is what lies behind
+    bool with_ctrl = false;
     Pose pose;
 };
 

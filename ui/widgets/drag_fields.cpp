@@ -35,10 +35,10 @@ FieldEdit dragNumber(double& value, const DragRange& range, const std::string& n
 }
 
 FieldEdit dragPoint(Eigen::Vector3d& point, const DragRange& range, const std::string& name,
-                    const std::string& tip) {
+                    const std::string& tip, float spare) {
     FieldEdit edit;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const float width = (ImGui::GetContentRegionAvail().x - spare - 2 * gap) / 3;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(width);

@@ -25,9 +25,9 @@ constexpr DragRange kAngleRange = {-360.0, 360.0, 0.5F, "%.1f", "\u00b0"};
 /// A number with the width set by SetNextItemWidth().
 FieldEdit dragNumber(double& value, const DragRange& range, const std::string& name,
                      const std::string& tip = {});
-/// Three numbers that share the width at hand; named `name`.x, .y and .z.
+/// Three numbers that share the width at hand but for `spare` px; named `name`.x, .y and .z.
 FieldEdit dragPoint(Eigen::Vector3d& point, const DragRange& range, const std::string& name,
-                    const std::string& tip = {});
+                    const std::string& tip = {}, float spare = 0.0F);
 
 /// What was edited of a box.
 struct BoxEdit {

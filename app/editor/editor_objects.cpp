@@ -1,0 +1,239 @@
+#include "app/editor/editor.h"
+
+#include "engine/document/object_track.h"
+#include "ui/panels/edit_parts.h"
+#include "ui/panels/track_bar.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::editor {
+
+using ui::Selection;
+
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+const std::string kTimeMerge = "track time";
+
+ObjectMove moveOf(const Edits& edits, const Scene& scene, int id) {
+    const ObjectChange* change = ui::findChange(edits, scene, id);
+    return change != nullptr ? change->move.value_or(ObjectMove{}) : ObjectMove{};
+}
+
+/// A heading as the turn next to this one, so that a key goes on from the key before and not round
+/// the other way; the operation takes one round either way.
+double turnDegrees(double heading, double turn_rad) {
+    constexpr double kRound = 2.0 * std::numbers::pi;
+    const double next = turn_rad + std::remainder(heading - turn_rad, kRound);
+    return (std::abs(next) <= kRound ? next : std::remainder(next, kRound)) * kDegrees;
+}
+
+/// The edges of a box over the viewport's picture.
+void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
+    const std::array<Eigen::Vector3d, 8> corners = box.corners();
+    std::array<std::optional<ImVec2>, 8> at;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Eigen::Vector3d p = view.view.pose.toCamera(corners[i]);
+        if (p.z() <= 0.01) continue;
+        const Eigen::Vector2d pixel = view.view.project(p);
+        at[i] = ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
+                       static_cast<float>(pixel.y()) + view.origin.y());
+    }
+    for (std::size_t i = 0; i < 8; ++i) {
+        for (std::size_t k = i + 1; k < 8; ++k) {
+            // Two corners share an edge when they differ along one of the box's own axes.
+            const Eigen::Vector3d way = corners[k] - corners[i];
+            int along = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const Eigen::Vector3d own =
+                    axis == 2
+                        ? Eigen::Vector3d::UnitZ().eval()
+                        : Eigen::Vector3d(std::cos(box.yaw + axis * 0.5 * std::numbers::pi),
+                                          std::sin(box.yaw + axis * 0.5 * std::numbers::pi), 0.0);
+                along += std::abs(way.dot(own)) > 1e-6 ? 1 : 0;
+            }
+            if (along != 1 || !at[i] || !at[k]) continue;
+            ImGui::GetWindowDrawList()->AddLine(*at[i], *at[k], IM_COL32(255, 214, 70, 220),
+                                                ui::scaled(1.6F));
+        }
+    }
+}
+
+}  // namespace
+
+int Editor::movableObject() const {
+    const PlanOutcome& shown = workspace_.shown();
+    if (!selected_.is(Selection::Kind::Object) || !shown.scene || !workspace_.isOpen()) return 0;
+    const auto id = static_cast<std::size_t>(selected_.objects().front());
+    // Numbers of objects that are being made anew mean something else.
+    const bool same =
+        shown.state->edits.scene.definitions == workspace_.state().edits.scene.definitions;
+    return same && id >= 1 && id <= shown.scene->objects.size() ? static_cast<int>(id) : 0;
+}
+
+OrientedBox Editor::objectBox(int id) const {
+    const PlanOutcome& shown = workspace_.shown();
+    const ObjectMove before = moveOf(shown.state->edits, *shown.scene, id);
+    const ObjectMove now = moveOf(workspace_.state().edits, *shown.scene, id);
+    OrientedBox box = shown.scene->object(id).box;
+    box.center += now.offset_m - before.offset_m;
+    box.yaw += now.turn_rad - before.turn_rad;
+    return box;
+}
+
+Pose Editor::objectPose(int id) const {
+    const ObjectMove now = moveOf(workspace_.state().edits, *workspace_.shown().scene, id);
+    Pose pose;
+    pose.position = objectBox(id).center;
+    pose.rotation = lookAlong({std::cos(now.turn_rad), std::sin(now.turn_rad), 0.0});
+    return pose;
+}
+
+void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
+    const PlanOutcome& shown = workspace_.shown();
+    const ObjectMove before = moveOf(shown.state->edits, *shown.scene, id);
+    const ObjectMove now = moveOf(workspace_.state().edits, *shown.scene, id);
+    const Eigen::Vector3d in_file = shown.scene->object(id).box.center - before.offset_m;
+    if (gizmo_.dragging() || !(now == before)) drawOutline(objectBox(id), view);
+    const ui::GizmoActions actions = gizmo_.draw(view);
+    if (actions.changed) {
+        nlohmann::json operation = {{"op", "move_object"},
+                                    {"object", ui::objectKey(*shown.scene, id)}};
+        if (gizmo_.turning()) {
+            const Eigen::Vector3d way = actions.pose.forward();
+            operation["turn_deg"] = turnDegrees(std::atan2(way.y(), way.x()), now.turn_rad);
+        } else {
+            operation["offset"] = ui::pointJson(actions.pose.position - in_file);
+        }
+        apply(operation, "gizmo object " + std::to_string(id));
+    }
+    if (actions.finished) workspace_.endMerge();
+    if (gizmo_.dragging()) window_.animate();
+    // The handles are in the middle of what is selected, where one may want the thing before it.
+    if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl);
+}
+
+void Editor::addObjectCommands() {
+    const auto needs_object = [this]() -> std::string {
+        return movableObject() != 0 ? "" : "Select one object first.";
+    };
+    const auto putBack = [this](const char* what, const nlohmann::json& value) {
+        nlohmann::json operation = {
+            {"op", "move_object"},
+            {"object", ui::objectKey(*workspace_.shown().scene, movableObject())}};
+        operation[what] = value;
+        apply(operation);
+    };
+    commands_.add({"edit.clear_move",
+                   "Edit",
+                   "Put the object back to its place",
+                   {GLFW_KEY_G, false, false, true},
+                   [putBack] { putBack("offset", ui::pointJson(Eigen::Vector3d::Zero())); },
+                   needs_object});
+    commands_.add({"edit.clear_turn",
+                   "Edit",
+                   "Turn the object back",
+                   {GLFW_KEY_R, false, false, true},
+                   [putBack] { putBack("turn_deg", 0.0); },
+                   needs_object});
+    commands_.add({"edit.add_key",
+                   "Edit",
+                   "Give the object a key at this time",
+                   {GLFW_KEY_I},
+                   [this] {
+                       apply(ui::addKeyOperation(workspace_.state().edits,
+                                                 *workspace_.shown().scene, movableObject(),
+                                                 track_time_.now()));
+                   },
+                   needs_object});
+    commands_.add({"edit.remove_key",
+                   "Edit",
+                   "Take the object's key at this time away",
+                   {GLFW_KEY_I, false, false, true},
+                   [this] { apply(removeKeyHere()); },
+                   [this, needs_object]() -> std::string {
+                       const std::string why_not = needs_object();
+                       if (!why_not.empty()) return why_not;
+                       return removeKeyHere().is_null() ? "It has no key at this time." : "";
+                   }});
+    commands_.add({"timeline.play_tracks",
+                   "Timeline",
+                   "Let things with keys move",
+                   {GLFW_KEY_SPACE, false, true},
+                   [this] { playTracks(); },
+                   [this]() -> std::string {
+                       const bool any = workspace_.isOpen() &&
+                                        lastKeyTime(workspace_.state().edits.scene).value_or(0) > 0;
+                       return any ? "" : "No object has two keys.";
+                   }});
+}
+
+nlohmann::json Editor::removeKeyHere() const {
+    return ui::removeKeyOperation(workspace_.state().edits, *workspace_.shown().scene,
+                                  movableObject(), track_time_.now());
+}
+
+void Editor::playTracks() {
+    // What plays is one step of undo.
+    workspace_.endMerge();
+    track_time_.toggle(lastKeyTime(workspace_.state().edits.scene).value_or(0.0));
+}
+
+void Editor::goToTrackTime(double time_s) {
+    track_time_.goTo(time_s);
+    apply({{"op", "at_time"}, {"time_s", time_s}}, kTimeMerge);
+}
+
+void Editor::followTracks() {
+    if (!workspace_.isOpen()) return;
+    const SceneEdits& edits = workspace_.state().edits.scene;
+    if (track_time_.playing()) {
+        window_.animate();
+        const PlanOutcome& shown = workspace_.shown();
+        const bool ready = shown.plan != nullptr && shown.state == workspace_.history().state();
+        const double last_s = lastKeyTime(edits).value_or(0.0);
+        if (const auto time_s = track_time_.advance(ImGui::GetIO().DeltaTime, last_s, ready)) {
+            apply({{"op", "at_time"}, {"time_s", *time_s}}, kTimeMerge);
+            if (!track_time_.playing()) workspace_.endMerge();
+        }
+        // Where the plan fails there is nothing to wait for.
+        if (!workspace_.planError().empty()) track_time_.stop();
+    }
+    // Undo, and edits of other kinds, may have put them elsewhere.
+    if (followed_tracks_ != workspace_.history().state()) {
+        followed_tracks_ = workspace_.history().state();
+        track_time_.follow(workspace_.state().edits.scene);
+    }
+}
+
+bool Editor::hasTracks() const {
+    return workspace_.isOpen() && workspace_.shown().scene &&
+           lastKeyTime(workspace_.state().edits.scene).has_value();
+}
+
+void Editor::drawTracks() {
+    if (!hasTracks()) return;
+    const Edits& edits = workspace_.state().edits;
+    const double last_s = *lastKeyTime(edits.scene);
+    ui::TrackBarView view;
+    view.time_s = track_time_.now();
+    view.last_s = last_s;
+    view.is_there = track_time_.isThere();
+    view.playing = track_time_.playing();
+    if (const int id = movableObject(); id != 0) {
+        if (const ObjectChange* change = ui::findChange(edits, *workspace_.shown().scene, id)) {
+            for (const TrackKey& key : change->track) view.keys_s.push_back(key.time_s);
+        }
+    }
+    const ui::TrackBarActions actions = ui::drawTrackBar(view);
+    if (actions.go_to_s) goToTrackTime(*actions.go_to_s);
+    if (actions.finished) workspace_.endMerge();
+    if (actions.toggle_play) playTracks();
+}
+
+}  // namespace dollytrack::editor
