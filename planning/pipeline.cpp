@@ -279,9 +279,11 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const std::vector<double> weights = objectWeights(*scene, edits.regions);
-            ends = {pointOfPin(*placed, edits, edits.start), pointOfPin(*placed, edits, edits.end),
+            ends = {pointOfPin(*placed, edits, edits.start),
+                    pointOfPin(*placed, edits, edits.end),
                     params.constraints.loop,
-                    pointWeights(points().viewpoints.position_points, weights), weights,
+                    pointWeights(points().viewpoints.position_points, weights),
+                    weights,
                     params.timing.max_frames};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
