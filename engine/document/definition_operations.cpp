@@ -1,3 +1,4 @@
+#include "engine/document/change_words.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/regroup.h"
 
@@ -126,7 +127,8 @@ std::string merge(ProjectState& state, const OperationContext& context,
         successors.push_back({{next++, part ? definition.name : object.name}});
     }
     followAll(state.edits, scene, successors);
-    std::string name = fmt::format("Make {} of {}", definition.name, inWords(definition.objects));
+    std::string name =
+        fmt::format("Make {} of {}", definition.name, listInWords(definition.objects));
     state.edits.scene.definitions.push_back(std::move(definition));
     return name;
 }

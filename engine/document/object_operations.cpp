@@ -1,3 +1,4 @@
+#include "engine/document/change_words.h"
 #include "engine/document/object_track.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/target_filter.h"
@@ -77,33 +78,41 @@ std::vector<std::string> patterns(const OperationReader& fields) {
 
 std::string excludeObject(ProjectState& state, const OperationContext& context,
                           const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
+    std::vector<ObjectRef> objects = fields.objects("object");
     if (!fields.good()) return {};
-    if (context.scene.object(object.id).role == Role::Structure) {
+    const std::string first = objects.front().name;
+    std::erase_if(objects, [&](const ObjectRef& object) {
+        return context.scene.object(object.id).role == Role::Structure;
+    });
+    if (objects.empty()) {
         fields.field("object").refuse(
-            fmt::format("'{}' is a part of the building and no target anyway.", object.name));
+            fmt::format("'{}' is a part of the building and no target anyway.", first));
         return {};
     }
-    // A part of the building that was made a target becomes what it was.
-    const bool structure = context.scene.object(object.id).structure;
-    alter(state, context, object, [&](ObjectChange& change) {
-        change.role = structure ? std::nullopt : std::optional(Role::Excluded);
-    });
-    return "Exclude " + object.name;
+    for (const ObjectRef& object : objects) {
+        // A part of the building that was made a target becomes what it was.
+        const bool structure = context.scene.object(object.id).structure;
+        alter(state, context, object, [&](ObjectChange& change) {
+            change.role = structure ? std::nullopt : std::optional(Role::Excluded);
+        });
+    }
+    return "Exclude " + listInWords(objects);
 }
 
 std::string includeObject(ProjectState& state, const OperationContext& context,
                           const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
+    const std::vector<ObjectRef> objects = fields.objects("object");
     if (!fields.good()) return {};
-    // Import makes everything a target that is no structure, and lists may take it back; only then
-    // does it need to be said.
-    const Object& included = context.scene.object(object.id);
-    const bool say = included.structure || isFilteredOut(included, state.edits.scene);
-    alter(state, context, object, [&](ObjectChange& change) {
-        change.role = say ? std::optional(Role::Target) : std::nullopt;
-    });
-    return "Include " + object.name;
+    for (const ObjectRef& object : objects) {
+        // Import makes everything a target that is no structure, and lists may take it back; only
+        // then does it need to be said.
+        const Object& included = context.scene.object(object.id);
+        const bool say = included.structure || isFilteredOut(included, state.edits.scene);
+        alter(state, context, object, [&](ObjectChange& change) {
+            change.role = say ? std::optional(Role::Target) : std::nullopt;
+        });
+    }
+    return "Include " + listInWords(objects);
 }
 
 std::string setClass(ProjectState& state, const OperationContext& context,

@@ -14,6 +14,7 @@ using nlohmann::json;
 
 // Fields that several operations share.
 const OperationField kObject = {"object", "object", true, "its name or number"};
+const OperationField kOneOrMore = {"object", "objects", true, "its name or number, or a list"};
 const OperationField kObjects = {"objects", "objects", true,
                                  "those that the observation point stands for"};
 const OperationField kName = {"name", "text", false, "a name of its own; else one is made"};
@@ -44,12 +45,12 @@ const std::vector<OperationInfo>& infos() {
          {{"name", "text", true, "of the parameter"}, {"value", "value", true, "number or word"}}},
         {"exclude",
          excludeObject,
-         "Makes an object no target: an obstacle and a label only.",
-         {kObject}},
+         "Makes objects no targets: obstacles and labels only.",
+         {kOneOrMore}},
         {"include",
          includeObject,
-         "Makes an object a target, a part of the building as well.",
-         {kObject}},
+         "Makes objects targets, parts of the building as well.",
+         {kOneOrMore}},
         {"set_class",
          setClass,
          "Sets the class of an object.",

@@ -1,12 +1,10 @@
-#include "engine/document/operation_table.h"
-
+#include "engine/document/change_words.h"
 #include "engine/document/named_entries.h"
+#include "engine/document/operation_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace dollytrack {
@@ -61,28 +59,6 @@ bool standsFor(const std::vector<ObjectRef>& objects, const std::vector<ObjectRe
            });
 }
 
-// What is written and read back, or turned and turned back, differs in the last digits.
-constexpr double kSameLength_m = 1e-6;
-constexpr double kSameAngle = 1e-6;
-
-/// What was done to a view, for people.
-std::string_view changeOf(const Pose& before, const Pose& after) {
-    const bool moved = (before.position - after.position).norm() > kSameLength_m;
-    const bool turned = before.rotation.angularDistance(after.rotation) > kSameAngle;
-    if (moved && turned) return "Move and turn";
-    return turned ? "Turn" : "Move";
-}
-
-/// The same of a box. One side drawn out moves the centre as well.
-std::string_view changeOf(const OrientedBox& before, const OrientedBox& after) {
-    const bool moved = (before.center - after.center).norm() > kSameLength_m;
-    const bool resized = (before.half_size - after.half_size).norm() > kSameLength_m;
-    const bool turned = std::abs(before.yaw - after.yaw) > kSameAngle;
-    if (resized) return turned ? "Resize and turn" : "Resize";
-    if (moved && turned) return "Move and turn";
-    return turned ? "Turn" : "Move";
-}
-
 }  // namespace
 
 std::string setParameter(ProjectState& state, const OperationContext& context,
@@ -134,13 +110,12 @@ std::string pin(ProjectState& state, const OperationContext& context,
     });
     if (found != pinned.end() && !fields.has("name")) {
         const Pose before = std::exchange(found->pose, fields.pose(found->pose));
-        return fmt::format("{} the pinned view of {}", changeOf(before, found->pose),
-                           inWords(objects));
+        return fmt::format("{} {}", changeOf(before, found->pose), viewInWords(*found));
     } else {
         const std::string name = freeName(pinned, fields, inWords(objects));
         pinned.push_back({name, fields.pose({}), objects});
     }
-    return "Pin the view of " + inWords(objects);
+    return "Pin the view of " + listInWords(objects);
 }
 
 std::string addPoint(ProjectState& state, const OperationContext&, const OperationReader& fields) {
@@ -155,14 +130,16 @@ std::string movePoint(ProjectState& state, const OperationContext&, const Operat
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
     const Pose before = std::exchange(found->pose, fields.pose(found->pose));
-    return fmt::format("{} {}", changeOf(before, found->pose), found->name);
+    return fmt::format("{} {}", changeOf(before, found->pose), viewInWords(*found));
 }
 
 std::string unpin(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
-    std::string name = "Unpin " + found->name;
+    std::string name =
+        "Unpin " +
+        (found->objects.empty() ? found->name : "the view of " + listInWords(found->objects));
     pinned.erase(found);
     forgetLostEnds(state.edits.plan);
     return name;
@@ -182,7 +159,7 @@ std::string removePoint(ProjectState& state, const OperationContext& context,
             return standsFor(removed.objects, objects, context.scene);
         });
     if (!already) plan.removed.push_back({objects});
-    return "Remove the view of " + inWords(objects);
+    return "Remove the view of " + listInWords(objects);
 }
 
 std::string restorePoint(ProjectState& state, const OperationContext& context,
@@ -197,7 +174,7 @@ std::string restorePoint(ProjectState& state, const OperationContext& context,
         fields.field("objects").refuse(
             fmt::format("The view of {} was not removed.", inWords(objects)));
     }
-    return "Restore the view of " + inWords(objects);
+    return "Restore the view of " + listInWords(objects);
 }
 
 std::string setStart(ProjectState& state, const OperationContext&, const OperationReader& fields) {

@@ -1,3 +1,4 @@
+#include "engine/document/change_words.h"
 #include "engine/document/named_entries.h"
 #include "engine/document/operation_table.h"
 
@@ -11,6 +12,25 @@ void readInterest(Region& region, const OperationReader& fields) {
     const JsonReader must_see = fields.field("must_see");
     if (!must_see.json().is_boolean()) must_see.refuse("This must be true or false.");
     if (must_see.good()) region.must_see = must_see.json().get<bool>();
+}
+
+/// Each thing that is another now, for the history.
+std::string whatWasDone(const Region& before, const Region& after) {
+    std::vector<std::string> done;
+    if (!(before.box == after.box)) {
+        done.push_back(fmt::format("{} {}", changeOf(before.box, after.box), before.name));
+    }
+    if (before.weight != after.weight) {
+        done.push_back(fmt::format("Set the weight of {} to {:g}", before.name, after.weight));
+    }
+    if (before.must_see != after.must_see) {
+        done.push_back(after.must_see ? fmt::format("Ask to see all of {}", before.name)
+                                      : fmt::format("No longer ask to see all of {}", before.name));
+    }
+    if (before.name != after.name) {
+        done.push_back(fmt::format("Rename {} to {}", before.name, after.name));
+    }
+    return done.empty() ? "Change " + after.name : fmt::format("{}", fmt::join(done, ", "));
 }
 
 }  // namespace
@@ -31,7 +51,7 @@ std::string changeRegion(ProjectState& state, const OperationContext&,
     std::vector<Region>& regions = state.edits.plan.regions;
     const auto found = findNamed(regions, fields.field("name"), "region");
     if (!fields.good()) return {};
-    std::string done = "Change " + found->name;
+    const Region before = *found;
     if (fields.has("center") || fields.has("size") || fields.has("yaw_deg")) {
         found->box = fields.box(found->box);
     }
@@ -43,10 +63,9 @@ std::string changeRegion(ProjectState& state, const OperationContext&,
         if (name != found->name && isTaken(regions, name)) {
             to.refuse(fmt::format("Another region is called '{}' already.", name));
         }
-        done = fmt::format("Rename {} to {}", found->name, name);
         found->name = name;
     }
-    return done;
+    return whatWasDone(before, *found);
 }
 
 std::string removeRegion(ProjectState& state, const OperationContext&,

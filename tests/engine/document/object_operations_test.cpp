@@ -150,4 +150,24 @@ TEST(Operation, NumbersFollowWhatDefinitionsDo) {
     EXPECT_TRUE(scene.report.warnings.empty());
 }
 
+// One step of undo, and the history names everything it touched.
+TEST(Operation, ExcludesAndIncludesSeveralObjectsAtOnce) {
+    Editing editing;
+    const json all = {"lamp", "pair", "mug", 1};  // the last is the building's
+    auto names = editing.apply({{{"op", "exclude"}, {"object", all}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_EQ(names->front(), "Exclude lamp, pair and mug");
+    Scene scene = editing.scene();
+    EXPECT_EQ(std::ranges::count(scene.objects, Role::Excluded, &Object::role), 3);
+    EXPECT_NE(scene.object(1).role, Role::Excluded);
+    names = editing.apply({{{"op", "include"}, {"object", {"lamp", "mug"}}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_EQ(names->front(), "Include lamp and mug");
+    scene = editing.scene();
+    EXPECT_EQ(editing.find(scene, "lamp")->role, Role::Target);
+    EXPECT_EQ(editing.find(scene, "pair")->role, Role::Excluded);
+    EXPECT_FALSE(editing.apply({{{"op", "exclude"}, {"object", {1, 2}}}}))
+        << "nothing but the building";
+}
+
 }  // namespace dollytrack

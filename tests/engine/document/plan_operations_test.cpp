@@ -118,6 +118,29 @@ TEST(Operation, NamesWhatWasDoneToABoxOrAView) {
     EXPECT_EQ(nameOf(there), "Pin the view of mug");
     there["position"] = {1, 2, 1};
     EXPECT_EQ(nameOf(there), "Move the pinned view of mug");
+    // The point has its object's name, but it is not the object that moves.
+    const json moved = {{"op", "move_point"}, {"point", "mug"}, {"position", {1, 2.5, 1}}};
+    EXPECT_EQ(nameOf(moved), "Move the pinned view of mug");
+    EXPECT_EQ(nameOf({{"op", "unpin"}, {"point", "mug"}}), "Unpin the view of mug");
+}
+
+TEST(Operation, NamesEachThingThatIsAnotherInARegion) {
+    Editing editing;
+    ASSERT_TRUE(editing.apply(
+        {{{"op", "add_region"}, {"name", "altar"}, {"center", {1, 1, 1}}, {"size", {1, 1, 1}}}}));
+    const auto nameOf = [&](json change) {
+        change["op"] = "change_region";
+        change["name"] = editing.state.edits.plan.regions[0].name;
+        return editing.apply(json::array({change}))->front();
+    };
+    EXPECT_EQ(nameOf({{"center", {2, 1, 1}}}), "Move altar");
+    EXPECT_EQ(nameOf({{"size", {2, 1, 1}}}), "Resize altar");
+    EXPECT_EQ(nameOf({{"yaw_deg", 20}}), "Turn altar");
+    EXPECT_EQ(nameOf({{"weight", 2.5}}), "Set the weight of altar to 2.5");
+    EXPECT_EQ(nameOf({{"must_see", true}}), "Ask to see all of altar");
+    EXPECT_EQ(nameOf({{"must_see", false}, {"weight", 1}}),
+              "Set the weight of altar to 1, No longer ask to see all of altar");
+    EXPECT_EQ(nameOf({{"to", "choir"}}), "Rename altar to choir");
 }
 
 }  // namespace dollytrack
