@@ -25,6 +25,12 @@ void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more =
     ImGui::Begin(name, nullptr, kPart | more);
 }
 
+/// The points by hand that the plan on the screen was made with.
+const std::vector<PinnedPoint>& pinnedIn(const PlanOutcome& shown) {
+    static const std::vector<PinnedPoint> kNone;
+    return shown.state ? shown.state->edits.plan.pinned : kNone;
+}
+
 }  // namespace
 
 Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook& log,
@@ -39,11 +45,13 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       export_folder_(&Window::wake),
       sheet_(&Window::wake),
       files_(&Window::wake),
+      pieces_(&Window::wake),
       sent_scene_(drawing_),
       questions_(workspace_, doors()),
       pictures_(&Window::wake) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
+    panels_.timeline.strips = settings_.layout.strips;
     addCommands();
     makeExportQueue();
     for (const Field& field : parameters_.standard()) {
@@ -52,7 +60,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
 }
 
 Editor::~Editor() {
-    settings_.window = window_.settings();
+    rememberSettings();
     if (const Status saved = saveSettings(settings_); !saved) {
         log::warn("editor", describe(saved.error()));
     }
@@ -64,7 +72,7 @@ void Editor::setTheme() {
 
 void Editor::refreshScene() {
     if (workspace_.takeOpened()) {
-        selected_.clear();
+        selected_.forget();
         playback_.reset();
         track_time_.reset();
         step_playback_.goTo(0);
@@ -76,14 +84,11 @@ void Editor::refreshScene() {
         autosave_.discard();
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
-        if (!workspace_.isOpen()) {
-            drawing_.setScene(nullptr, nullptr, 0);
-        } else {
-            settings_.addRecent(workspace_.path().empty() ? workspace_.sceneFile()
-                                                          : workspace_.path());
-        }
+        noted_file_.clear();
+        if (!workspace_.isOpen()) drawing_.setScene(nullptr, nullptr, 0);
     }
     const PlanOutcome& shown = workspace_.shown();
+    selected_.follow(shown.objects);
     if (plan_timeline_.follow(shown.scene.get(), shown.plan)) {
         playback_.setFrameCount(frameCount());
         if (plan() != nullptr) {
@@ -91,10 +96,15 @@ void Editor::refreshScene() {
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
         }
         // Indices into the plan before mean nothing in this one, in the middle of a drag as well.
-        if (!selected_.keepIn(plan())) dropGizmo();
+        const bool chosen = selected_.is(ui::Selection::Kind::PositionPoint);
+        if (!selected_.keepIn(plan(), pinnedIn(shown))) dropGizmo();
+        if (!chosen && selected_.is(ui::Selection::Kind::PositionPoint)) {
+            panels_.preview.shows_selection = true;
+            focus_tab_ = "Selection";
+        }
     }
     if (!shown.scene) return;
-    if (sent_scene_.send(shown, workspace_.light())) selected_.keepIn(*shown.scene);
+    sent_scene_.send(shown, workspace_.light());
 }
 
 void Editor::play() {
@@ -132,6 +142,7 @@ bool Editor::frame() {
     requestPicture();
     requestPreview();
     autosave();
+    rememberSettings();
     window_.setTitle(workspace_.title());
     return !quitting_;
 }
@@ -204,6 +215,18 @@ void Editor::arrange() {
     }
 }
 
+void Editor::rememberSettings() {
+    if (workspace_.isOpen()) {
+        // Opened, or saved under another name.
+        const std::filesystem::path& file =
+            workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
+        if (noted_file_ != file) settings_.addRecent(noted_file_ = file);
+    }
+    settings_.window = window_.settings();
+    settings_.layout.strips = panels_.timeline.strips;
+    settings_saver_.follow(settings_);
+}
+
 void Editor::autosave() {
     if (!workspace_.isOpen()) return;
     const CommandStack::State& state = workspace_.history().state();
@@ -216,8 +239,22 @@ void Editor::autosave() {
 }
 
 void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
+    const std::vector<PinnedPoint> pinned_before =
+        workspace_.isOpen() ? workspace_.state().edits.plan.pinned : std::vector<PinnedPoint>();
     if (const Status done = workspace_.apply(operation, merge_key); !done) {
-        questions_.tell({true, "That cannot be done", describe(done.error()), {}});
+        // What an operation says of its fields is for those who write operations.
+        const bool refused = done.error().code == ErrorCode::Usage;
+        questions_.tell({true,
+                         "That cannot be done",
+                         refused ? done.error().message : describe(done.error()),
+                         {}});
+        return;
+    }
+    // What is a part of a larger step, as of a remedy, leaves the selection where it is.
+    if (!merge_key.empty() || (operation["op"] != "pin" && operation["op"] != "add_point")) return;
+    // A point set by hand is there to be moved: its handles show when it is selected.
+    for (const PinnedPoint& point : workspace_.state().edits.plan.pinned) {
+        if (std::ranges::count(pinned_before, point) == 0) selected_.awaitPin(point.name);
     }
 }
 
@@ -246,7 +283,7 @@ void Editor::dropGizmo() {
 
 void Editor::select(ui::Selection selection) {
     if (!(selection == selected_.now())) dropGizmo();
-    selected_.set(std::move(selection), plan());
+    selected_.set(std::move(selection), plan(), pinnedIn(workspace_.shown()));
     // One wants to see what a point sees.
     panels_.preview.shows_selection = selected_.is(ui::Selection::Kind::PositionPoint);
     if (selected_.is(ui::Selection::Kind::Frame)) goToFrame(selected_.now().index);

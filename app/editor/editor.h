@@ -9,6 +9,7 @@
 #include "app/editor/parameter_draft.h"
 #include "app/editor/picture_file.h"
 #include "app/editor/picture_saver.h"
+#include "app/editor/piece_count.h"
 #include "app/editor/plan_timeline.h"
 #include "app/editor/playback.h"
 #include "app/editor/questions.h"
@@ -16,6 +17,7 @@
 #include "app/editor/selected.h"
 #include "app/editor/sent_scene.h"
 #include "app/editor/settings.h"
+#include "app/editor/settings_saver.h"
 #include "app/editor/step_playback.h"
 #include "app/editor/track_time.h"
 #include "app/editor/window.h"
@@ -63,6 +65,7 @@ class Editor {
     void arrange();
     void refreshScene();
     void autosave();
+    void rememberSettings();
     void setTheme();
     void play();
 
@@ -160,6 +163,8 @@ class Editor {
     Window& window_;
     ui::LogBook& log_;
     EditorSettings settings_;
+    SettingsSaver settings_saver_;
+    std::filesystem::path noted_file_;  // the newest of the recent ones
     Workspace workspace_;
     Autosave autosave_;
     ui::RenderThread drawing_;
@@ -181,6 +186,7 @@ class Editor {
 
     // What is chosen and shown.
     Selected selected_;
+    PieceCount pieces_;
     ui::LayerSettings layer_settings_;
     Playback playback_;
     TrackTime track_time_;

@@ -89,42 +89,39 @@ void Editor::addEditCommands() {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
                    }});
     const auto needs_object = [this]() -> std::string {
+        if (!workspace_.shown().scene) return "No scene is open.";
         return selected_.objects().empty() ? "Select an object first." : "";
     };
-    commands_.add({"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
-                   [this] {
-                       const std::vector<int> objects = selected_.objects();
-                       workspace_.endMerge();
-                       for (const int id : objects) {
-                           apply({{"op", "exclude"}, {"object", id}}, "exclude selected");
-                       }
-                       workspace_.endMerge();
-                   },
-                   needs_object});
-    commands_.add({"edit.include",
-                   "Edit",
-                   "Make what is selected a target",
-                   {GLFW_KEY_X, false, true},
-                   [this] {
-                       const std::vector<int> objects = selected_.objects();
-                       workspace_.endMerge();
-                       for (const int id : objects) {
-                           apply({{"op", "include"}, {"object", id}}, "include selected");
-                       }
-                       workspace_.endMerge();
-                   },
-                   needs_object});
+    commands_.add(
+        {"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
+         [this] {
+             apply({{"op", "exclude"},
+                    {"object", ui::objectKeys(*workspace_.shown().scene, selected_.objects())}});
+         },
+         needs_object});
+    commands_.add(
+        {"edit.include",
+         "Edit",
+         "Make what is selected a target",
+         {GLFW_KEY_X, false, true},
+         [this] {
+             apply({{"op", "include"},
+                    {"object", ui::objectKeys(*workspace_.shown().scene, selected_.objects())}});
+         },
+         needs_object});
     commands_.add({"edit.split",
                    "Edit",
                    "Split into connected pieces",
                    {},
                    [this] {
                        const int id = selected_.objects().front();
-                       selected_.clear();
                        apply({{"op", "split"}, {"object", id}});
                    },
                    [this]() -> std::string {
-                       return selected_.objects().size() == 1 ? "" : "Select one object first.";
+                       if (selected_.objects().size() != 1) return "Select one object first.";
+                       const auto pieces =
+                           pieces_.of(workspace_.shown().scene, selected_.objects().front());
+                       return pieces == 1 ? "It is one connected piece." : "";
                    }});
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {

@@ -170,6 +170,9 @@ void Editor::drawSelection() {
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     view.free_space = shown.free_space.get();
     view.track_time_s = track_time_.now();
+    if (selected_.is(Selection::Kind::Object)) {
+        view.pieces = pieces_.of(shown.scene, selected_.objects().front());
+    }
     panels_.selection.show_candidates = layer_settings_.candidates;
     const int object =
         selected_.now().kind == ui::Selection::Kind::Object ? selected_.now().objects.front() : 0;

@@ -20,6 +20,14 @@ nlohmann::json inWindow(const render::View& view, const ui::ViewportActions& pan
     return {at.x() + pane.origin.x(), at.y() + pane.origin.y()};
 }
 
+std::vector<std::size_t> numbersOf(const std::vector<bool>& flags) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        if (flags[i]) numbers.push_back(i);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 nlohmann::json Editor::exportsJson() const {
@@ -92,6 +100,7 @@ nlohmann::json Editor::stateJson() {
         {"window", {window_.settings().width, window_.settings().height}},
         {"autosaves", autosave_.count()},
         {"hidden", std::ranges::count(selected_.hidden(), true)},
+        {"hidden_ids", numbersOf(selected_.hidden())},
         {"dialogs",
          {{"file", files_.isOpen()},
           {"help", panels_.help.open},

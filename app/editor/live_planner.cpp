@@ -17,6 +17,7 @@ struct LivePlanner::Desk {
     SceneEdits scene_edits;
     SizeRules size_rules;
     std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const ObjectTrace> objects;
     std::vector<std::string> warnings;
     std::uint64_t geometry = 0;
     std::uint64_t objects_since = 0;
@@ -38,6 +39,10 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
     if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+    if (!goes_on || scene_edits.definitions != edits.definitions) {
+        objects =
+            std::make_shared<const ObjectTrace>(traceObjects(*request.imported, edits.definitions));
+    }
     imported = request.imported;
     scene_edits = edits;
     size_rules = rules;
@@ -87,6 +92,7 @@ void LivePlanner::start(PlanRequest request) {
             return publish();
         }
         outcome.scene = desk->scene;
+        outcome.objects = desk->objects;
         outcome.geometry = desk->geometry;
         outcome.objects_since = desk->objects_since;
         outcome.warnings = desk->warnings;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/document/object_trace.h"
 #include "engine/document/project_state.h"
 #include "engine/jobs/background_worker.h"
 #include "engine/plan/plan.h"
@@ -33,9 +34,10 @@ struct PlanRequest {
 struct PlanOutcome {
     std::uint64_t serial = 0;
     std::shared_ptr<const ProjectState> state;
-    std::shared_ptr<const Scene> scene;  // with the state's edits
-    std::uint64_t geometry = 0;          // equal numbers: equal triangles in equal objects
-    std::uint64_t objects_since = 0;     // since that geometry objects have only moved
+    std::shared_ptr<const Scene> scene;          // with the state's edits
+    std::shared_ptr<const ObjectTrace> objects;  // of that scene, by the imported one
+    std::uint64_t geometry = 0;                  // equal numbers: equal triangles in equal objects
+    std::uint64_t objects_since = 0;             // since that geometry objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error

@@ -34,9 +34,33 @@ const Region* Selected::region(const std::vector<Region>& regions) const {
     return is(Kind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
 }
 
-void Selected::set(ui::Selection selection, const Plan* plan) {
+void Selected::set(ui::Selection selection, const Plan* plan,
+                   const std::vector<PinnedPoint>& pinned) {
     now_ = std::move(selection);
     objects_of_point_ = objectsOfPoint(plan);
+    awaited_pin_.clear();
+    pin_of_point_.clear();
+    const PositionPoint* point = positionPoint(plan);
+    if (point == nullptr || point->pin < 0) return;
+    const auto pin = static_cast<std::size_t>(point->pin);
+    if (pin < pinned.size()) pin_of_point_ = pinned[pin].name;
+}
+
+void Selected::clear() {
+    set({}, nullptr, {});
+}
+
+bool Selected::selectPin(const std::string& name, const Plan& plan,
+                         const std::vector<PinnedPoint>& pinned) {
+    if (name.empty()) return false;
+    for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
+        const int pin = plan.position_points[i].pin;
+        if (pin < 0 || static_cast<std::size_t>(pin) >= pinned.size()) continue;
+        if (pinned[static_cast<std::size_t>(pin)].name != name) continue;
+        set(ui::Selection::ofItem(Kind::PositionPoint, static_cast<int>(i)), &plan, pinned);
+        return true;
+    }
+    return false;
 }
 
 ui::Selection Selected::withObject(int object, bool add) const {
@@ -53,7 +77,18 @@ ui::Selection Selected::withObject(int object, bool add) const {
     return selection;
 }
 
-bool Selected::keepIn(const Plan* plan) {
+bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
+    std::string awaited = std::exchange(awaited_pin_, {});
+    if (plan != nullptr && selectPin(awaited, *plan, pinned)) return true;
+    const bool kept = keepPlace(plan, pinned);
+    // A plan made with the pin that has no point for it never gets one: its place is not legal.
+    if (std::ranges::count(pinned, awaited, &PinnedPoint::name) == 0) {
+        awaited_pin_ = std::move(awaited);
+    }
+    return kept;
+}
+
+bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
     // Objects, cells of space and boxes are not the plan's.
     if (is(Kind::None) || is(Kind::Voxel) || is(Kind::NoGoBox) || is(Kind::Region) ||
         !now_.objects.empty()) {
@@ -64,6 +99,7 @@ bool Selected::keepIn(const Plan* plan) {
     };
     // A frame is a moment; a point is what it looks at; other numbers mean something else now.
     if (plan != nullptr && is(Kind::Frame) && fits(plan->trajectory.frames.size())) return true;
+    if (plan != nullptr && selectPin(std::string(pin_of_point_), *plan, pinned)) return true;
     if (plan != nullptr && !objects_of_point_.empty()) {
         for (std::size_t i = 0; i < plan->observation_points.size(); ++i) {
             if (plan->observation_points[i].objects != objects_of_point_) continue;
@@ -79,11 +115,23 @@ bool Selected::keepIn(const Plan* plan) {
     return false;
 }
 
-void Selected::keepIn(const Scene& scene) {
-    hidden_.assign(scene.objects.size() + 1, false);
-    std::erase_if(now_.objects,
-                  [&](int id) { return static_cast<std::size_t>(id) > scene.objects.size(); });
-    if (now_.objects.empty()) clear();
+void Selected::follow(const std::shared_ptr<const ObjectTrace>& objects) {
+    if (!objects || objects == objects_now_) return;
+    const std::shared_ptr<const ObjectTrace> before = std::exchange(objects_now_, objects);
+    // The first of a project has nothing before it: followed from itself, none is hidden.
+    const ObjectTrace& from = before ? *before : *objects;
+    hidden_ = followFlags(hidden_, from, *objects);
+    objects_of_point_ = followObjects(objects_of_point_, from, *objects);
+    if (now_.objects.empty()) return;
+    now_.objects = followObjects(now_.objects, from, *objects);
+    if (now_.objects.empty()) return clear();
+    now_.kind = now_.objects.size() == 1 ? Kind::Object : Kind::Objects;
+}
+
+void Selected::forget() {
+    clear();
+    hidden_.clear();
+    objects_now_.reset();
 }
 
 void Selected::toggleHidden(int object) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "engine/document/edits.h"
+#include "engine/document/object_trace.h"
 #include "engine/plan/plan.h"
 #include "engine/scene/scene.h"
 #include "ui/selection.h"
 
 #include <Eigen/Geometry>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace dollytrack::editor {
@@ -28,15 +31,21 @@ class Selected {
     /// The selected region; null: none is.
     [[nodiscard]] const Region* region(const std::vector<Region>& regions) const;
 
-    void set(ui::Selection selection, const Plan* plan);
-    void clear() { set({}, nullptr); }
+    /// `pinned` are the points by hand that the plan was made with.
+    void set(ui::Selection selection, const Plan* plan, const std::vector<PinnedPoint>& pinned);
+    void clear();
+    /// The point pinned under this name is selected as soon as a plan has it.
+    void awaitPin(const std::string& name) { awaited_pin_ = name; }
     /// The objects with this one in or out, or this one alone.
     [[nodiscard]] ui::Selection withObject(int object, bool add) const;
     /// There is a new plan, in which indices mean something else. False: what was selected is not
     /// there any more, and nothing is selected now.
-    bool keepIn(const Plan* plan);
-    /// The scene has other objects: none is hidden, and those that are gone are not selected.
-    void keepIn(const Scene& scene);
+    bool keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned);
+    /// The scene's objects may be others, with other numbers: what is selected or hidden follows
+    /// its object. Comes before keepIn(), which looks for objects by their new numbers.
+    void follow(const std::shared_ptr<const ObjectTrace>& objects);
+    /// Another project is open, or none: nothing of the one before is to be followed.
+    void forget();
 
     [[nodiscard]] const std::vector<bool>& hidden() const { return hidden_; }  // by object id
     void toggleHidden(int object);
@@ -49,10 +58,16 @@ class Selected {
 
   private:
     [[nodiscard]] std::vector<int> objectsOfPoint(const Plan* plan) const;
+    bool keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned);
+    bool selectPin(const std::string& name, const Plan& plan,
+                   const std::vector<PinnedPoint>& pinned);
 
     ui::Selection now_;
     std::vector<int> objects_of_point_;  // ids: what a selected point looks at
+    std::string pin_of_point_;           // its name, of a selected position point; empty: none
+    std::string awaited_pin_;
     std::vector<bool> hidden_;
+    std::shared_ptr<const ObjectTrace> objects_now_;  // whose numbers all of these are
 };
 
 }  // namespace dollytrack::editor

@@ -17,8 +17,8 @@ class SentScene {
 
     /// Another project is open, or none: nothing of it is sent yet.
     void forget();
-    /// Sends the scene and its light where they are others than before; true when the objects are.
-    bool send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
+    /// Sends the scene and its light where they are others than before.
+    void send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
     [[nodiscard]] bool isSent() const { return sent_; }
     /// Whether the project was not looked at before; once.
     [[nodiscard]] bool takeFirstLook() { return !std::exchange(looked_at_, true); }
@@ -27,7 +27,6 @@ class SentScene {
     ui::RenderThread& drawing_;
     bool sent_ = false;
     bool looked_at_ = false;
-    std::uint64_t objects_since_ = 0;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const render::LightVolume> light_;
 };

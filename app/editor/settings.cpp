@@ -6,11 +6,17 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 
 namespace dollytrack::editor {
 namespace {
+
+/// In the order of TimelineStrip.
+constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
+    "clearance", "speed", "turn", "score", "in_view", "captured"};
 
 std::filesystem::path userFolder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);
@@ -59,6 +65,12 @@ EditorSettings loadSettings() {
         settings.layout.show_left = layout.value("show_left", true);
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
+        if (layout.contains("strips")) {
+            const auto shown = layout["strips"].get<std::vector<std::string>>();
+            for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
+                settings.layout.strips[i] = std::ranges::count(shown, kStripNames[i]) > 0;
+            }
+        }
         if (layout.contains("show_legend")) {
             settings.layout.show_legend = layout["show_legend"].get<bool>();
         }
@@ -90,6 +102,10 @@ Status saveSettings(const EditorSettings& settings) {
                            {"zoom", settings.zoom},
                            {"recent", settings.recent},
                            {"last_folder", settings.last_folder}};
+    nlohmann::json& strips = json["layout"]["strips"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
+        if (settings.layout.strips[i]) strips.push_back(kStripNames[i]);
+    }
     if (settings.layout.show_legend) json["layout"]["show_legend"] = *settings.layout.show_legend;
     std::error_code error;
     std::filesystem::create_directories(configFolder(), error);

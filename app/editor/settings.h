@@ -2,8 +2,10 @@
 
 #include "app/editor/window.h"
 #include "engine/core/result.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/theme.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +22,8 @@ struct Layout {
     bool show_right = true;
     bool show_bottom = true;
     std::optional<bool> show_legend;  // none: where the viewport has room for it
+    std::array<bool, ui::kTimelineStrips> strips = ui::TimelineState().strips;
+    bool operator==(const Layout&) const = default;
 };
 
 /// What the editor remembers from one start to the next: not about a project, about the person.
@@ -30,6 +34,7 @@ struct EditorSettings {
     double zoom = 1.0;                // of all widgets, on top of the screen's own scale
     std::vector<std::string> recent;  // newest first
     std::string last_folder;
+    bool operator==(const EditorSettings&) const = default;
 
     void addRecent(const std::filesystem::path& path);
 };

@@ -18,6 +18,7 @@ struct WindowSettings {
     int width = 1440;
     int height = 900;
     bool maximized = false;
+    bool operator==(const WindowSettings&) const = default;
 };
 
 /// The window with its OpenGL context, its events and Dear ImGui. One in a program.

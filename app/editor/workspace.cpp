@@ -48,10 +48,11 @@ void Workspace::load(const std::filesystem::path& path,
     const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
     loader_.start([absolute, scene_instead, restored, outbox = loaded_](const JobContext& job) {
         LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
+        outcome.relocated = scene_instead.has_value();
         try {
             Result<ProjectContent> content = readProject(absolute);
             if (content && scene_instead) content->scene_file = *scene_instead;
-            outcome.scene_is_missing = content && sceneIsGone(*content);
+            if (content && sceneIsGone(*content)) outcome.missing_scene = content->scene_file;
             outcome.opened = std::move(content).and_then(
                 [&](ProjectContent&& read) { return openProject(std::move(read), job); });
             if (outcome.opened && restored) takeHistory(outcome);
@@ -134,15 +135,18 @@ void Workspace::finishOpening(LoadOutcome outcome) {
             outcome.opened->file_sha256 = std::move(outcome.origin.sha256);
         }
         install(std::move(*outcome.opened), std::move(outcome.history));
-        if (!outcome.restored) return;
-        restored_from_ = outcome.path;
-        stack_.markUnsaved();
+        if (outcome.restored) restored_from_ = outcome.path;
+        // Where its scene is now the project's file does not know yet.
+        if (outcome.restored || outcome.relocated) stack_.markUnsaved();
         return;
     }
     const Error& error = outcome.opened.error();
     if (error.code == ErrorCode::Cancelled) return;
     Notice notice{true, "Cannot open " + name, describe(error)};
-    if (outcome.scene_is_missing) {
+    if (!outcome.missing_scene.empty()) {
+        notice.text = "Its scene " + outcome.missing_scene.string() +
+                      " is not there any more. Find it where it is now, or put it back and open "
+                      "the project again.";
         notice.missing_scene_of = outcome.path;
         notice.restores = outcome.restored;
     }

@@ -116,8 +116,9 @@ class Workspace {
         std::filesystem::path path;
         Result<OpenedProject> opened;
         bool restored = false;
-        bool scene_is_missing = false;
-        Autosave::Origin origin = {};                       // of what is restored
+        bool relocated = false;                    // its scene was found elsewhere
+        std::filesystem::path missing_scene = {};  // where it should be; empty: it is there
+        Autosave::Origin origin = {};              // of what is restored
         std::optional<CommandStack::History> history = {};  // the same; none: it was not kept
     };
     struct SaveOutcome {

@@ -1,14 +1,11 @@
 #include "app/editor/playback.h"
 
-#include "app/editor/selected.h"
 #include "app/editor/step_playback.h"
 
 #include <gtest/gtest.h>
 
 namespace dollytrack::editor {
 namespace {
-
-using ui::Selection;
 
 TEST(Playback, LosesNoTimeBetweenFramesAndStopsAtTheEnd) {
     Playback playback;
@@ -42,52 +39,6 @@ TEST(StepPlayback, GoesFromStopToStop) {
     EXPECT_FALSE(steps.playing());
     steps.toggle(next);
     EXPECT_EQ(steps.taken(), 0U);
-}
-
-Plan planOf(const std::vector<std::vector<int>>& objects_of_points) {
-    Plan plan;
-    for (const std::vector<int>& objects : objects_of_points) {
-        ObservationPoint point;
-        point.objects = objects;
-        PositionPoint place;
-        place.observation_point = static_cast<int>(plan.observation_points.size());
-        plan.observation_points.push_back(point);
-        plan.position_points.push_back(place);
-    }
-    return plan;
-}
-
-TEST(Selected, FindsAPointAgainByWhatItLooksAt) {
-    const Plan before = planOf({{1}, {2, 3}, {4}});
-    const Plan after = planOf({{5}, {4}, {1}, {2, 3}});
-    Selected selected;
-    selected.set(Selection::ofItem(Selection::Kind::PositionPoint, 1), &before);
-    EXPECT_TRUE(selected.keepIn(&after));
-    EXPECT_EQ(selected.now().index, 3);
-    EXPECT_EQ(selected.positionPoint(&after), &after.position_points[3]);
-    const Plan without = planOf({{5}, {2}});
-    EXPECT_FALSE(selected.keepIn(&without));
-    EXPECT_TRUE(selected.is(Selection::Kind::None));
-}
-
-TEST(Selected, ForgetsEdgesAndKeepsObjectsInANewPlan) {
-    const Plan plan = planOf({{1}});
-    Selected selected;
-    selected.set(Selection::ofItem(Selection::Kind::Edge, 0), &plan);
-    EXPECT_FALSE(selected.keepIn(&plan));
-    selected.set(selected.withObject(4, false), &plan);
-    selected.set(selected.withObject(2, true), &plan);
-    EXPECT_TRUE(selected.is(Selection::Kind::Objects));
-    EXPECT_TRUE(selected.keepIn(nullptr));
-    EXPECT_EQ(selected.objects(), (std::vector<int>{4, 2}));
-    Scene scene;
-    scene.objects.resize(3);
-    selected.keepIn(scene);
-    EXPECT_EQ(selected.objects(), std::vector<int>{2});
-    selected.hideObjects();
-    EXPECT_EQ(selected.hidden(), (std::vector<bool>{false, false, true, false}));
-    selected.set(selected.withObject(2, true), &plan);
-    EXPECT_TRUE(selected.is(Selection::Kind::None));
 }
 
 }  // namespace

@@ -83,6 +83,18 @@ void drawState(const Object& object, const ObjectCapture* capture) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", why.c_str());
 }
 
+/// Scrolls only where the row is not in sight, and as little as it takes where a part of it is: the
+/// list must not jump away under the mouse that clicked the row.
+void bringRowIntoView() {
+    const float top = ImGui::GetWindowPos().y + ImGui::GetFrameHeight();  // below the header
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    const float low = ImGui::GetItemRectMin().y;
+    const float high = ImGui::GetItemRectMax().y;
+    if (high < top || low > bottom) return ImGui::SetScrollHereY(0.5F);
+    if (low < top) ImGui::SetScrollY(ImGui::GetScrollY() - (top - low));
+    if (high > bottom) ImGui::SetScrollY(ImGui::GetScrollY() + (high - bottom));
+}
+
 void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& object,
              bool with_class, ObjectsActions& actions) {
     ImGui::PushID(object.id);
@@ -110,7 +122,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     const std::string class_name = className(object.nyu40);
     if (shown_name != name || !with_class) tooltip(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
-        ImGui::SetScrollHereY(0.5F);
+        bringRowIntoView();
         state.scroll_to = 0;
     }
     if (with_class) {

@@ -151,7 +151,11 @@ void drawButtons(const SelectionView& view, const Object& object, SelectionActio
     }
     flowTo("Split into pieces");
     if (button("Split into pieces", "selection.split",
-               {.tip = "Makes an object of every connected piece"})) {
+               {.why_not = view.pieces == 1 ? "It is one connected piece." : "",
+                .tip = view.pieces ? fmt::format("Makes {} objects of it, one of every connected "
+                                                 "piece",
+                                                 *view.pieces)
+                                   : "Makes an object of every connected piece"})) {
         actions.edit.operation = {{"op", "split"}, {"object", key}};
     }
     flowTo("Reset");

@@ -25,6 +25,7 @@ struct SelectionView {
     const planning::FreeSpace* free_space = nullptr;  // null before planning
     RemedySearch remedy;                              // of the selected object
     double track_time_s = 0.0;                        // at which objects' tracks are looked at
+    std::optional<std::size_t> pieces;  // connected ones of the object; nothing: being counted
 };
 
 /// What the panel remembers between frames.

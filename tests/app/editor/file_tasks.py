@@ -34,6 +34,17 @@ class Files(Task):
         self.assertEqual(after["edits"]["changes"], before["edits"]["changes"])
         self.assertFalse(after["unsaved"])
 
+    def test_a_project_saved_on_the_way_out_is_among_the_recent_ones(self):
+        self.changed_room()
+        self.editor.key("ctrl+q")
+        self.editor.click("message.save")
+        project = self.folder / "last.dolly"
+        self.editor.choose_file(project)
+        self.assertEqual(self.editor.wait_end(), 0)
+        self.editor.tidy()
+        state = self.start()
+        self.assertEqual(state["recent"][0], str(project))
+
     def test_save_again_with_the_keyboard(self):
         self.changed_room()
         project = self.folder / "kept.dolly"

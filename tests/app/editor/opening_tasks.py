@@ -96,7 +96,9 @@ class Opening(Task):
         moved = self.folder / "second.obj"
         scene.rename(moved)
         self.start(project)
-        self.notice()
+        notice = self.notice()
+        self.assertIn(str(scene), notice)
+        self.assertNotIn("scene.path", notice, "a field of the file, which nobody sees here")
         self.editor.click("message.find_the_scene")
         self.editor.choose_file(moved)
         self.editor.wait(lambda state: state["open"], "the project to open")
@@ -104,6 +106,10 @@ class Opening(Task):
         self.assertEqual(state["project"], str(project))
         self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.5)
         self.assertEqual(state["plan"]["objects"], 5)
+        self.assertTrue(state["unsaved"], "the file still names the old place")
+        self.editor.key("ctrl+s")
+        self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
+        self.assertIn("second.obj", json.loads(project.read_text())["scene"]["path"])
 
     def test_open_a_recent_file_from_the_menu(self):
         self.start_room()

@@ -14,6 +14,7 @@ Programs.command_line = sys.argv.pop(1)
 from edit_tasks import ByHand  # noqa: E402,F401
 from export_tasks import Exporting  # noqa: E402,F401
 from file_tasks import Files  # noqa: E402,F401
+from following_tasks import Following  # noqa: E402,F401
 from moving_tasks import Moving  # noqa: E402,F401
 from opening_tasks import Opening  # noqa: E402,F401
 from scene_tasks import Looking, Selecting, Timeline  # noqa: E402,F401

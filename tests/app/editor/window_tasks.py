@@ -1,4 +1,6 @@
 """The window itself: its size, its theme, help and the log."""
+import time
+
 from screen import Screen
 from task import Task
 
@@ -38,6 +40,21 @@ class Window(Task):
         self.editor.key("F1")
         self.editor.item("help.filter")
         self.assertInside((800, 500))
+
+    def test_a_killed_editor_remembers_what_was_set(self):
+        self.start_room()
+        self.editor.menu("window", "window.light")
+        strips = {name for name in self.editor.items() if name.startswith("timeline.strip.")}
+        state = self.editor.drag("splitter.left", (400, 300))
+        width = state["items"]["viewport"][0]
+        time.sleep(1.0)
+        self.editor.kill()
+        state = self.start_room()
+        self.assertEqual(state["theme"], "light")
+        self.assertAlmostEqual(state["items"]["viewport"][0], width, delta=1)
+        self.assertEqual(state["recent"], [str(self.room)])
+        self.assertEqual(strips, {name for name in state["items"]
+                                  if name.startswith("timeline.strip.")})
 
     def test_light_theme_and_larger_text_are_remembered(self):
         self.start_room()

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/jobs/background_worker.h"
+#include "engine/scene/scene.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::editor {
+
+/// Of how many connected pieces the selected object is: counted in the background when it is
+/// selected, since a million triangles take a while. Main thread only.
+class PieceCount {
+  public:
+    explicit PieceCount(std::function<void()> wake) : counter_(std::move(wake)) {}
+
+    /// Once a frame while the object is selected; nothing while it is being counted.
+    std::optional<std::size_t> of(const std::shared_ptr<const Scene>& scene, int object);
+
+  private:
+    struct Counted {
+        std::shared_ptr<const Scene> scene;
+        int object = 0;
+        std::size_t pieces = 0;
+    };
+    std::shared_ptr<const Scene> asked_scene_;
+    int asked_object_ = 0;
+    std::optional<Counted> counted_;
+    std::shared_ptr<Outbox<Counted>> answer_ = std::make_shared<Outbox<Counted>>();
+    BackgroundWorker counter_;
+};
+
+}  // namespace dollytrack::editor
