@@ -9,6 +9,13 @@
 
 namespace dollytrack::ui {
 
+/// Of the candidates most are outside of the room, where they hide it and say little.
+constexpr ShownVerdicts allButOutside() {
+    ShownVerdicts shown = allVerdicts();
+    shown[static_cast<std::size_t>(Verdict::OutsideRoom)] = false;
+    return shown;
+}
+
 /// What is drawn over the scene. Plain data: kept with the layout of the window. What is selected
 /// is not part of it; the options' `selected_...` stay as they are made.
 struct LayerSettings {
@@ -25,6 +32,7 @@ struct LayerSettings {
     TrajectoryOverlayOptions trajectory_options;
     bool candidates = true;  // of what is selected
     bool cone = true;
+    ShownVerdicts candidate_kinds = allButOutside();
     bool no_go_boxes = true;
     bool ceiling_cut = true;  // look into rooms from above
     bool grid = false;

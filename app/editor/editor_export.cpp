@@ -176,7 +176,7 @@ void Editor::answerExportFile(const ui::FileAnswer& answer) {
     if (answer.id == "export projects" && exports_) {
         ui::ExportRequest request = ui::requestOf(exportView(), panels_.export_draft);
         request.name = answer.path.stem().string();
-        request.range = "::";  // the other project has frames of its own
+        request.range = ui::rangeForOthers(panels_.export_draft);
         const std::filesystem::path beside = request.folder.empty() ? answer.path : exportFolder();
         request.folder = folderBeside(beside, answer.path, exports_->jobs());
         exports_->addFile(std::move(request), answer.path);

@@ -9,6 +9,7 @@
 #include "ui/panels/metrics_panel.h"
 #include "ui/panels/parameters_panel.h"
 #include "ui/theme.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
@@ -89,6 +90,14 @@ void Editor::drawLayers() {
     if (shown.free_space) view.cell_m = shown.free_space->resolution_m();
     view.has_plan = shown.plan != nullptr;
     view.stepping = step_playback_.shown();
+    const int search = layers_.candidateSearch();
+    if (shown.plan && search >= 0 &&
+        static_cast<std::size_t>(search) < shown.plan->searches.size()) {
+        const ViewpointSearch& tried = shown.plan->searches[static_cast<std::size_t>(search)];
+        for (const Candidate& candidate : tried.candidates) {
+            view.candidates_there[static_cast<std::size_t>(candidate.verdict)] = true;
+        }
+    }
     for (const auto& layer : layers_.layers().layers) view.legends.push_back(layer->legend);
     ui::drawLayersPanel(view, layer_settings_);
 }
@@ -312,7 +321,7 @@ void Editor::drawStatus() {
     }
     std::string right;
     if (shown.scene) {
-        right = fmt::format("{:L} triangles, {} objects, m   ", shown.scene->triangles.size(),
+        right = fmt::format("{:L} triangles, {} objects   ", shown.scene->triangles.size(),
                             shown.scene->objects.size());
     }
     right += fmt::format("window {:.0f} ms, picture {:.0f} ms", window_.lastFrame_ms(),
@@ -320,7 +329,11 @@ void Editor::drawStatus() {
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(std::max(ImGui::GetWindowWidth() - width - ui::scaled(12), 0.0F));
     ImGui::TextDisabled("%s", right.c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", drawing_.rendererName().c_str());
+    std::string more;
+    if (shown.scene) {
+        more = fmt::format("A unit of the scene file is {:g} m.\n", shown.scene->report.unit_m);
+    }
+    ui::tooltip(more + drawing_.rendererName());
 }
 
 }  // namespace dollytrack::editor

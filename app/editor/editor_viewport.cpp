@@ -289,8 +289,10 @@ void Editor::drawPreview() {
     view.scene = workspace_.shown().scene.get();
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
-    view.low = {low.x + ui::scaled(8), low.y + ui::scaled(8)};
-    view.high = {low.x + size.x - ui::scaled(8), low.y + size.y - ui::scaled(8)};
+    // In full view nothing of the scene shows around it.
+    const float margin = panels_.preview.full ? 0.0F : ui::scaled(8);
+    view.low = {low.x + margin, low.y + margin};
+    view.high = {low.x + size.x - margin, low.y + size.y - margin};
     view.busy = drawing_.busy();
     view.point_selected = selected_.is(Selection::Kind::PositionPoint);
     view.what = panels_.preview.shows_selection && view.point_selected

@@ -135,6 +135,7 @@ ui::PointsOverlayOptions pointsOptions(const LayersRequest& request) {
 ui::CandidatesOverlayOptions candidatesOptions(const LayersRequest& request) {
     ui::CandidatesOverlayOptions options;
     options.cone = request.settings.cone;
+    options.shown = request.settings.candidate_kinds;
     options.cone_half_angle_deg = request.cone_half_angle_deg;
     const Selection& selection = request.selection;
     options.observation_point = -1;

@@ -113,6 +113,41 @@ TEST(ExportPanel, SaysWhenTheRangeHasFramesThatAreNotThere) {
     EXPECT_FALSE(screen.enabled("export.add")) << "not one frame of it is there";
 }
 
+// A double click must not hit what has just moved under the mouse.
+TEST(ExportPanel, NothingMovesForWhatThereIsToSay) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    const auto places = [&] {
+        std::vector<float> tops;
+        for (const char* name : {"export.first", "export.current_only", "export.modality.rgb",
+                                 "export.overwrite", "export.add"}) {
+            tops.push_back(screen.find(name)->top);
+        }
+        return tops;
+    };
+    const std::vector<float> before = places();
+    panel.view.folder_says = "It will be made, and all of its path after a folder with a long name";
+    screen.frame(2);
+    EXPECT_EQ(places(), before);
+    panel.view.why_not_folder = "Other files are there: choose another folder, or tick the box.";
+    panel.draft.last = 150;
+    screen.frame(2);
+    EXPECT_EQ(places(), before);
+}
+
+// Other projects have as many frames as they have.
+TEST(ExportPanel, TakesTheRangeForOtherProjectsAsItIsMeant) {
+    ExportDraft draft;
+    EXPECT_EQ(rangeForOthers(draft), "::");
+    draft.first = 10;
+    draft.step = 5;
+    EXPECT_EQ(rangeForOthers(draft), "10::5");
+    draft.last = 59;
+    EXPECT_EQ(rangeForOthers(draft), "10:60:5");
+    draft.current_only = true;
+    EXPECT_EQ(rangeForOthers(draft), "::");
+}
+
 TEST(ExportPanel, SetsTheSizeOfTheImage) {
     Export panel;
     int width = 640;

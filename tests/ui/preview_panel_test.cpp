@@ -81,6 +81,19 @@ TEST(PreviewPanel, CanBePinnedOnlyToWhatIsSelected) {
     EXPECT_FALSE(screen.enabled("preview.save"));
 }
 
+TEST(PreviewPanel, ValuesOfAPixelLeaveThePictureInSight) {
+    Preview preview;
+    test::Screen screen([&] { preview.draw(); }, 900, 560);
+    ASSERT_TRUE(screen.hover("preview.picture"));
+    screen.frame(2);
+    const auto picture = screen.find("preview.picture");
+    const auto values = screen.find("preview.values");
+    ASSERT_TRUE(values) << screen.names();
+    EXPECT_LT(values->bottom - values->top, 0.25F * (picture->bottom - picture->top));
+    const float mouse = ImGui::GetIO().MousePos.y;
+    EXPECT_TRUE(mouse < values->top || mouse > values->bottom);
+}
+
 TEST(PreviewPanel, MapsTheMouseOntoPixelsExactly) {
     for (const float scale : {0.37F, 1.0F, 2.5F}) {
         const ImVec2 low(13.25F, 41.5F);

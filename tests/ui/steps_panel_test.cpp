@@ -3,6 +3,7 @@
 #include "tests/ui/screen.h"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 namespace dollytrack::ui {
 namespace {
@@ -45,6 +46,24 @@ TEST(StepsPanel, GoesForwardAndBackToBothEnds) {
     EXPECT_TRUE(steps.view.playing);
     screen.click("steps.last");
     EXPECT_FALSE(screen.enabled("steps.forward"));
+}
+
+// Below the buttons is the slider that they move.
+TEST(StepsPanel, TipsAtTheBottomOfTheWindowAreAboveTheirButtons) {
+    Steps steps({Kind::Sample, Kind::Near});
+    test::Screen screen(
+        [&] {
+            ImGui::SetCursorPosY(520);
+            steps.draw();
+        },
+        1280, 720);
+    for (const char* name : {"steps.forward", "steps.next_refusal"}) {
+        ASSERT_TRUE(screen.hover(name));
+        screen.frame(2);
+        const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+        ASSERT_TRUE(tip != nullptr && tip->Active) << name;
+        EXPECT_LE(tip->Pos.y + tip->Size.y, screen.find(name)->top) << name;
+    }
 }
 
 TEST(StepsPanel, StopsOnlyAtTheKindsShown) {

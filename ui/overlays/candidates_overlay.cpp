@@ -16,7 +16,9 @@ namespace {
 using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
-constexpr int kVerdicts = static_cast<int>(Verdict::HeightBand) + 1;
+// There are many of those refused, over all of the room: they shall not hide it.
+constexpr double kLegal_px = 8.0;
+constexpr double kRefused_px = 3.5;
 constexpr int kConeSides = 36;
 const Eigen::Vector4f kCone(0.98F, 0.85F, 0.35F, 1.0F);
 
@@ -127,11 +129,12 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
     for (std::size_t i = 0; i < search.candidates.size(); ++i) {
         const Candidate& candidate = search.candidates[i];
         ++counts[static_cast<std::size_t>(candidate.verdict)];
+        if (!options.shown[static_cast<std::size_t>(candidate.verdict)]) continue;
         const bool legal = candidate.verdict == Verdict::Legal;
         layer.overlay.marks.push_back({candidate.position,
                                        Mark::Shape::Dot,
                                        colorOf(candidate.verdict),
-                                       legal ? 8.0 : 6.0,
+                                       legal ? kLegal_px : kRefused_px,
                                        {0, 0, 0},
                                        toTag(Picked::Candidate, static_cast<int>(i))});
     }
@@ -143,12 +146,13 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
                                    toTag(Picked::ObservationPoint, index)});
     auto& entries = layer.legend.entries;
     entries.push_back({"Observation point", Shape::Dot, kLargeTargetColor, 1});
-    for (int verdict = 0; verdict < kVerdicts; ++verdict) {
-        const int number = counts[static_cast<std::size_t>(verdict)];
+    for (std::size_t verdict = 0; verdict < kVerdicts; ++verdict) {
+        const int number = counts[verdict];
         if (number == 0) continue;
         const auto kind = static_cast<Verdict>(verdict);
         std::string words(inWords(kind));
         words[0] = static_cast<char>(words[0] - 'a' + 'A');
+        if (!options.shown[verdict]) words += " (not drawn)";
         entries.push_back({std::move(words), Shape::SmallDot, colorOf(kind), number});
     }
     if (search.position_point >= 0) {

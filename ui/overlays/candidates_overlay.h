@@ -3,15 +3,28 @@
 #include "engine/plan/plan.h"
 #include "ui/overlays/legend.h"
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace dollytrack::ui {
+
+constexpr std::size_t kVerdicts = static_cast<std::size_t>(Verdict::PitchBand) + 1;
+
+/// Which candidates are drawn, by Verdict.
+using ShownVerdicts = std::array<bool, kVerdicts>;
+constexpr ShownVerdicts allVerdicts() {
+    ShownVerdicts shown{};
+    shown.fill(true);
+    return shown;
+}
 
 struct CandidatesOverlayOptions {
     int observation_point = -1;  // index; -1: nothing is shown
     double cone_half_angle_deg = 40.0;
     bool cone = true;
     int selected_candidate = -1;
+    ShownVerdicts shown = allVerdicts();
     bool operator==(const CandidatesOverlayOptions&) const = default;
 };
 

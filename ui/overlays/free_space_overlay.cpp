@@ -2,6 +2,8 @@
 
 #include "ui/overlays/palette.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +22,13 @@ const Eigen::Vector4f kUnknown(0.42F, 0.44F, 0.50F, 1.0F);
 constexpr int kBands = 16;         // of clearance: a colour each
 constexpr double kPieceCells = 4;  // edge of the pieces that show clearance
 constexpr int kUnknownLevel = 8;   // of the largest blocks of unknown space
+
+constexpr int kMostLevels = 17;
+
+/// Rooms of a few metres have levels 0 to 6 or so.
+Eigen::Vector4f levelColor(int level) {
+    return scaleColor(std::min(level / 6.0, 1.0));
+}
 
 /// A block of cells, counted from the world's origin; ends are exclusive.
 struct CellBlock {
@@ -99,7 +108,7 @@ class Builder {
         if (in_pieces) {
             addPieces(block);
         } else {
-            add(block, leaf.state);
+            add(block, leaf.state, leaf.level);
         }
     }
 
@@ -115,14 +124,14 @@ class Builder {
         }
     }
 
-    void add(const CellBlock& block, CellState state) {
+    void add(const CellBlock& block, CellState state, int level = 0) {
         render::OverlayBox box;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<Eigen::Index>(k);
             box.center[axis] = 0.5 * cell_m_ * static_cast<double>(block.low[k] + block.high[k]);
             box.half_size[axis] = 0.5 * cell_m_ * static_cast<double>(block.high[k] - block.low[k]);
         }
-        box.rgba = colorOf(state, box.center);
+        box.rgba = colorOf(state, box.center, level);
         layer_.overlay.boxes.push_back(box);
         if (options_.color == CellColor::Clearance) {
             clearance_.push_back(state == CellState::Free ? map_.clearanceLowerBound(box.center)
@@ -130,9 +139,15 @@ class Builder {
         }
     }
 
-    [[nodiscard]] Eigen::Vector4f colorOf(CellState state, const Eigen::Vector3d& center) {
+    [[nodiscard]] Eigen::Vector4f colorOf(CellState state, const Eigen::Vector3d& center,
+                                          int level) {
         if (state == CellState::Occupied) return withOpacity(kOccupied, options_.opacity);
         if (state == CellState::Unknown) return withOpacity(kUnknown, options_.opacity);
+        if (options_.color == CellColor::Level) {
+            const auto at = static_cast<std::size_t>(std::clamp(level, 0, kMostLevels - 1));
+            ++levels_[at];
+            return withOpacity(levelColor(level), options_.opacity);
+        }
         if (options_.color != CellColor::Component) return withOpacity(kFree, options_.opacity);
         const int room = map_.componentAt(center);
         if (room < 0) {
@@ -227,6 +242,15 @@ class Builder {
             legend.entries.push_back(
                 {"Free, too narrow for the camera", Shape::Block, kSpareColor, no_room_});
         }
+        if (options_.free && options_.color == CellColor::Level) {
+            for (int level = 0; level < kMostLevels; ++level) {
+                const int number = levels_[static_cast<std::size_t>(level)];
+                if (number == 0) continue;
+                legend.entries.push_back(
+                    {fmt::format("Free, level {}: {:.2f} m", level, cell_m_ * std::exp2(level)),
+                     Shape::Block, levelColor(level), number});
+            }
+        }
         if (options_.occupied) {
             legend.entries.push_back(
                 {"Occupied", Shape::Block, kOccupied, count(CellState::Occupied)});
@@ -245,6 +269,7 @@ class Builder {
     std::vector<double> clearance_;  // of each box, -1: not free
     std::array<int, 3> count_{};     // leaves by state
     std::vector<int> rooms_;
+    std::array<int, kMostLevels> levels_{};
     int no_room_ = 0;
 };
 

@@ -9,7 +9,9 @@
 
 namespace dollytrack::ui {
 
-enum class CellColor { State, Clearance, Component };
+/// What the colour of a free cell says. Component: which connected part of the space that the
+/// camera fits into, which is a room where doors are shut. Level: of the octree, by its size.
+enum class CellColor { State, Clearance, Component, Level };
 
 struct FreeSpaceOverlayOptions {
     bool free = true;

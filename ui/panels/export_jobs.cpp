@@ -122,12 +122,12 @@ void drawJob(const ExportView& view, std::size_t index, ExportActions& actions) 
     const float buttons = 3 * (ImGui::GetTextLineHeight() + scaled(8));
     const float state = ImGui::CalcTextSize("cancelled  ").x;
     const float least = scaled(40);
-    cutText(job.request.name, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::Middle,
-            std::max(ImGui::GetContentRegionAvail().x - buttons - state, least));
+    const float room = std::max(ImGui::GetContentRegionAvail().x - buttons - state, least);
+    ImGui::TextUnformatted(cutToWidth(job.request.name, room, Cut::Middle).c_str());
+    tooltip(job.request.name + "\n" + job.request.folder.string());
     ImGui::SameLine();
     drawState(job, view.held);
     drawQueueButtons(view, job, index, actions);
-    cutText(job.request.folder.string(), palette().text_dim, {}, Cut::Middle);
     if (job.active()) {
         const float width = ImGui::GetContentRegionAvail().x;
         const std::string progress = progressText(job);

@@ -58,22 +58,25 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
     tooltip(draft.folder);
     ImGui::SameLine();
     if (button(label, "export.choose_folder")) actions.choose_folder = true;
-    if (!view.why_not_folder.empty()) {
-        paragraph(view.why_not_folder, palette().bad);
-    } else if (!view.folder_says.empty()) {
-        paragraph(view.folder_says, view.folder_warns ? palette().warning : palette().text_dim);
-    }
+    // Always one line, whatever there is to say: nothing below may move under the mouse.
+    const std::string none =
+        draft.folder.empty() ? "An empty folder, a new one, or a dataset's." : "It is empty.";
+    const bool bad = !view.why_not_folder.empty();
+    const std::string& says = bad ? view.why_not_folder : view.folder_says;
+    const ImVec4& color = bad                                  ? palette().bad
+                          : view.folder_warns && !says.empty() ? palette().warning
+                                                               : palette().text_dim;
+    cutText(says.empty() ? none : says, color);
 }
 
 /// The camera's, as among the parameters: the plan follows it.
 void drawImageSize(const ExportView& view, ExportActions& actions) {
     if (view.parameters == nullptr) return;
     formLabel("Image, px",
-              "Width and height. They are the camera's: changing them makes a new plan");
+              "Width and height. They are parameters of the camera: with another size all is "
+              "planned anew");
     const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
-    const char* replans = "new plan";
-    const float note = ImGui::CalcTextSize(replans).x + ImGui::GetStyle().ItemSpacing.x;
-    const float half = (ImGui::GetContentRegionAvail().x - cross - note) / 2;
+    const float half = (ImGui::GetContentRegionAvail().x - cross) / 2;
     for (const char* name : {"width_px", "height_px"}) {
         const auto field = std::ranges::find(*view.parameters, name, &Field::name);
         const auto standard = std::ranges::find(*view.standard, name, &Field::name);
@@ -88,9 +91,6 @@ void drawImageSize(const ExportView& view, ExportActions& actions) {
         if (edit.changed) actions.edited = name;
         actions.finished = actions.finished || edit.finished;
     }
-    ImGui::SameLine();
-    ImGui::TextColored(palette().text_dim, "%s", replans);
-    tooltip("The camera's width_px and height_px: another size is another plan");
 }
 
 /// What of the range is not there, or nothing.
@@ -110,11 +110,18 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
               fmt::format("First and last, both are exported, and every how manieth between them; "
                           "there are frames 0 to {}",
                           most));
+    // Beside the range where there is room, so that a short panel shows it.
+    const char* only = "current only";
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                      ImGui::CalcTextSize(only).x + ImGui::GetStyle().ItemSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = room - box > scaled(180);
+    const float fields = beside ? room - box : room;
     ImGui::BeginDisabled(draft.current_only);
     int first = draft.first;
     int last = draft.last < 0 ? most : draft.last;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float third = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    const float third = std::floor((fields - 2 * gap) / 3);
     ImGui::SetNextItemWidth(third);
     if (ImGui::DragInt("##first", &first, 0.5F, 0, most, "from %d")) {
         draft.first = std::max(first, 0);
@@ -130,19 +137,31 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     }
     nameItem("export.last");
     ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(-1);
+    ImGui::SetNextItemWidth(third);
     ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1), "every %d",
                    ImGuiSliderFlags_AlwaysClamp);
     nameItem("export.step");
     tooltip("1: all of them; 5: every fifth");
     ImGui::EndDisabled();
-    if (const std::string note = rangeNote(view, draft); !note.empty()) {
-        paragraph(note, palette().warning);
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        formLabel("");
+    }
+    ImGui::Checkbox(only, &draft.current_only);
+    nameItem("export.current_only");
+    tooltip(fmt::format("Only the frame that is shown, number {}", view.current_frame));
+    // Always one line: what follows may not move under the mouse.
+    formLine("");
+    const std::string note = rangeNote(view, draft);
+    if (note.empty()) {
+        cutText(view.frame_count == 0 ? "There are no frames yet."
+                                      : fmt::format("There are frames 0 to {}.", most),
+                palette().text_dim);
+    } else {
+        cutText(note, palette().warning);
         nameItem("export.range_note");
     }
-    formLabel("");
-    ImGui::Checkbox("Current frame only", &draft.current_only);
-    nameItem("export.current_only");
 }
 
 void drawChoices(const char* label, const char* kind, const std::vector<ExportChoice>& choices,
@@ -212,8 +231,8 @@ void drawContents(const ExportView& view, ExportDraft& draft) {
     if (!beginForm("contents", 0.2F)) return;
     drawChoices("Modalities", "modality", view.modalities, draft.left_out_modalities);
     drawChoices("Formats", "format", view.formats, draft.left_out_formats);
-    formLabel("Folder");
-    ImGui::Checkbox("may hold other files", &draft.overwrite);
+    formLabel("Other files");
+    ImGui::Checkbox("may be in the folder", &draft.overwrite);
     nameItem("export.overwrite");
     tooltip("They stay. Without this, only an empty folder or an earlier dataset is written into.");
     endForm();
@@ -233,11 +252,11 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     flowTo("Add projects…");
     if (button("Add projects…", "export.add_files",
                {{},
-                draft.folder.empty()
-                    ? "Queue other .dolly files with these settings; each gets a folder beside "
-                      "its project"
-                    : "Queue other .dolly files with these settings; each gets a folder beside "
-                      "this one"})) {
+                fmt::format("Queue other .dolly files: {}, with the modalities and formats ticked "
+                            "here, in the size of their own cameras; each gets a folder beside {}",
+                            rangeForOthers(draft) == "::" ? "all of their frames"
+                                                          : "this range of their frames",
+                            draft.folder.empty() ? "its project" : "this one")})) {
         actions.add_files = true;
     }
     const auto running = std::ranges::find_if(view.jobs, &ExportJob::active);
@@ -263,6 +282,15 @@ int frameCountOf(const ExportView& view, const ExportDraft& draft) {
     if (view.frame_count == 0) return 0;
     const Frames frames = framesOf(view, draft);
     return (frames.end - frames.begin + frames.step - 1) / frames.step;
+}
+
+std::string rangeForOthers(const ExportDraft& draft) {
+    // The frame shown here is none of theirs.
+    if (draft.current_only) return "::";
+    const std::string first = draft.first > 0 ? std::to_string(draft.first) : "";
+    const std::string end = draft.last >= 0 ? std::to_string(draft.last + 1) : "";
+    const std::string step = draft.step > 1 ? std::to_string(draft.step) : "";
+    return first + ":" + end + ":" + step;
 }
 
 ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {

@@ -80,6 +80,9 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& state);
 
 /// The request that the settings make. Their range fits the trajectory.
 [[nodiscard]] ExportRequest requestOf(const ExportView& view, const ExportDraft& state);
+/// The range for other projects, which have as many frames as they have: what is said to be cut off
+/// here is cut off there, and the rest goes to their end.
+[[nodiscard]] std::string rangeForOthers(const ExportDraft& state);
 [[nodiscard]] int frameCountOf(const ExportView& view, const ExportDraft& state);
 
 /// "12 of 120 frames, 8.1 a second, 13 s left", as far as it is known.

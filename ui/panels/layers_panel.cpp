@@ -99,7 +99,7 @@ void drawSlice(const LayersView& view, LayerSettings& settings, Switches& switch
     settings.slice.position_m = std::clamp(settings.slice.position_m, low, high);
     switches.slide(axis == 2 ? "Slice height" : "Slice at", "slice.position",
                    settings.slice.position_m, low, high, " m");
-    switches.slide("Slice thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
+    switches.slide("Thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
                    std::max(high - low, view.cell_m), " m");
     switches.choose("Slice across", "slice.axis", settings.slice.axis, kAxes);
 }
@@ -141,7 +141,7 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
     ImGui::Unindent();
     details("free_space", [&] {
         if (settings.sliced) drawSlice(view, settings, switches);
-        constexpr std::array kColors = {"state", "clearance", "room"};
+        constexpr std::array kColors = {"state", "clearance", "component (room)", "level"};
         switches.choose("Colour", "cells.color", settings.cells.color, kColors);
         drawLevels(view, settings, switches);
         double opacity = settings.cells.opacity;
@@ -188,7 +188,7 @@ void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& swit
     switches.check("path", "roadmap.path", options.path);
     ImGui::Unindent();
     details("roadmap", [&] {
-        constexpr std::array kColors = {"part before linking", "room"};
+        constexpr std::array kColors = {"part before linking", "component (room)"};
         switches.choose("Colour", "roadmap.color", options.color, kColors);
     });
 }
@@ -209,6 +209,19 @@ void drawTrajectory(LayerSettings& settings, Switches& switches, const std::stri
     });
 }
 
+/// A switch for each reason that there is: with nothing selected none.
+void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    ImGui::Indent();
+    switches.check("cone", "cone", settings.cone, "That was searched");
+    for (std::size_t i = 0; i < kVerdicts; ++i) {
+        if (!view.candidates_there[i]) continue;
+        const std::string words(inWords(static_cast<Verdict>(i)));
+        flowToSwitch(words.c_str());
+        switches.check(words.c_str(), ("candidates." + words).c_str(), settings.candidate_kinds[i]);
+    }
+    ImGui::Unindent();
+}
+
 }  // namespace
 
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
@@ -221,9 +234,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     drawRoadmap(view, settings, switches, why_not);
     if (switches.check("Candidates", "candidates", settings.candidates,
                        "The places tried for what is selected, by the reason", why_not)) {
-        ImGui::Indent();
-        switches.check("cone", "cone", settings.cone, "That was searched");
-        ImGui::Unindent();
+        drawCandidates(view, settings, switches);
     }
     drawFreeSpace(view, settings, switches);
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);

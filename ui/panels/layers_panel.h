@@ -16,8 +16,9 @@ struct LayersView {
     int levels = 8;            // of the octree, the smallest cells are level 0
     bool has_map = false;      // there is free space to show
     bool has_plan = false;
-    bool stepping = false;        // the steps of the algorithm stand in for the roadmap
-    std::vector<Legend> legends;  // of the layers that are drawn
+    bool stepping = false;             // the steps of the algorithm stand in for the roadmap
+    std::vector<Legend> legends;       // of the layers that are drawn
+    ShownVerdicts candidates_there{};  // among those of what is selected
 };
 
 struct LayersActions {

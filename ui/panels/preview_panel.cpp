@@ -7,6 +7,8 @@
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -112,7 +114,8 @@ void drawHandle(const PreviewView& view, PreviewState& state, float width) {
 void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& actions) {
     const float gap = scaled(3);
     const float icon = ImGui::GetFrameHeight();
-    const float tools = scaled(kListWidth) + (state.full ? 3.0F : 4.0F) * icon + 5 * gap + scaled(8);
+    const float tools =
+        scaled(kListWidth) + (state.full ? 3.0F : 4.0F) * icon + 5 * gap + scaled(8);
     drawHandle(view, state, ImGui::GetContentRegionAvail().x - tools);
     ImGui::SameLine(0, gap);
     drawModality(state, actions);
@@ -128,8 +131,7 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
         actions.changed = true;
     }
     ImGui::SameLine(0, gap);
-    if (iconButton(Icon::Save, "preview.save",
-                   {"Save this picture as a PNG file", view.why_not})) {
+    if (iconButton(Icon::Save, "preview.save", {"Save this picture as a PNG file", view.why_not})) {
         actions.save_png = true;
     }
     ImGui::SameLine(0, gap);
@@ -147,36 +149,52 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
     }
 }
 
-/// Exact numbers of the pixel under the mouse, whatever the picture shows.
-void drawValues(const PreviewView& view, ImagePixel pixel) {
+/// Exact numbers of a pixel, whatever the picture shows: where it is, how deep and which colour,
+/// then what is there.
+std::array<std::string, 2> valuesOf(const PreviewView& view, ImagePixel pixel) {
     const render::FrameRecord& record = view.image->record;
     const auto i = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(record.width) +
                    static_cast<std::size_t>(pixel.x);
-    ImGui::BeginTooltip();
-    ImGui::TextColored(palette().text_dim, "pixel %d, %d", pixel.x, pixel.y);
+    std::string numbers = fmt::format("{}, {}", pixel.x, pixel.y);
     if (i < record.depth_m.size()) {
-        if (record.depth_m[i] > 0.0F) {
-            ImGui::Text("%.4f m deep", record.depth_m[i]);
-        } else {
-            ImGui::TextUnformatted("no surface");
-        }
+        numbers += record.depth_m[i] > 0.0F ? fmt::format("   {:.4f} m", record.depth_m[i])
+                                            : "   no surface";
     }
-    const int id = i < record.instance.size() ? record.instance[i] : 0;
-    if (id > 0 && view.scene != nullptr && id <= static_cast<int>(view.scene->objects.size())) {
-        ImGui::Text("%s (object %d)", view.scene->object(id).name.c_str(), id);
-    }
-    const int label = i < record.semantic.size() ? record.semantic[i] : 0;
-    if (label > 0) ImGui::Text("%s (class %d)", std::string(nyu40Name(label)).c_str(), label);
     if (3 * i + 2 < record.rgb.size()) {
         const std::uint8_t* rgb = &record.rgb[3 * i];
-        const auto share = [&](int channel) { return static_cast<float>(rgb[channel]) / 255.0F; };
-        const ImVec4 color(share(0), share(1), share(2), 1.0F);
-        const float side = ImGui::GetTextLineHeight();
-        ImGui::ColorButton("##color", color, ImGuiColorEditFlags_NoTooltip, {side, side});
-        ImGui::SameLine();
-        ImGui::Text("%d, %d, %d", rgb[0], rgb[1], rgb[2]);
+        numbers += fmt::format("   rgb {}, {}, {}", rgb[0], rgb[1], rgb[2]);
     }
-    ImGui::EndTooltip();
+    std::string names;
+    const int id = i < record.instance.size() ? record.instance[i] : 0;
+    if (id > 0 && view.scene != nullptr && id <= static_cast<int>(view.scene->objects.size())) {
+        names = fmt::format("{} (object {})", view.scene->object(id).name, id);
+    }
+    const int label = i < record.semantic.size() ? record.semantic[i] : 0;
+    if (label > 0) {
+        names += fmt::format("{}{} (class {})", names.empty() ? "" : ", ", nyu40Name(label), label);
+    }
+    return {numbers, names};
+}
+
+/// In two lines at the edge of the picture that the mouse is farther from: what one looks at stays
+/// in sight.
+void drawValues(const PreviewView& view, ImagePixel pixel, ImVec2 low, ImVec2 size) {
+    const std::array<std::string, 2> lines = valuesOf(view, pixel);
+    const float pad = scaled(4);
+    const float line = ImGui::GetTextLineHeight();
+    const float height = (lines[1].empty() ? 1.0F : 2.0F) * line + pad;
+    const bool at_top = ImGui::GetIO().MousePos.y > low.y + 0.5F * size.y;
+    const float top = at_top ? low.y : low.y + size.y - height;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    ImVec4 back = ImGui::GetStyleColorVec4(ImGuiCol_PopupBg);
+    back.w = 0.85F;
+    list->AddRectFilled({low.x, top}, {low.x + size.x, top + height}, ImGui::GetColorU32(back));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string text = cutToWidth(lines[i], size.x - 2 * pad, Cut::Middle);
+        list->AddText({low.x + pad, top + 0.5F * pad + static_cast<float>(i) * line},
+                      ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    }
+    nameArea("preview.values", low.x, top, low.x + size.x, top + height);
 }
 
 void drawPicture(const PreviewView& view, ImVec2 size) {
@@ -197,7 +215,7 @@ void drawPicture(const PreviewView& view, ImVec2 size) {
     nameItem("preview.picture");
     const auto& record = view.image->record;
     const auto pixel = pixelAt(ImGui::GetIO().MousePos, low, size, record.width, record.height);
-    if (pixel && ImGui::IsItemHovered()) drawValues(view, *pixel);
+    if (pixel && ImGui::IsItemHovered()) drawValues(view, *pixel, low, size);
 }
 
 /// At the corner that points into the viewport.

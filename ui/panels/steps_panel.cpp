@@ -154,9 +154,10 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
             const bool taken = index < view.taken;
             const std::string text = view.describe ? view.describe(index) : std::string();
             ImGui::PushID(i);
-            ImVec4 color = colorOf(view.steps->steps[index].kind);
-            if (!taken) color.w = 0.5F;
-            ImGui::PushStyleColor(ImGuiCol_Text, color);
+            // What is still to come is dim, in a colour that each theme has for that: a see-through
+            // one is too pale on white.
+            ImGui::PushStyleColor(
+                ImGuiCol_Text, taken ? colorOf(view.steps->steps[index].kind) : palette().text_dim);
             const std::string line = fmt::format("{}   {}", index + 1, text);
             const float room = ImGui::GetContentRegionAvail().x;
             if (ImGui::Selectable(cutToWidth(line, room).c_str(), index + 1 == view.taken)) {

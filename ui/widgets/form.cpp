@@ -64,6 +64,13 @@ void paragraph(const std::string& text) {
 
 void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float top = ImGui::GetItemRectMin().y;
+    if (top > 0.6F * window.y) {
+        const float x = ImGui::GetIO().MousePos.x;
+        ImGui::SetNextWindowPos({x, top - scaled(4)}, ImGuiCond_Always,
+                                {x < 0.5F * window.x ? 0.0F : 1.0F, 1.0F});
+    }
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
     ImGui::TextUnformatted(text.c_str());

@@ -25,7 +25,8 @@ void heading(const char* text);
 void paragraph(const std::string& text, const ImVec4& color);
 void paragraph(const std::string& text);
 
-/// The tooltip of the item drawn last, also where that item is disabled.
+/// The tooltip of the item drawn last, also where that item is disabled. Low in the window it is
+/// above the item: below it are the slider and the line that the item changes.
 void tooltip(const std::string& text);
 
 /// How a button is drawn, and why it cannot be pressed.

@@ -1,6 +1,7 @@
 #include "ui/widgets/icon_button.h"
 
 #include "ui/theme.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
@@ -142,10 +143,7 @@ bool iconButton(Icon icon, std::string_view name, const IconOptions& options) {
                            side * 0.26F, ImGui::GetColorU32(ImGuiCol_Text)));
     ImGui::EndDisabled();
     nameItem(name, enabled);
-    const std::string& hint = enabled ? options.tip : options.why_not;
-    if (!hint.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("%s", hint.c_str());
-    }
+    tooltip(enabled ? options.tip : options.why_not);
     ImGui::PopID();
     return pressed;
 }

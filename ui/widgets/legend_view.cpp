@@ -2,6 +2,7 @@
 
 #include "ui/overlays/palette.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
@@ -106,31 +107,49 @@ void drawScale(const LegendScale& scale) {
     ImGui::TextColored(palette().text_dim, "%s", end.c_str());
 }
 
+/// Below its title. `room` is the width that names are cut to; 0: as wide as they are.
+void drawLegend(const Legend& legend, float room) {
+    for (const LegendEntry& entry : legend.entries) {
+        const std::string count = std::to_string(entry.count);
+        drawSign(entry);
+        ImGui::SameLine();
+        const float left = room - 1.6F * ImGui::GetTextLineHeight() -
+                           2 * ImGui::GetStyle().ItemSpacing.x -
+                           ImGui::CalcTextSize(count.c_str()).x;
+        if (room > 0.0F) {
+            cutText(entry.name, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::End,
+                    std::max(left, scaled(40)));
+        } else {
+            ImGui::TextUnformatted(entry.name.c_str());
+        }
+        ImGui::SameLine();
+        ImGui::TextColored(palette().text_dim, "%s", count.c_str());
+    }
+    if (!legend.scale) return;
+    if (!legend.scale->name.empty() && legend.scale->name != legend.title) {
+        ImGui::TextUnformatted(legend.scale->name.c_str());
+    }
+    drawScale(*legend.scale);
+}
+
+bool isEmpty(const Legend& legend) {
+    return legend.entries.empty() && !legend.scale;
+}
+
 }  // namespace
 
 void drawLegends(const std::vector<Legend>& legends) {
     for (const Legend& legend : legends) {
-        if (legend.entries.empty() && !legend.scale) continue;
+        if (isEmpty(legend)) continue;
         heading(legend.title.c_str());
-        for (const LegendEntry& entry : legend.entries) {
-            drawSign(entry);
-            ImGui::SameLine();
-            ImGui::TextUnformatted(entry.name.c_str());
-            ImGui::SameLine();
-            ImGui::TextColored(palette().text_dim, "%d", entry.count);
-        }
-        if (legend.scale) {
-            if (!legend.scale->name.empty() && legend.scale->name != legend.title) {
-                ImGui::TextUnformatted(legend.scale->name.c_str());
-            }
-            drawScale(*legend.scale);
-        }
+        drawLegend(legend, ImGui::GetContentRegionAvail().x);
     }
 }
 
 void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
                    LegendBoxState& state) {
-    const ImVec2 size(std::min(state.size.x, room.x), std::min(state.size.y, room.y));
+    // More of it would hide the scene that it explains.
+    const ImVec2 size(std::min(state.size.x, room.x), std::min(state.size.y, 0.5F * room.y));
     ImVec4 back = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
     back.w = 0.82F;
     ImGui::SetCursorScreenPos(low);
@@ -151,9 +170,20 @@ void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
             {.tip = state.open ? "Fold it" : "What the signs and colours mean", .small = true})) {
         state.open = !state.open;
     }
-    if (state.open) drawLegends(legends);
+    for (const Legend& legend : legends) {
+        if (!state.open || isEmpty(legend)) continue;
+        const auto folded = std::ranges::find(state.folded, legend.title);
+        const bool shown = folded == state.folded.end();
+        const std::string title = (shown ? "\u25be " : "\u25b8 ") + legend.title;
+        if (button(title.c_str(), "legend." + legend.title, {.small = true})) {
+            shown ? state.folded.push_back(legend.title) : void(state.folded.erase(folded));
+        }
+        if (shown) drawLegend(legend, 0.0F);
+    }
     ImGui::EndGroup();
-    state.size = {ImGui::GetItemRectSize().x + 2 * scaled(8),
+    const bool scrolls = size.y < state.size.y;
+    state.size = {ImGui::GetItemRectSize().x + 2 * scaled(8) +
+                      (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0F),
                   ImGui::GetItemRectSize().y + 2 * scaled(5)};
     ImGui::EndChild();
     ImGui::PopStyleVar(2);

@@ -39,7 +39,11 @@ class Files(Task):
         self.editor.key("ctrl+q")
         self.editor.click("message.save")
         project = self.folder / "last.dolly"
-        self.editor.choose_file(project)
+        self.editor.item("files.path")
+        self.editor.click("files.path", times=2)
+        self.editor.key("ctrl+a")
+        self.editor.type(str(project))
+        self.editor.tap("enter")
         self.assertEqual(self.editor.wait_end(), 0)
         self.editor.tidy()
         state = self.start()

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include <cmath>
 #include <set>
 
@@ -144,6 +146,28 @@ TEST(FreeSpaceLayer, RoomsHaveColoursOfTheirOwn) {
     int sum = 0;
     for (const LegendEntry& entry : layer.legend.entries) sum += entry.count;
     EXPECT_EQ(sum, static_cast<int>(layer.overlay.boxes.size()));
+}
+
+TEST(FreeSpaceLayer, LevelsHaveColoursOfTheirOwn) {
+    const FreeSpace map = mapOf(dollytrack::test::furnishedRoom());
+    std::map<int, int> leaves;
+    map.visitLeaves([&](const planning::FreeSpaceLeaf& leaf) {
+        if (leaf.state == planning::CellState::Free) ++leaves[leaf.level];
+    });
+    ASSERT_GT(leaves.size(), 2U);
+    FreeSpaceOverlayOptions options;
+    options.color = CellColor::Level;
+    options.occupied = false;
+    const PlanLayer layer = freeSpaceLayer(map, options);
+    ASSERT_EQ(layer.legend.entries.size(), leaves.size());
+    std::size_t entry = 0;
+    for (const auto& [level, count] : leaves) {
+        EXPECT_EQ(layer.legend.entries[entry].count, count) << level;
+        if (entry > 0) {
+            EXPECT_NE(layer.legend.entries[entry].rgba, layer.legend.entries[entry - 1].rgba);
+        }
+        ++entry;
+    }
 }
 
 TEST(VoxelAt, FindsTheCellInTheSliceUnderThePointer) {

@@ -200,6 +200,30 @@ TEST(TrajectoryLayer, DotsAreWhereSomethingNewIsCaptured) {
     EXPECT_EQ(captured, static_cast<std::size_t>(room.plan->capture_metrics.captured));
 }
 
+// The legend goes on counting those that are not drawn, so that one knows that they are there.
+TEST(CandidatesLayer, LeavesOutWhatIsNotToBeShown) {
+    const test::PlannedRoom& room = furnished();
+    CandidatesOverlayOptions options;
+    options.observation_point = 0;
+    const PlanLayer all = candidatesLayer(*room.plan, options);
+    const ViewpointSearch& search = room.plan->searches[0];
+    const Verdict refused = std::ranges::find_if(search.candidates, [](const Candidate& one) {
+                                return one.verdict != Verdict::Legal;
+                            })->verdict;
+    const auto number = std::ranges::count(search.candidates, refused, &Candidate::verdict);
+    options.shown[static_cast<std::size_t>(refused)] = false;
+    const PlanLayer fewer = candidatesLayer(*room.plan, options);
+    EXPECT_EQ(tagged(all.overlay, Picked::Candidate).size() -
+                  tagged(fewer.overlay, Picked::Candidate).size(),
+              static_cast<std::size_t>(number));
+    ASSERT_EQ(fewer.legend.entries.size(), all.legend.entries.size());
+    const auto said = std::ranges::find_if(fewer.legend.entries, [](const LegendEntry& entry) {
+        return entry.name.ends_with("(not drawn)");
+    });
+    ASSERT_NE(said, fewer.legend.entries.end());
+    EXPECT_EQ(said->count, number);
+}
+
 TEST(CandidatesLayer, ColoursEveryCandidateByItsVerdict) {
     const auto& room = furnished();
     for (int o = 0; o < static_cast<int>(room.plan->observation_points.size()); ++o) {
