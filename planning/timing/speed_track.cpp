@@ -11,6 +11,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSame = 1e-9;   // m
 constexpr int kCurveSteps = 4;   // per part of a curve; even, so that a stop to a stop is exact
 constexpr int kRampSteps = 2;    // from rest to full speed
 constexpr int kShortSteps = 8;   // of a straight part too short for both ramps
@@ -22,6 +23,10 @@ constexpr double kStraight = 0.51 * std::numbers::pi / 180.0;
 // A kink of such a line may jolt the camera by what the acceleration gives in this time.
 constexpr double kJolt_s = 0.002;
 
+// A curve round a corner sharper than this turns back on itself: the camera stops at its tip.
+constexpr double kTurnsBack = 179.0 * std::numbers::pi / 180.0;
+constexpr double kBesideTip = 0.6;  // of the acceleration
+
 /// Direction in which a piece begins or ends.
 Eigen::Vector3d beginOf(const SmoothPath::Piece& piece) {
     return piece.curved ? piece.control - piece.start : piece.end - piece.start;
@@ -30,12 +35,14 @@ Eigen::Vector3d endOf(const SmoothPath::Piece& piece) {
     return piece.curved ? piece.end - piece.control : piece.end - piece.start;
 }
 
+double kinkBetween(const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
+    return std::atan2(in.cross(out).norm(), in.dot(out));
+}
+
 /// Squared speed at which the camera may go from one piece on to the next.
 double jointLimit2(const SmoothPath::Piece& before, const SmoothPath::Piece& after,
                    const MotionLimits& limits) {
-    const Eigen::Vector3d in = endOf(before);
-    const Eigen::Vector3d out = beginOf(after);
-    const double kink = std::atan2(in.cross(out).norm(), in.dot(out));
+    const double kink = kinkBetween(endOf(before), beginOf(after));
     if (kink > kStraight) return 0.0;
     const double fastest = kJolt_s * limits.acceleration_mps2 / std::max(kink, 1e-12);
     return fastest * fastest;
@@ -55,7 +62,6 @@ SpeedTrack::SpeedTrack(const SmoothPath& path, const MotionLimits& limits) {
 }
 
 void SpeedTrack::cut(const SmoothPath& path, const MotionLimits& limits) {
-    constexpr double kSame = 1e-9;  // m
     nodes_.push_back({path.keys.front().arc_m, kInfinity, 0.0, 0.0, 0.0});
     key_nodes_.push_back(0);
     std::size_t piece = path.pieceAt(nodes_.front().arc_m);
@@ -87,7 +93,8 @@ void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to
         last.gain2 = 2.0 * acceleration * (until - last.arc_m);
         nodes_.push_back({until, limit2, 0.0, 0.0, 0.0});
     };
-    if (piece.curved) {
+    const bool turns_back = piece.curved && kinkBetween(beginOf(piece), endOf(piece)) > kTurnsBack;
+    if (piece.curved && !turns_back) {
         const auto parameter = [&](int i) {
             return piece.parameterAt(from + length * i / kCurveSteps - piece.begin_m);
         };
@@ -107,20 +114,29 @@ void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to
         }
         return;
     }
-    const double ramp = 0.5 * most2 / limits.acceleration_mps2;
+    // Beside its tip, what such a curve bends takes a part of the acceleration.
+    const double acceleration = (turns_back ? kBesideTip : 1.0) * limits.acceleration_mps2;
+    const double ramp = 0.5 * most2 / acceleration;
     const auto evenly = [&](double begin, double end, int count) {
         for (int i = 1; i <= count; ++i) {
-            step(i == count ? end : begin + (end - begin) * i / count, most2,
-                 limits.acceleration_mps2);
+            step(i == count ? end : begin + (end - begin) * i / count, most2, acceleration);
         }
     };
-    if (length < 2.5 * ramp) {
-        evenly(from, to, kShortSteps);
-        return;
-    }
-    evenly(from, from + ramp, kRampSteps);
-    evenly(from + ramp, to - ramp, kCruiseSteps);
-    evenly(to - ramp, to, kRampSteps);
+    const auto straight = [&](double begin, double end) {
+        if (end - begin < 2.5 * ramp) {
+            evenly(begin, end, kShortSteps);
+            return;
+        }
+        evenly(begin, begin + ramp, kRampSteps);
+        evenly(begin + ramp, end - ramp, kCruiseSteps);
+        evenly(end - ramp, end, kRampSteps);
+    };
+    if (!turns_back) return straight(from, to);
+    const double tip = piece.begin_m + 0.5 * piece.length_m;
+    const double middle = std::clamp(tip, from, to);
+    if (middle - from > kSame) straight(from, middle);
+    if (std::abs(tip - middle) <= kSame) nodes_.back().limit2 = 0.0;
+    if (to - middle > kSame) straight(middle, to);
 }
 
 void SpeedTrack::findFastest() {

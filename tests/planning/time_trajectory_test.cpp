@@ -149,6 +149,26 @@ TEST(TimeTrajectory, ABudgetOfFramesKeepsEveryKey) {
     EXPECT_FALSE(tour.timed(params).has_value());
 }
 
+TEST(TimeTrajectory, StopsAtTheTipOfACurveThatTurnsBack) {
+    for (const double aside : {0.0, 1e-9, 1e-3}) {
+        Tour tour;
+        tour.startPath();
+        tour.key({0, 0, 1}, {1, 2, 1});
+        tour.curve({2, 0, 1}, {0, aside, 1}, 0.2, Vector3d(2, 2, 1));
+        tour.key({-1, aside, 1}, {-1, 2, 1});
+        for (const int max_frames : {0, 12}) {
+            TimingParams params;
+            params.max_frames = max_frames;
+            const auto trajectory = tour.timed(params);
+            ASSERT_TRUE(trajectory) << describe(trajectory.error());
+            expectEveryKey(tour, *trajectory);
+            expectLimitsKept(*trajectory, params);
+            // 4.9 m at 0.5 m/s, with a stop and half a dozen turns.
+            EXPECT_LT(trajectory->frames.back().time_s, 40.0);
+        }
+    }
+}
+
 TEST(TimeTrajectory, TurnsOnTheSpotBetweenTwoKeysAtOnePlace) {
     const Vector3d place(1.5, 2.5, 1.2);
     Tour tour;
