@@ -371,8 +371,8 @@ void Editor::drawCentre() {
     }
     // As things are now, not as they were drawn last: the mouse may have come and pressed since.
     const std::optional<ui::GizmoView> handles = gizmoView();
-    view.blocked = (handles && gizmo_.takesMouse(*handles)) || preview_hovered_ ||
-                   panels_.legend.hovered || panels_.preview.full;
+    view.on_handle = handles && gizmo_.takesMouse(*handles);
+    view.covered = preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);

@@ -70,8 +70,8 @@ void flyWithKeys(ViewportState& state, ViewportActions& actions) {
 
 void beginDrag(ViewportState& state, const ViewportView& view) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (view.blocked) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (view.covered) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !view.on_handle) {
         state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
         state.drag = ViewportState::Drag::Pan;
@@ -175,7 +175,8 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
     if (actions.hovered) {
         beginDrag(state, view);
         actions.double_clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        if (!view.blocked && !view.locked) zoomWithWheel(view, state, actions);
+        const bool drags_handle = view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+        if (!view.covered && !view.locked && !drags_handle) zoomWithWheel(view, state, actions);
     }
     if (state.drag != ViewportState::Drag::None) continueDrag(state, view, actions);
     return actions;

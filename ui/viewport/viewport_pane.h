@@ -13,11 +13,12 @@ namespace dollytrack::ui {
 /// What the viewport may read this frame.
 struct ViewportView {
     const ViewImage* image = nullptr;
-    std::string message;   // in the middle, while there is no picture
-    std::string remark;    // at the top, over the picture
-    bool locked = false;   // looking through the plan's camera: the mouse does not move it
-    double aspect = 0.0;   // of the picture when it is not the pane's own; 0: fills the pane
-    bool blocked = false;  // something else has the mouse: a gizmo, a picture in the picture
+    std::string message;     // in the middle, while there is no picture
+    std::string remark;      // at the top, over the picture
+    bool locked = false;     // looking through the plan's camera: the mouse does not move it
+    double aspect = 0.0;     // of the picture when it is not the pane's own; 0: fills the pane
+    bool covered = false;    // something lies over it there, and has the mouse and the wheel
+    bool on_handle = false;  // the mouse is on a gizmo, which has its left button
 };
 
 /// What it remembers between frames.

@@ -108,6 +108,21 @@ class Looking(Task):
         after = self.place_of(SOFA_TOP)
         self.assertLess(math.dist(place, after), 8, "px")
 
+    def test_zoom_and_pan_over_a_handle(self):
+        self.start_room()
+        self.select_row(SOFA)  # the preview lies over others
+        self.editor.item("gizmo.free")
+        self.wait_picture()
+        place = self.editor.middle("gizmo.free")
+        before = self.editor.state()["camera"]
+        self.editor.wheel(place, 2)
+        after = self.editor.idle()
+        self.assertLess(after["camera"]["distance"], before["distance"])
+        self.editor.drag(self.editor.middle("gizmo.free"), (place[0] + 80, place[1]), "middle")
+        panned = self.editor.idle()
+        self.assertNotEqual(panned["camera"]["pivot"], after["camera"]["pivot"])
+        self.assertEqual(len(panned["history"]), 1, "nothing was moved")
+
     def test_fly_with_the_keys(self):
         start = self.start_room()["camera"]
         x, y = self.editor.middle("viewport")
