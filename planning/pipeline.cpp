@@ -192,7 +192,6 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const PitchBand pitch = pitchBand(params.constraints);
     const Surroundings around{*views, *free_space, sphere, pitch};
     PathEnds ends;
-    FrameLooks looks(*views);
     // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
@@ -214,6 +213,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             return within(params.timing.max_frames)
                 .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
                     if (params.timing.max_frames <= 0) return std::move(timed);
+                    FrameLooks looks(*views);  // of this call: repairs are tried in parallel
                     return dropRepeats(std::move(timed), params.timing.max_repeat_rate, within,
                                        looks, job);
                 })

@@ -57,8 +57,9 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     return frames;
 }
 
-/// Key frames that may show the object large, the safest first. Surfaces that lie in one another
-/// look different to every few rays: what a key frame was chosen for may hide from the glance.
+/// Key frames that show something of the object, the most visible first. Surfaces that lie in one
+/// another look different to every few rays: what a key frame was chosen for may hide from the
+/// glance.
 std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
     std::erase_if(coarse, [&](const ObjectView& v) {
         return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;

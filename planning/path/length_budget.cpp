@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kWell = 1000.0;    // an object captured well is worth that many only captured
+constexpr double kWell = 3.0;       // what an object captured well is worth beside its capture
 constexpr int kRounds = 4;          // of shortening and taking in again
 constexpr double kLeast = 1e-9;     // metres below are rounding
 constexpr std::size_t kSeeds = 16;  // stops to grow from, besides none
