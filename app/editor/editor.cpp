@@ -61,6 +61,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
 
 Editor::~Editor() {
     rememberSettings();
+    settings_saver_.stop();  // two must not write at once
     if (const Status saved = saveSettings(settings_); !saved) {
         log::warn("editor", describe(saved.error()));
     }
@@ -78,6 +79,7 @@ void Editor::refreshScene() {
         step_playback_.goTo(0);
         through_camera_ = false;
         sent_scene_.forget();
+        remedies_.forget();
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
         // The copy was of the project before.
@@ -238,19 +240,21 @@ void Editor::autosave() {
     }
 }
 
+void Editor::tellRefusal(const Status& done) {
+    if (done) return;
+    // What an operation says of its fields is for those who write operations.
+    const bool refused = done.error().code == ErrorCode::Usage;
+    questions_.tell(
+        {true, "That cannot be done", refused ? done.error().message : describe(done.error()), {}});
+}
+
 void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
     const std::vector<PinnedPoint> pinned_before =
         workspace_.isOpen() ? workspace_.state().edits.plan.pinned : std::vector<PinnedPoint>();
-    if (const Status done = workspace_.apply(operation, merge_key); !done) {
-        // What an operation says of its fields is for those who write operations.
-        const bool refused = done.error().code == ErrorCode::Usage;
-        questions_.tell({true,
-                         "That cannot be done",
-                         refused ? done.error().message : describe(done.error()),
-                         {}});
-        return;
-    }
-    // What is a part of a larger step, as of a remedy, leaves the selection where it is.
+    const Status done = workspace_.apply(operation, merge_key);
+    tellRefusal(done);
+    if (!done) return;
+    // What is a part of a larger step leaves the selection where it is.
     if (!merge_key.empty() || (operation["op"] != "pin" && operation["op"] != "add_point")) return;
     // A point set by hand is there to be moved: its handles show when it is selected.
     for (const PinnedPoint& point : workspace_.state().edits.plan.pinned) {

@@ -142,6 +142,7 @@ class Editor {
     void save();
 
     // Changing the project and what is selected
+    void tellRefusal(const Status& done);
     void apply(const nlohmann::json& operation, const std::string& merge_key = {});
     void applyRequest(const ui::EditRequest& request);
     void select(ui::Selection selection);

@@ -185,6 +185,7 @@ void Editor::playTracks() {
 }
 
 void Editor::goToTrackTime(double time_s) {
+    if (track_time_.playing()) workspace_.endMerge();  // what was played is a step of its own
     track_time_.goTo(time_s);
     apply({{"op", "at_time"}, {"time_s", time_s}}, kTimeMerge);
 }
@@ -202,7 +203,10 @@ void Editor::followTracks() {
             if (!track_time_.playing()) workspace_.endMerge();
         }
         // Where the plan fails there is nothing to wait for.
-        if (!workspace_.planError().empty()) track_time_.stop();
+        if (!workspace_.planError().empty()) {
+            track_time_.stop();
+            workspace_.endMerge();
+        }
     }
     // Undo, and edits of other kinds, may have put them elsewhere.
     if (followed_tracks_ != workspace_.history().state()) {

@@ -196,10 +196,7 @@ void Editor::drawSelection() {
     if (actions.remedy.find) remedies_.find(shown, object);
     if (actions.remedy.cancel) remedies_.cancel();
     if (actions.remedy.apply) {
-        for (const nlohmann::json& operation : remedies_.operations()) {
-            apply(operation, "remedy");
-        }
-        workspace_.endMerge();
+        tellRefusal(workspace_.applyAll(remedies_.operations(), remedies_.name()));
     }
     if (actions.select) select(*actions.select);
 }

@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <set>
 
 namespace dollytrack::editor {
@@ -41,13 +42,17 @@ void InputQueue::attach(GLFWwindow* window) {
 
 bool InputQueue::deliver(bool hold_keys) {
     std::set<int> changed;  // keys, and buttons below zero
-    at_event_ = false;      // a button or the wheel needs the mouse to stay where it is
+    at_event_ = false;      // a button needs the mouse to stay where it is
+    bool dragged = false;   // the end of the way must be seen before the button is up
     while (!events_.empty()) {
         const Event event = events_.front();
         const bool typed = event.kind == Event::Kind::Text ||
                            (event.kind == Event::Kind::Key && event.action != GLFW_RELEASE);
         if (typed && hold_keys) return true;
         if (event.kind == Event::Kind::Move && at_event_) return true;
+        if (event.kind == Event::Kind::Button && event.action == GLFW_RELEASE && dragged) {
+            return true;
+        }
         const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
         const bool repeats = event.action == GLFW_REPEAT;
         const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
@@ -76,7 +81,6 @@ bool InputQueue::deliver(bool hold_keys) {
                 break;
             case Event::Kind::Scroll:
                 ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
-                at_event_ = true;
                 break;
             case Event::Kind::Text:
                 ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
@@ -85,6 +89,7 @@ bool InputQueue::deliver(bool hold_keys) {
                 x_ = event.x;
                 y_ = event.y;
                 knows_place_ = true;
+                dragged = std::ranges::find(down_, true) != down_.end();
                 break;
         }
     }

@@ -39,7 +39,7 @@ class InputQueue {
     std::array<bool, 5> down_ = {};  // buttons, as far as delivered
     double x_ = 0.0, y_ = 0.0;       // the mouse, as far as delivered
     bool knows_place_ = false;       // it has moved since the window is there
-    bool at_event_ = false;          // it was there when the newest event happened
+    bool at_event_ = false;          // a button was pressed or let go there in this frame
 };
 
 }  // namespace dollytrack::editor

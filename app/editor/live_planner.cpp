@@ -39,7 +39,7 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
     if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
-    if (!goes_on || scene_edits.definitions != edits.definitions) {
+    if (!same_objects) {
         objects =
             std::make_shared<const ObjectTrace>(traceObjects(*request.imported, edits.definitions));
     }
@@ -96,8 +96,8 @@ void LivePlanner::start(PlanRequest request) {
         outcome.geometry = desk->geometry;
         outcome.objects_since = desk->objects_since;
         outcome.warnings = desk->warnings;
-        const PlanEdits edits =
-            findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+        outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+        const PlanEdits edits = outcome.edits;
         const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
             outcome.rays = desk->pipeline->rays();
             outcome.free_space = desk->pipeline->freeSpace();

@@ -42,6 +42,7 @@ struct PlanOutcome {
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error
     planning::PlanParams params;
+    PlanEdits edits;        // of the plan, with the numbers that objects have in this scene
     bool measured = false;  // false: the trajectory is there, its metrics are still to come
     double milliseconds = 0.0;
     std::optional<Error> error;

@@ -19,9 +19,9 @@ void RemedyFinder::find(const PlanOutcome& shown, int object_id) {
     object_id_ = object_id;
     answer_.reset();
     searching_ = true;
-    worker_.start([question = ++question_, plan = plan_, scene = scene_, state = shown.state,
+    worker_.start([question = ++question_, plan = plan_, scene = scene_, edits = shown.edits,
                    params = shown.params, asked = *row, outbox = answers_](const JobContext& job) {
-        auto rows = planning::findRemedies(scene, params, state->edits.plan, *plan, {asked}, job);
+        auto rows = planning::findRemedies(scene, params, edits, *plan, {asked}, job);
         if (rows) {
             outbox->put({question, std::move(rows->front())});
         } else {
@@ -36,17 +36,28 @@ void RemedyFinder::cancel() {
     worker_.cancel();
 }
 
+void RemedyFinder::forget() {
+    cancel();
+    answer_.reset();
+    plan_.reset();
+    scene_.reset();
+}
+
 ui::RemedySearch RemedyFinder::state(const PlanOutcome& shown, int object_id) {
     using State = ui::RemedySearch::State;
     const bool same = shown.plan == plan_ && object_id == object_id_;
-    if (searching_ && shown.plan != plan_) cancel();  // of use to nobody any more
+    if (searching_ && shown.plan != plan_) forget();  // of use to nobody any more
+    const bool ended = !worker_.state().busy;
     if (auto answer = answers_->take(); answer && answer->question == question_) {
         answer_ = std::move(answer);
         searching_ = false;
     }
     ui::RemedySearch search;
     if (!same) return search;
-    if (searching_) {
+    if (searching_ && ended) {
+        search.state = State::Failed;
+        search.error = "The search ended without an answer; the log may say why.";
+    } else if (searching_) {
         search.state = State::Searching;
         search.fraction = worker_.state().fraction;
     } else if (answer_ && answer_->question == question_) {
@@ -60,6 +71,11 @@ ui::RemedySearch RemedyFinder::state(const PlanOutcome& shown, int object_id) {
         search.can_be_applied = !operations().empty();
     }
     return search;
+}
+
+std::string RemedyFinder::name() const {
+    if (operations().empty()) return {};
+    return "Help " + scene_->object(object_id_).name + ": " + answer_->row->remedy->text;
 }
 
 nlohmann::json RemedyFinder::operations() const {

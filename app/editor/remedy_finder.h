@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace dollytrack::editor {
 
@@ -19,10 +20,14 @@ class RemedyFinder {
 
     void find(const PlanOutcome& shown, int object_id);
     void cancel();
+    /// Lets go of plan and scene as well.
+    void forget();
     /// Where the search for this object in this plan is.
     [[nodiscard]] ui::RemedySearch state(const PlanOutcome& shown, int object_id);
     /// What applies the answer (engine/document/remedy_operations.h).
     [[nodiscard]] nlohmann::json operations() const;
+    /// What that is called as a step of the history.
+    [[nodiscard]] std::string name() const;
 
   private:
     struct Answer {

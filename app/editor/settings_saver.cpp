@@ -25,4 +25,9 @@ void SettingsSaver::follow(const EditorSettings& settings) {
     });
 }
 
+void SettingsSaver::stop() {
+    writer_.cancel();
+    writer_.finish();
+}
+
 }  // namespace dollytrack::editor

@@ -14,6 +14,9 @@ class SettingsSaver {
     /// Once a frame. What the file has already is not written again.
     void follow(const EditorSettings& settings);
 
+    /// What was not written yet is not; nothing is being written any more.
+    void stop();
+
     /// A splitter being dragged changes them with every frame; it is written when it rests.
     static constexpr int kRest_ms = 300;
 

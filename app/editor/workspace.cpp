@@ -222,7 +222,7 @@ void Workspace::finishSaving(SaveOutcome outcome) {
     stack_.markSaved(outcome.state);
 }
 
-Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
+Status Workspace::checkEditable() const {
     if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
     if (!shown_.scene && shown_.error) {
         return fail(shown_.error->code,
@@ -236,12 +236,30 @@ Status Workspace::apply(const nlohmann::json& operation, const std::string& merg
     if (!(shown_.state->edits.scene.definitions == state().edits.scene.definitions)) {
         return fail(ErrorCode::Failed, "The objects are being made anew; try again in a moment.");
     }
+    return {};
+}
+
+Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
+    if (Status status = checkEditable(); !status) return status;
     ProjectState next = state();
     Result<std::string> name =
         applyOperation(next, {*shown_.scene, planning::setParameter}, operation);
     if (!name) return tl::unexpected<Error>(std::move(name.error()));
     const CommandStack::State before = stack_.state();
     stack_.push(*name, std::move(next), merge_key);
+    if (stack_.state() != before) replan();
+    return {};
+}
+
+Status Workspace::applyAll(const nlohmann::json& operations, const std::string& name) {
+    if (Status status = checkEditable(); !status) return status;
+    ProjectState next = state();
+    if (auto done = applyOperations(next, *shown_.scene, planning::setParameter, operations);
+        !done) {
+        return tl::unexpected<Error>(std::move(done.error()));
+    }
+    const CommandStack::State before = stack_.state();
+    stack_.push(name, std::move(next));
     if (stack_.state() != before) replan();
     return {};
 }
@@ -310,9 +328,8 @@ void Workspace::take(PlanOutcome outcome) {
     const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
     if (refused && shown_.plan && shown_.state->edits.scene == outcome.state->edits.scene) {
         // Parameters that do not go together are on their way to ones that do: the plan before
-        // stays in sight, with its own scene and parameters.
+        // stays in sight, with its own scene, parameters and edits.
         shown_.serial = outcome.serial;
-        shown_.state = std::move(outcome.state);
         shown_.error = std::move(outcome.error);
         shown_.outdated = true;
         return;

@@ -55,6 +55,8 @@ class Workspace {
     /// Applies one operation (engine/document/operation.h). Operations with the same merge key in
     /// a row are one step. Errors are the user's to read.
     Status apply(const nlohmann::json& operation, const std::string& merge_key = {});
+    /// Applies a list of them, all or none, as one step of that name.
+    Status applyAll(const nlohmann::json& operations, const std::string& name);
     /// Parameters as sections of fields; `name` is what the step is called.
     void setParameters(const nlohmann::json& parameters, const std::string& name,
                        const std::string& merge_key);
@@ -134,6 +136,7 @@ class Workspace {
 
     void load(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead, bool restored);
+    [[nodiscard]] Status checkEditable() const;
     void replan();
     void install(OpenedProject opened, std::optional<CommandStack::History> history);
     static void takeHistory(LoadOutcome& outcome);

@@ -27,7 +27,9 @@ void addTimes(const std::vector<TrackKey>& track, const ObjectMove& move,
         const double share =
             ((move.offset_m - from.offset_m).dot(way) + (move.turn_rad - from.turn_rad) * turn) /
             square;
-        if (share > 0.0 && share < 1.0) {
+        // A key itself is a time already; a share that rounding keeps from it would be a second
+        // one.
+        if (share > kHair && share < 1.0 - kHair) {
             times.push_back(track[i].time_s + share * (track[i + 1].time_s - track[i].time_s));
         }
     }

@@ -279,7 +279,6 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
             actions.with_ctrl = state.pressed_with_ctrl;
         }
     }
-    actions.has_mouse = hot != GizmoPart::None;
 
     ImDrawList* list = ImGui::GetWindowDrawList();
     const auto width = [&](GizmoPart part) { return scaled(part == hot ? 4.0F : 2.2F); };

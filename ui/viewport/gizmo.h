@@ -33,7 +33,6 @@ struct GizmoState {
 };
 
 struct GizmoActions {
-    bool has_mouse = false;  // the viewport must leave the mouse alone
     bool changed = false;
     bool finished = false;
     bool clicked = false;  // it ended without having begun: meant is what lies behind

@@ -62,7 +62,8 @@ TEST(ObjectTrack, ThereIsNoTimeForWhatStandsElsewhere) {
 TEST(ObjectTrack, KeysStayInOrderAndReplaceOneAnother) {
     std::vector<TrackKey> track;
     for (const double time : {5.0, 1.0, 3.0, 1.0}) {
-        track = withKey(std::move(track), {time, {{time, 0, 0}, 0.25 * track.size()}});
+        const double turn = 0.25 * static_cast<double>(track.size());
+        track = withKey(std::move(track), {time, {{time, 0, 0}, turn}});
     }
     ASSERT_EQ(track.size(), 3U);
     EXPECT_EQ(track[0], (TrackKey{1.0, {{1, 0, 0}, 0.75}}));  // the later of the two
