@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace dollytrack::cli {
 namespace {
 
@@ -84,7 +86,8 @@ std::string metricsTable(const nlohmann::json& m) {
     const auto spread = [&](const std::string& name, const std::string& unit,
                             const std::string& unit_text) {
         const auto value = [&](const char* what) {
-            return m.value(name + "_" + what + "_" + unit, 0.0);
+            const double measured = m.value(name + "_" + what + "_" + unit, 0.0);
+            return std::abs(measured) < 1e-6 ? 0.0 : measured;  // rounding is no motion
         };
         return fmt::format("{:.3g} {} median, {:.3g} for 95 %, {:.3g} at most", value("median"),
                            unit_text, value("p95"), value("max"));

@@ -285,6 +285,12 @@ void Editor::dropGizmo() {
     gizmo_.drop();
 }
 
+void Editor::cancelDrag() {
+    // Points become an edit when the drag ends, all else while it lasts.
+    dropGizmo();
+    if (workspace_.history().position() > position_before_drag_) workspace_.undo();
+}
+
 void Editor::select(ui::Selection selection) {
     if (!(selection == selected_.now())) dropGizmo();
     selected_.set(std::move(selection), plan(), pinnedIn(workspace_.shown()));

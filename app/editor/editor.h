@@ -151,6 +151,7 @@ class Editor {
     void lookThroughFrame(bool through);
     void lookAlongPose(const Pose& pose);
     void dropGizmo();
+    void cancelDrag();
     void bringIntoView(const Eigen::AlignedBox3d& box);
     void lockSelectedPoint();
     void deleteSelected();
@@ -195,6 +196,7 @@ class Editor {
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;
+    std::size_t position_before_drag_ = 0;  // in the history
     RemedyFinder remedies_{&Window::wake};
     PlanTimeline plan_timeline_;
     SentScene sent_scene_;

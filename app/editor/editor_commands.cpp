@@ -170,7 +170,9 @@ void Editor::addEditCommands() {
          },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
     commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
-                       if (workspace_.loading().busy) {
+                       if (gizmo_.dragging()) {
+                           cancelDrag();
+                       } else if (workspace_.loading().busy) {
                            workspace_.cancelOpening();
                        } else if (panels_.preview.full) {
                            panels_.preview.full = false;

@@ -240,6 +240,8 @@ void Editor::editWithGizmo() {
         return;
     }
     const ui::GizmoView& view = *handles;
+    if (!gizmo_.dragging()) position_before_drag_ = workspace_.history().position();
+    if (gizmo_.dragging() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) cancelDrag();
     if (const int object = movableObject(); object != 0) {
         moveWithGizmo(view, object);
         return;

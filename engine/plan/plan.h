@@ -57,8 +57,9 @@ struct RegionCoverage {
     int patches = 0;  // all of its surface
     int seeable = 0;  // from some place where the camera may be
     int seen = 0;     // by some frame
-    /// Share of what can be seen, 0..1; 1 where nothing can.
+    /// Share of what can be seen, 0..1; 1 where nothing can, 0 without any surface.
     [[nodiscard]] double rate() const {
+        if (patches == 0) return 0.0;
         return seeable > 0 ? static_cast<double>(seen) / seeable : 1.0;
     }
 };

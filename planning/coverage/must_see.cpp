@@ -1,5 +1,6 @@
 #include "planning/coverage/must_see.h"
 
+#include "engine/core/log.h"
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
@@ -230,6 +231,10 @@ Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
         Covering covering(around, region);
         covering.takeGiven(given);
         all.push_back(std::move(covering).run(job));
+        if (all.back().surface.patches.empty()) {
+            log::warn("planning", "The region '" + region.name +
+                                      "' that must be seen holds no surface of the scene.");
+        }
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         for (const int kept : all.back().kept) given[static_cast<std::size_t>(kept)].fixed = true;
         for (const Pose& view : all.back().views) given.push_back({view, true});

@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
+#include "planning/metrics/remedy_proposals.h"
 #include "planning/viewpoints/candidate_source.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/framing.h"
@@ -26,11 +27,13 @@ struct Reach {
 
 class DenseSearch {
   public:
-    DenseSearch(const Surroundings& around, int object_id, Random random, const JobContext& job)
+    DenseSearch(const Surroundings& around, int object_id, int seed, const JobContext& job)
         : around_(around),
           object_id_(object_id),
+          seed_(seed),
           subject_(makeSubject(around.views, {object_id})),
-          random_(random),
+          random_(static_cast<std::uint64_t>(seed),
+                  static_cast<std::uint64_t>(object_id) + 100'000U),
           job_(job) {}
 
     Reach run(const Plan& plan) {
@@ -54,6 +57,7 @@ class DenseSearch {
             consider(place);
         }
         refine();
+        if (!reach_.well) askWhatIf();
         return reach_;
     }
 
@@ -68,6 +72,21 @@ class DenseSearch {
         const Pose pose = aim(position, subject_.center, around_.pitch);
         Place place{position, around_.views.estimate(pose, object_id_, kCoarseGrid)};
         if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
+    }
+
+    /// The places that remedies are looked for at: no remedy may pin what the bound denies.
+    void askWhatIf() {
+        const PlanParams params;
+        const PlanEdits edits;
+        const auto places = whatIfPlaces(around_, subject_, object_id_, seed_, job_);
+        for (const bool well : {true, false}) {
+            if (well ? reach_.well : reach_.captured) continue;
+            if (proposePins({around_, params, edits, subject_, places, object_id_, well}).empty()) {
+                continue;
+            }
+            reach_.captured = true;
+            reach_.well |= well;
+        }
     }
 
     /// Looks by every pixel at the best for each of the two rates.
@@ -97,6 +116,7 @@ class DenseSearch {
 
     const Surroundings& around_;
     int object_id_;
+    int seed_;
     Subject subject_;
     Random random_;
     const JobContext& job_;
@@ -112,11 +132,7 @@ Result<CaptureBound> boundCaptures(const Surroundings& around, const Plan& plan,
     parallelFor(reaches.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
         const int id = plan.captures[i].object_id;
-        reaches[i] = DenseSearch(around, id,
-                                 Random(static_cast<std::uint64_t>(seed),
-                                        static_cast<std::uint64_t>(id) + 100'000U),
-                                 job)
-                         .run(plan);
+        reaches[i] = DenseSearch(around, id, seed, job).run(plan);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     CaptureBound bound;

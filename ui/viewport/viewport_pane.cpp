@@ -70,8 +70,9 @@ void flyWithKeys(ViewportState& state, ViewportActions& actions) {
 
 void beginDrag(ViewportState& state, const ViewportView& view) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (view.covered) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !view.on_handle) {
+    const bool drags_handle = view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (view.covered || drags_handle) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
         state.drag = ViewportState::Drag::Pan;

@@ -182,6 +182,34 @@ class ByHand(Task):
             self.assertEqual(after["camera"], before["camera"])
             self.assertNotEqual(self.boxes()[0]["center"], center)
 
+    def test_escape_and_the_right_button_end_a_drag_as_if_it_had_not_been(self):
+        self.start_room()
+        self.wait_picture()
+        self.editor.point("viewport")
+        self.editor.key("n")
+        self.editor.idle()
+        before = self.boxes()
+        steps = self.editor.state()["history_position"]
+        for how in ("esc", "right"):
+            x, y = self.editor.middle("gizmo.free")
+            self.editor.point((x, y))
+            self.editor.press()
+            for step in range(1, 5):
+                self.editor.move(x - 12 * step, y)
+                self.editor.state()
+            self.assertNotEqual(self.editor.state()["edits"]["no_go"], before)
+            if how == "esc":
+                self.editor.key("esc")
+            else:
+                self.editor.press("right")
+                self.editor.release("right")
+            self.editor.move(x - 70, y)
+            self.editor.release()
+            state = self.editor.idle()
+            self.assertEqual(state["edits"]["no_go"], before)
+            self.assertEqual(state["history_position"], steps)
+            self.assertEqual(state["selection_kind"], NO_GO_BOX)
+
     def test_rename_a_no_go_box(self):
         self.start_room()
         self.wait_picture()
