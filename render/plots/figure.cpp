@@ -87,7 +87,11 @@ void drawChart(Canvas& canvas, const Chart& chart, double top) {
         for (const double x : curve.x) x_range.add(x);
         for (const auto& y : curve.y) y_range.add(y.value_or(0.0));
     }
-    const double legend_width = 190.0;
+    // Beside its sign the longest name has room, in letters of 12 px.
+    std::size_t letters = 0;
+    for (const Curve& curve : chart.curves) letters = std::max(letters, curve.name.size());
+    const double legend_width =
+        std::clamp(60.0 + 7.2 * static_cast<double>(letters), 190.0, 0.5 * kWidth);
     const double bottom = top + kChartHeight - 60.0;
     const Axis x{roundTicks(x_range.low(), x_range.high(), 10), 70.0, kWidth - 20.0 - legend_width};
     const Axis y{roundTicks(y_range.low(), y_range.high(), 6), bottom, top + 44.0};
