@@ -230,10 +230,14 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
         ImGui::TextColored(palette().bad, "\u25cb not captured");
     }
     const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
-    if (row != view.plan->ledger.end() && row->loss) {
-        const bool searched = view.remedy.state == RemedySearch::State::Found ||
-                              view.remedy.state == RemedySearch::State::Nothing;
-        paragraph(searched ? view.remedy.row.reason : row->reason);
+    // The search for remedies looks at more places: what it says replaces what the plan knew.
+    const bool searched = view.remedy.state == RemedySearch::State::Found ||
+                          view.remedy.state == RemedySearch::State::Nothing;
+    const LedgerRow* known = row == view.plan->ledger.end() ? nullptr
+                             : searched                     ? &view.remedy.row
+                                                            : &*row;
+    if (known != nullptr && known->loss) {
+        paragraph(known->reason);
         actions.remedy = drawRemedy(view.remedy);
     }
     if (!beginForm("capture")) return;
@@ -245,7 +249,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     if (found->well_captured && found->best_well.frame != found->best.frame) {
         drawView("Best well", found->best_well, "selection.best_well_frame", actions);
     }
-    if (row != view.plan->ledger.end()) drawRow(*row);
+    if (known != nullptr) drawRow(*known);
     endForm();
 }
 
