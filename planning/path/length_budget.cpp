@@ -98,7 +98,7 @@ class Budget {
     };
 
     [[nodiscard]] double weightOf(int id) const {
-        return weights_.empty() ? 1.0 : weights_[static_cast<std::size_t>(id) - 1];
+        return weights_.empty() || id <= 0 ? 1.0 : weights_[static_cast<std::size_t>(id) - 1];
     }
 
     void count(const BudgetedTour& tour, int stop, int sign) {

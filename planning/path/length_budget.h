@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 struct BudgetedTour {
     CostMatrix metres;                    // between stops; a triangle's side never exceeds the rest
     CostMatrix cost;                      // what shortTour() weighs
-    std::vector<std::vector<int>> shows;  // ids of what each stop captures well
+    std::vector<std::vector<int>> shows;  // ids of what each stop captures well; below 0: no object
     std::vector<std::vector<int>> shows_less;  // ids of what it captures, those included
     std::vector<bool> fixed;                   // stays whatever it costs
     TourEnds ends;                             // stay, too, and where they are

@@ -46,6 +46,12 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         const PositionPoint& point = part.point(static_cast<int>(i));
         plan.shows.push_back(point.well_captured);
         plan.shows_less.push_back(point.captured);
+        if (point.fixed && point.pin < 0) {
+            // What is asked for beside objects, of a must-see region or an anchor, is worth one.
+            const int asked = -1 - part.keys[i];
+            plan.shows.back().push_back(asked);
+            plan.shows_less.back().push_back(asked);
+        }
         plan.fixed.push_back(point.pin >= 0);
         tour.vertices.push_back(static_cast<int>(i));
     }
