@@ -249,14 +249,15 @@ void Editor::tellRefusal(const Status& done) {
 }
 
 void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
-    const std::vector<PinnedPoint> pinned_before =
-        workspace_.isOpen() ? workspace_.state().edits.plan.pinned : std::vector<PinnedPoint>();
+    // A point set by hand is there to be moved: its handles show when it is selected. What is a
+    // part of a larger step leaves the selection where it is.
+    const bool places_point =
+        merge_key.empty() && (operation["op"] == "pin" || operation["op"] == "add_point");
+    std::vector<PinnedPoint> pinned_before;
+    if (places_point && workspace_.isOpen()) pinned_before = workspace_.state().edits.plan.pinned;
     const Status done = workspace_.apply(operation, merge_key);
     tellRefusal(done);
-    if (!done) return;
-    // What is a part of a larger step leaves the selection where it is.
-    if (!merge_key.empty() || (operation["op"] != "pin" && operation["op"] != "add_point")) return;
-    // A point set by hand is there to be moved: its handles show when it is selected.
+    if (!done || !places_point) return;
     for (const PinnedPoint& point : workspace_.state().edits.plan.pinned) {
         if (std::ranges::count(pinned_before, point) == 0) selected_.awaitPin(point.name);
     }

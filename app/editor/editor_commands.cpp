@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/document/object_key.h"
 #include "planning/free_space/free_space.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/region_rows.h"
@@ -96,7 +97,7 @@ void Editor::addEditCommands() {
         {"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
          [this] {
              apply({{"op", "exclude"},
-                    {"object", ui::objectKeys(*workspace_.shown().scene, selected_.objects())}});
+                    {"object", objectKeys(*workspace_.shown().scene, selected_.objects())}});
          },
          needs_object});
     commands_.add(
@@ -106,7 +107,7 @@ void Editor::addEditCommands() {
          {GLFW_KEY_X, false, true},
          [this] {
              apply({{"op", "include"},
-                    {"object", ui::objectKeys(*workspace_.shown().scene, selected_.objects())}});
+                    {"object", objectKeys(*workspace_.shown().scene, selected_.objects())}});
          },
          needs_object});
     commands_.add({"edit.split",
@@ -391,7 +392,7 @@ void Editor::lockSelectedPoint() {
     const auto& objects =
         plan()->observation_points[static_cast<std::size_t>(point.observation_point)].objects;
     apply({{"op", "pin"},
-           {"objects", ui::objectKeys(*workspace_.shown().scene, objects)},
+           {"objects", objectKeys(*workspace_.shown().scene, objects)},
            {"position", ui::pointJson(point.pose.position)},
            {"quaternion_xyzw", ui::turnJson(point.pose.rotation)}});
 }
@@ -421,8 +422,8 @@ void Editor::deleteSelected() {
         }
         if (target >= plan()->observation_points.size()) return;
         apply({{"op", "remove_point"},
-               {"objects", ui::objectKeys(*workspace_.shown().scene,
-                                          plan()->observation_points[target].objects)}});
+               {"objects", objectKeys(*workspace_.shown().scene,
+                                      plan()->observation_points[target].objects)}});
     }
     selected_.clear();
 }

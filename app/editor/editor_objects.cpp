@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/document/object_key.h"
 #include "engine/document/object_track.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/track_bar.h"
@@ -102,8 +103,7 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
     if (gizmo_.dragging() || !(now == before)) drawOutline(objectBox(id), view);
     const ui::GizmoActions actions = gizmo_.draw(view);
     if (actions.changed) {
-        nlohmann::json operation = {{"op", "move_object"},
-                                    {"object", ui::objectKey(*shown.scene, id)}};
+        nlohmann::json operation = {{"op", "move_object"}, {"object", objectKey(*shown.scene, id)}};
         if (gizmo_.turning()) {
             const Eigen::Vector3d way = actions.pose.forward();
             operation["turn_deg"] = turnDegrees(std::atan2(way.y(), way.x()), now.turn_rad);
@@ -125,7 +125,7 @@ void Editor::addObjectCommands() {
     const auto putBack = [this](const char* what, const nlohmann::json& value) {
         nlohmann::json operation = {
             {"op", "move_object"},
-            {"object", ui::objectKey(*workspace_.shown().scene, movableObject())}};
+            {"object", objectKey(*workspace_.shown().scene, movableObject())}};
         operation[what] = value;
         apply(operation);
     };

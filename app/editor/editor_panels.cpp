@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/document/object_key.h"
 #include "planning/free_space/free_space.h"
 #include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
@@ -78,7 +79,7 @@ void Editor::drawObjects() {
     if (actions.toggle_hidden != 0) selected_.toggleHidden(actions.toggle_hidden);
     if (actions.toggle_target != 0) {
         apply({{"op", actions.make_target ? "include" : "exclude"},
-               {"object", ui::objectKey(*shown.scene, actions.toggle_target)}});
+               {"object", objectKey(*shown.scene, actions.toggle_target)}});
     }
 }
 

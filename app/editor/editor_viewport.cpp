@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/document/object_key.h"
 #include "engine/geometry/ray_caster.h"
 #include "planning/free_space/free_space.h"
 #include "render/look_inside.h"
@@ -278,7 +279,7 @@ void Editor::editWithGizmo() {
         const auto& objects =
             plan()->observation_points[static_cast<std::size_t>(here.observation_point)].objects;
         apply({{"op", "pin"},
-               {"objects", ui::objectKeys(*workspace_.shown().scene, objects)},
+               {"objects", objectKeys(*workspace_.shown().scene, objects)},
                {"position", position},
                {"quaternion_xyzw", turn}});
     }

@@ -97,7 +97,7 @@ void LivePlanner::start(PlanRequest request) {
         outcome.objects_since = desk->objects_since;
         outcome.warnings = desk->warnings;
         outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
-        const PlanEdits edits = outcome.edits;
+        const PlanEdits& edits = outcome.edits;
         const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
             outcome.rays = desk->pipeline->rays();
             outcome.free_space = desk->pipeline->freeSpace();

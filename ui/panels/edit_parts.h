@@ -14,10 +14,6 @@ namespace dollytrack::ui {
 
 // What the panels that edit share: operations as JSON, names, and rows of widgets.
 
-/// What an operation calls an object: its name where that is unique (it holds while the numbers
-/// change), else its number.
-nlohmann::json objectKey(const Scene& scene, int id);
-nlohmann::json objectKeys(const Scene& scene, const std::vector<int>& ids);
 nlohmann::json pointJson(const Eigen::Vector3d& point);
 nlohmann::json turnJson(const Eigen::Quaterniond& rotation);
 /// The operation that adds a no-go box; flat ones get a thickness that can be grabbed.

@@ -1,6 +1,7 @@
 #include "ui/panels/edits_panel.h"
 
 #include "engine/document/apply_scene_edits.h"
+#include "engine/document/object_key.h"
 #include "engine/scene/labels.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/region_rows.h"

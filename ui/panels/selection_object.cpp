@@ -1,3 +1,4 @@
+#include "engine/document/object_key.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/move_object.h"
 #include "ui/panels/edit_parts.h"

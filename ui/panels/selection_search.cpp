@@ -1,3 +1,4 @@
+#include "engine/document/object_key.h"
 #include "ui/panels/edit_parts.h"
 #include "ui/panels/selection_details.h"
 #include "ui/theme.h"

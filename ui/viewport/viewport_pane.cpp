@@ -68,10 +68,14 @@ void flyWithKeys(ViewportState& state, ViewportActions& actions) {
     actions.camera_moved = true;
 }
 
+/// Whether the mouse's left button is a handle's.
+bool isHandles(const ViewportView& view) {
+    return view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
 void beginDrag(ViewportState& state, const ViewportView& view) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool drags_handle = view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (view.covered || drags_handle) return;
+    if (view.covered || isHandles(view)) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
@@ -176,8 +180,7 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
     if (actions.hovered) {
         beginDrag(state, view);
         actions.double_clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        const bool drags_handle = view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-        if (!view.covered && !view.locked && !drags_handle) zoomWithWheel(view, state, actions);
+        if (!view.covered && !view.locked && !isHandles(view)) zoomWithWheel(view, state, actions);
     }
     if (state.drag != ViewportState::Drag::None) continueDrag(state, view, actions);
     return actions;

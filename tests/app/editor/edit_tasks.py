@@ -16,6 +16,14 @@ class ByHand(Task):
     def boxes(self):
         return self.editor.idle()["edits"].get("no_go", [])
 
+    def start_room_with_box(self):
+        """With a new no-go box, which is selected."""
+        self.start_room()
+        self.wait_picture()
+        self.editor.point("viewport")
+        self.editor.key("n")
+        return self.editor.idle()
+
     def pinned(self):
         return self.editor.idle()["edits"].get("pinned", [])
 
@@ -159,11 +167,7 @@ class ByHand(Task):
         self.editor.item("gizmo.z")
 
     def test_a_handle_pressed_between_two_frames_does_not_turn_the_view(self):
-        self.start_room()
-        self.wait_picture()
-        self.editor.point("viewport")
-        self.editor.key("n")
-        self.editor.idle()
+        self.start_room_with_box()
         self.editor.item("gizmo.free")
         for _ in range(3):
             self.wait_picture()
@@ -183,11 +187,7 @@ class ByHand(Task):
             self.assertNotEqual(self.boxes()[0]["center"], center)
 
     def test_escape_and_the_right_button_end_a_drag_as_if_it_had_not_been(self):
-        self.start_room()
-        self.wait_picture()
-        self.editor.point("viewport")
-        self.editor.key("n")
-        self.editor.idle()
+        self.start_room_with_box()
         before = self.boxes()
         steps = self.editor.state()["history_position"]
         for how in ("esc", "right"):
