@@ -18,7 +18,11 @@ constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother tha
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
 constexpr int kGrid = 16;
-constexpr double kFarEnough = 1.0;  // m; a larger clearance is not told apart
+constexpr int kGlance = 10;
+// Where so many rays meet the object and nearly all see it, a glance is sure enough.
+constexpr int kEnoughRays = 30;
+constexpr double kNearlyWhole = 0.96;  // visible fraction
+constexpr double kFarEnough = 1.0;     // m; a larger clearance is not told apart
 
 struct Curve {
     Eigen::Vector3d start, corner, end;
@@ -50,18 +54,13 @@ class Smoother {
         double wish = std::min({set_back_, 0.5 * in.norm(), 0.5 * out.norm()});
         corner.shortened = wish < set_back_;
         if (turn > kReversal) return corner;
-        double refused = 0.0;  // the least one that was
-        while (wish >= kLeastSetBack && !allows(i, wish)) {
-            corner.shortened = true;
-            refused = wish;
-            wish *= kShrink;
+        wish = furthest(i, wish);
+        // What only just keeps its captures is looked at by every pixel, but only once.
+        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
+            wish = furthest(i, kShrink * wish);
         }
+        if (wish < set_back_) corner.shortened = true;
         if (wish < kLeastSetBack) return corner;
-        // As much as there is room for, to a few per cent.
-        for (int halving = 0; refused > 0.0 && halving < kHalvings; ++halving) {
-            const double between = 0.5 * (wish + refused);
-            (allows(i, between) ? wish : refused) = between;
-        }
         corner.set_back_m = wish;
         return corner;
     }
@@ -106,6 +105,8 @@ class Smoother {
     }
 
   private:
+    enum class Look { Quick, Sure };  // quick: rays that can be wrong by a little
+
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;
     }
@@ -120,24 +121,43 @@ class Smoother {
                 at(i) + set_back * (at(i + 1) - at(i)).normalized()};
     }
 
+    /// The largest set-back up to `wish` that there is room for, to a few per cent.
+    [[nodiscard]] double furthest(std::size_t i, double wish) const {
+        double refused = 0.0;  // the least one that was
+        while (wish >= kLeastSetBack && !allows(i, wish)) {
+            refused = wish;
+            wish *= kShrink;
+        }
+        if (wish < kLeastSetBack) return wish;
+        for (int halving = 0; refused > 0.0 && halving < kHalvings; ++halving) {
+            const double between = 0.5 * (wish + refused);
+            (allows(i, between) ? wish : refused) = between;
+        }
+        return wish;
+    }
+
     /// The sweep, the cheaper question, comes first.
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
         return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
-               keepsCaptures(i, curve.middle());
+               keepsCaptures(i, set_back, Look::Quick);
     }
 
-    [[nodiscard]] bool keepsCaptures(std::size_t i, const Eigen::Vector3d& position) const {
+    [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Look look) const {
         const int key = path_.vertices[i].position_point;
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
         const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
-        const Pose pose = aim(position, target.position, around_.pitch);
+        const Pose pose = aim(curveAt(i, set_back).middle(), target.position, around_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
-            const auto estimate = estimateSurely(around_.views, pose, id, kGrid);
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
-            return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);
+            const auto isStill = was_well ? isSafelyWellCaptured : isSafelyCaptured;
+            const auto glance = around_.views.estimate(pose, id, kGlance);
+            const bool whole =
+                glance.rays_on_silhouette >= kEnoughRays && glance.visible_fraction >= kNearlyWhole;
+            if (look == Look::Quick || whole) return isStill(glance) || !glance.tells();
+            return isStill(estimateSurely(around_.views, pose, id, kGrid));
         });
     }
 
