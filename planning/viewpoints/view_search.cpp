@@ -6,6 +6,7 @@
 #include "planning/plan_params.h"
 #include "planning/viewpoints/candidate_judge.h"
 #include "planning/viewpoints/candidate_source.h"
+#include "planning/viewpoints/exact_climb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,18 +244,13 @@ class Search {
         takeJustCaptured();
     }
 
-    /// By every pixel and without the margins: better captured only just than not.
+    /// Better captured only just than not.
     void takeJustCaptured() {
-        chooseParents(0.0);
-        const int id = point_.objects.front();
-        for (std::size_t i = 0; i < std::min(kRefined, promising_.size()); ++i) {
-            const Eigen::Vector3d& place = promising_[i].candidate.position;
-            const Pose pose = aim(place, judge_.subject().center, around_.pitch);
-            if (isWellCaptured(makeView(around_.views.estimate(pose, id, kExactGrid), id, 0))) {
-                best_ = std::move(promising_[i]);
-                return;
-            }
-        }
+        chooseParents(kFirstSpread);
+        std::vector<Eigen::Vector3d> places;
+        for (const Judged& one : promising_) places.push_back(one.candidate.position);
+        const auto place = climbToCapture(around_, judge_, point_.objects.front(), places, random_);
+        if (place) best_ = judge_.judge(*place, Look::Fine);
     }
 
     [[nodiscard]] double distanceOf(const Judged& judged) const {

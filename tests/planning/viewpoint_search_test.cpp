@@ -4,6 +4,7 @@
 #include "planning/free_space/free_space.h"
 #include "planning/plan_params.h"
 #include "planning/viewpoints/candidate_source.h"
+#include "planning/viewpoints/exact_climb.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/support/scene_builder.h"
 
@@ -114,6 +115,40 @@ TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
     const Fixture f(thingInANiche(2.4, 0.12));
     const FoundView found = f.search(f.idOf("thing"), 1);
     EXPECT_FALSE(found.best && !found.best->captured.empty());
+}
+
+// A few degrees off the axis the thing just fails the rule, and the places nearby that pass it are
+// found; from where most of it is hidden nothing is tried.
+TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
+    const double yaw = 2.4;
+    const Fixture f(thingInANiche(yaw, 0.30));
+    const int id = f.idOf("thing");
+    const Eigen::Vector3d thing = f.scene.object(id).box.center;
+    ObservationPoint point;
+    point.objects = {id};
+    point.position = thing;
+    const Surroundings around = f.around();
+    const CandidateJudge judge(around, point, ViewpointParams{}.fill);
+    const auto shownFrom = [&](const Eigen::Vector3d& place) {
+        return f.views.estimate(aim(place, thing, around.pitch), id, 400);
+    };
+    int climbed = 0;
+    for (double off = 0.22; off < 0.32; off += 0.001) {
+        const Eigen::Vector3d start =
+            thing + 0.75 * Eigen::Vector3d(std::cos(yaw + off), std::sin(yaw + off), 0.0);
+        const double shown = shownFrom(start).visible_fraction;
+        const bool close = shown > 0.76 && shown < 0.795;
+        if (!close && shown > 0.7) continue;  // too near the rule to tell beforehand
+        Random random(7, 1);
+        const auto place = climbToCapture(around, judge, id, {start}, random);
+        EXPECT_EQ(place.has_value(), close) << off << ", shown " << shown;
+        if (!place) continue;
+        ++climbed;
+        EXPECT_GE(shownFrom(*place).visible_fraction, 0.795);
+        EXPECT_GE(shownFrom(*place).box_share, CaptureRules{}.min_box_share);
+        EXPECT_TRUE(f.sphere.fits(*place));
+    }
+    EXPECT_GT(climbed, 0);
 }
 
 // A rod seen aslant meets few cells of an even grid over its extent; what few rays say of how much

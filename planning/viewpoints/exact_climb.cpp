@@ -1,0 +1,97 @@
+#include "planning/viewpoints/exact_climb.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kExactGrid = 72;
+constexpr double kNearlyThere = 1.94;  // of nearness, by every pixel: with less it is hopeless
+constexpr double kMayBeThere = 1.86;   // of nearness, by fewer rays and with the margins
+constexpr std::size_t kParents = 5;
+constexpr std::size_t kChildren = 48;
+constexpr int kGenerations = 30;
+constexpr double kFirstSpread = 0.15;  // of the distance to the target
+constexpr double kLeastSpread = 0.005;
+constexpr double kShrinking = 0.6;  // of the spread, when no child is nearer than its parents
+
+struct Looked {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    double nearness = 0.0;  // as Judged has it, without the margins
+    bool well = false;
+};
+
+class Climb {
+  public:
+    Climb(const Surroundings& around, const CandidateJudge& judge, int object_id)
+        : around_(around), judge_(judge), object_id_(object_id) {}
+
+    [[nodiscard]] Looked look(const Eigen::Vector3d& position) const {
+        const Pose pose = aim(position, judge_.subject().center, around_.pitch);
+        const auto seen = around_.views.estimate(pose, object_id_, kExactGrid);
+        const CaptureRules rules;
+        return {position,
+                std::min(1.0, seen.visible_fraction / rules.min_visible_fraction) +
+                    std::min(1.0, seen.box_share / rules.min_box_share),
+                isWellCaptured(makeView(seen, object_id_, 0))};
+    }
+
+    /// What a glance finds illegal or far off is not looked at, and of no nearness.
+    [[nodiscard]] std::vector<Looked> lookBeside(const std::vector<Looked>& parents, double spread,
+                                                 Random& random) const {
+        std::vector<Eigen::Vector3d> places;
+        for (std::size_t i = 0; i < kChildren; ++i) {
+            const Eigen::Vector3d& parent = parents[i % parents.size()].position;
+            const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
+            const double distance = (parent - judge_.subject().center).norm();
+            places.push_back(parent + spread * distance * offset);
+        }
+        std::vector<Looked> children(places.size());
+        parallelFor(places.size(), [&](std::size_t i) {
+            const Judged glance = judge_.judge(places[i], Look::Closer);
+            if (glance.nearness >= kMayBeThere) children[i] = look(places[i]);
+        });
+        return children;
+    }
+
+  private:
+    const Surroundings& around_;
+    const CandidateJudge& judge_;
+    int object_id_;
+};
+
+void keepBest(std::vector<Looked>& looked) {
+    std::stable_sort(looked.begin(), looked.end(), [](const Looked& a, const Looked& b) {
+        return std::pair(a.well, a.nearness) > std::pair(b.well, b.nearness);
+    });
+    looked.resize(std::min(looked.size(), kParents));
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> climbToCapture(const Surroundings& around,
+                                              const CandidateJudge& judge, int object_id,
+                                              const std::vector<Eigen::Vector3d>& places,
+                                              Random& random) {
+    const Climb climb(around, judge, object_id);
+    std::vector<Looked> best;
+    for (std::size_t i = 0; i < std::min(kParents, places.size()); ++i) {
+        best.push_back(climb.look(places[i]));
+    }
+    keepBest(best);
+    double spread = kFirstSpread;
+    for (int generation = 0; generation < kGenerations && !best.empty(); ++generation) {
+        const Looked before = best.front();
+        if (before.well) return before.position;
+        if (before.nearness < kNearlyThere || spread < kLeastSpread) break;
+        const auto children = climb.lookBeside(best, spread, random);
+        best.insert(best.end(), children.begin(), children.end());
+        keepBest(best);
+        if (best.front().nearness <= before.nearness) spread *= kShrinking;
+    }
+    return std::nullopt;
+}
+
+}  // namespace dollytrack::planning
