@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -14,6 +15,9 @@ constexpr double kSurely = 0.75;  // of the limit: a glance that finds fewer nee
 constexpr double kAim = 0.9;      // of the limit, to be sure to meet it
 // Places of another rate lie beside those glanced at, so the last word is a look at them.
 constexpr int kLooks = 12;
+constexpr int kLooksUp = 3;
+constexpr double kAlike = 0.05;     // of the frames: so few more are not worth another look
+constexpr double kBelow = 0.99;     // of the limit: fewer than that, not just as many
 constexpr double kStricter = 0.96;  // of the frames, after a look that found too many repeats
 
 int keyFrames(const Trajectory& trajectory) {
@@ -45,6 +49,22 @@ std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, doubl
     return frames;
 }
 
+/// As many more frames than `low`, and fewer than `high`, as are few enough by a closer look:
+/// glances are coarse, and lead too low.
+Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWithin& time_within,
+                             const std::function<Result<bool>(const Trajectory&)>& repeats_little) {
+    for (int look = 0; look < kLooksUp && high - low > 1 + kAlike * high; ++look) {
+        const int between = low + (high - low) / 2;
+        Result<Trajectory> more = time_within(between);
+        if (!more) return more;
+        const Result<bool> allowed = repeats_little(*more);
+        if (!allowed) return tl::unexpected<Error>(allowed.error());
+        (*allowed ? low : high) = between;
+        if (*allowed) thinned = std::move(*more);
+    }
+    return thinned;
+}
+
 }  // namespace
 
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
@@ -72,20 +92,30 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
         }
         return std::max(least, static_cast<int>(atLowerRate(keys, few).size()));
     };
+    const auto rateOf = [&](const Trajectory& looked_at) -> Result<double> {
+        const auto shown = looks.closer.look(looked_at, job);
+        if (!shown) return tl::unexpected<Error>(shown.error());
+        return shown->repeats() / static_cast<double>(shown->frames());
+    };
+    const double limit = kBelow * max_repeat_rate;
     double rate = kAim * max_repeat_rate;
-    auto low = framesAt(rate);
+    int low = framesAt(rate);
+    int high = low;  // the fewest frames that are known to hold too many repeats
     Result<Trajectory> thinned = time_within(low);
     for (int look = 0; look < kLooks && thinned && low > least; ++look) {
-        const auto shown = looks.closer.look(*thinned, job);
-        if (!shown) return tl::unexpected<Error>(shown.error());
-        const double found = shown->repeats() / static_cast<double>(shown->frames());
-        if (found <= max_repeat_rate) break;
+        const Result<double> found = rateOf(*thinned);
+        if (!found) return tl::unexpected<Error>(found.error());
+        if (*found <= limit) break;
+        high = low;
         // As many more as were found now will be found again.
-        rate *= kAim * max_repeat_rate / found;
+        rate *= kAim * max_repeat_rate / *found;
         low = std::max(least, std::min(framesAt(rate), static_cast<int>(kStricter * low)));
         thinned = time_within(low);
     }
-    return thinned;
+    if (!thinned) return thinned;
+    return addFrames(std::move(*thinned), low, high, time_within, [&](const Trajectory& more) {
+        return rateOf(more).map([&](double found) { return found <= limit; });
+    });
 }
 
 }  // namespace dollytrack::planning

@@ -51,6 +51,24 @@ TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
     }
 }
 
+// No more are dropped than need be: with half as many again too many repeat.
+TEST(DropRepeats, KeepsAsManyFramesAsTheLimitAllows) {
+    PlanParams params;
+    params.timing.max_frames = 300;
+    params.timing.frame_rate = 30.0;
+    const double all = planned(params, 1.0)->trajectory_metrics.repeat_rate;
+    for (const double share : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+        params.timing.max_frames = 300;
+        const double limit = share * all;
+        const auto thinned = planned(params, limit);
+        const auto frames = static_cast<int>(thinned->trajectory.frames.size());
+        if (frames == static_cast<int>(thinned->key_frames.size())) continue;
+        EXPECT_LT(thinned->trajectory_metrics.repeat_rate, limit);
+        params.timing.max_frames = frames + frames / 2;
+        EXPECT_GT(planned(params, 1.0)->trajectory_metrics.repeat_rate, limit) << frames;
+    }
+}
+
 TEST(DropRepeats, KeyFramesStayWhateverTheyRepeat) {
     PlanParams params;
     params.timing.max_frames = 300;
