@@ -17,7 +17,6 @@ namespace {
 constexpr int kDirections = 900;
 constexpr int kRandomPlaces = 4000;
 constexpr int kCoarseGrid = 14;
-constexpr int kExactGrid = 64;
 constexpr std::size_t kRefined = 80;
 
 struct Reach {
@@ -98,7 +97,7 @@ class DenseSearch {
             for (std::size_t i = 0; i < std::min(kRefined, places_.size()) && !reach_.well; ++i) {
                 const Pose pose = aim(places_[i].position, subject_.center, around_.pitch);
                 const ObjectView view =
-                    makeView(around_.views.estimate(pose, object_id_, kExactGrid), object_id_, 0);
+                    makeView(around_.views.estimateExactly(pose, object_id_), object_id_, 0);
                 reach_.captured |= isCaptured(view);
                 reach_.well |= isWellCaptured(view);
             }

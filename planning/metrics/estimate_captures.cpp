@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kExactFrames = 4;        // frames looked at by every pixel, for each of the orders
 constexpr std::size_t kMoreKeys = 12;  // key frames, where none of those shows the object well
-constexpr int kExactGrid = 72;         // denser than this adds nothing that decides
 
 /// The frames that are worth a look by every pixel, by three orders: most visible, most visible
 /// among those that show the object large, and of these the safest; then the safest key frames.
@@ -143,7 +142,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
             ObjectView view =
                 remembered != entries[f]->closely.end()
                     ? remembered->second
-                    : makeView(views.estimate(trajectory.frames[f].pose, id, kExactGrid), id, 0);
+                    : makeView(views.estimateExactly(trajectory.frames[f].pose, id), id, 0);
             view.frame = frame;
             exact[i].push_back(view);
         };

@@ -17,7 +17,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactGrid = 72;         // as estimateCaptures() counts
 constexpr std::size_t kLookedAt = 24;  // places a kind of remedy looks at again, exactly
 constexpr std::size_t kMost = 2;       // proposals of one kind
 constexpr double kAlmost = 0.9;        // of what a coarse look must show for an exact one
@@ -82,7 +81,7 @@ double cornerOf(const CameraParams& camera) {
 }  // namespace
 
 bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bool well) {
-    const ObjectView view = makeView(views.estimate(pose, object_id, kExactGrid), object_id, 0);
+    const ObjectView view = makeView(views.estimateExactly(pose, object_id), object_id, 0);
     return well ? isWellCaptured(view) : isCaptured(view);
 }
 

@@ -41,8 +41,8 @@ class Smoother {
     [[nodiscard]] Corner roundCorner(std::size_t i) const {
         Corner corner;
         corner.vertex = static_cast<int>(i);
-        // A pinned point is gone through, not past.
-        if (isPinned(i)) {
+        // A fixed point is gone through, not past.
+        if (isFixed(i)) {
             corner.shortened = true;
             return corner;
         }
@@ -55,7 +55,7 @@ class Smoother {
         corner.shortened = wish < set_back_;
         if (turn > kReversal) return corner;
         wish = furthest(i, wish);
-        // What only just keeps its captures is looked at by every pixel, but only once.
+        // What only just keeps its captures is looked at by every pixel, but not each set-back.
         while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
             wish = furthest(i, kShrink * wish);
         }
@@ -111,7 +111,7 @@ class Smoother {
         return path_.vertices[i].position;
     }
 
-    [[nodiscard]] bool isPinned(std::size_t i) const {
+    [[nodiscard]] bool isFixed(std::size_t i) const {
         const int key = path_.vertices[i].position_point;
         return key >= 0 && points_[static_cast<std::size_t>(key)].fixed;
     }

@@ -100,7 +100,8 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     const double limit = kBelow * max_repeat_rate;
     double rate = kAim * max_repeat_rate;
     int low = framesAt(rate);
-    int high = low;  // the fewest frames that are known to hold too many repeats
+    // The fewest frames that are known to hold too many repeats, or all there are.
+    int high = static_cast<int>(trajectory.frames.size());
     Result<Trajectory> thinned = time_within(low);
     for (int look = 0; look < kLooks && thinned && low > least; ++look) {
         const Result<double> found = rateOf(*thinned);

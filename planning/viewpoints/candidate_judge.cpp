@@ -11,7 +11,6 @@ namespace {
 constexpr double kFractionMargin = 0.04;
 constexpr double kAreaMargin = 1.12;
 constexpr double kSure = 0.92;  // visible fraction that a close look cannot mistake by its margin
-constexpr int kExactGrid = 72;  // as estimateCaptures() counts
 // A quarter of those rays decides, but where what they find is this near to the rule.
 constexpr int kNearlyExactGrid = 36;
 constexpr double kClear = 0.02;  // of the visible fraction
@@ -21,14 +20,6 @@ constexpr int kGlance = 4;
 constexpr double kHopeless = 0.45;   // well below what counts as captured
 constexpr double kMayCapture = 0.6;  // the least that a finer look might correct to captured
 
-/// See Judged::nearness.
-double nearnessOf(const ViewEstimator::Estimate& estimate) {
-    const CaptureRules rules;
-    return std::min(1.0,
-                    estimate.visible_fraction / (rules.min_visible_fraction + kFractionMargin)) +
-           std::min(1.0, estimate.box_share / (rules.min_box_share * kAreaMargin));
-}
-
 double seenInSteps(double visible_fraction) {
     return std::round(visible_fraction / kFractionStep) * kFractionStep;
 }
@@ -37,6 +28,14 @@ constexpr double kCapturedWorth = 1.0;
 constexpr double kWellWorth = 2.0;
 
 }  // namespace
+
+double nearnessOf(const ViewEstimator::Estimate& estimate, double fraction_margin,
+                  double area_margin) {
+    const CaptureRules rules;
+    return std::min(1.0,
+                    estimate.visible_fraction / (rules.min_visible_fraction + fraction_margin)) +
+           std::min(1.0, estimate.box_share / (rules.min_box_share * area_margin));
+}
 
 bool isSafelyCaptured(const ViewEstimator::Estimate& estimate) {
     const CaptureRules rules;
@@ -61,7 +60,7 @@ ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& p
         (well ? isSafelyWellCaptured(nearly) : isSafelyCaptured(nearly))) {
         return close;
     }
-    const auto exact = views.estimate(pose, object_id, kExactGrid);
+    const auto exact = views.estimateExactly(pose, object_id);
     const ObjectView view = makeView(exact, object_id, 0);
     return isWellCaptured(view) || (!well && isCaptured(view)) ? close : exact;
 }
@@ -136,7 +135,8 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
         const bool captured = isSafelyCaptured(estimate);
         judged.all_well &= well;
         all_captured &= captured;
-        judged.nearness = std::min(judged.nearness, nearnessOf(estimate));
+        judged.nearness =
+            std::min(judged.nearness, nearnessOf(estimate, kFractionMargin, kAreaMargin));
         if (estimate.visible_fraction < worst) {
             worst = estimate.visible_fraction;
             occluder = estimate.occluder;

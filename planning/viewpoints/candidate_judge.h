@@ -53,6 +53,10 @@ class CandidateJudge {
     double wished_fill_;
 };
 
+/// See Judged::nearness; the margins are added to the fraction asked for, and times the box.
+double nearnessOf(const ViewEstimator::Estimate& estimate, double fraction_margin = 0.0,
+                  double area_margin = 1.0);
+
 /// Estimates by rays and pixels of drawings differ a little: what is to count as well captured
 /// must pass the rules with this much to spare.
 bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate);

@@ -7,7 +7,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactGrid = 72;
 constexpr double kNearlyThere = 1.94;  // of nearness, by every pixel: with less it is hopeless
 constexpr double kMayBeThere = 1.86;   // of nearness, by fewer rays and with the margins
 constexpr std::size_t kParents = 5;
@@ -30,17 +29,13 @@ class Climb {
 
     [[nodiscard]] Looked look(const Eigen::Vector3d& position) const {
         const Pose pose = aim(position, judge_.subject().center, around_.pitch);
-        const auto seen = around_.views.estimate(pose, object_id_, kExactGrid);
-        const CaptureRules rules;
-        return {position,
-                std::min(1.0, seen.visible_fraction / rules.min_visible_fraction) +
-                    std::min(1.0, seen.box_share / rules.min_box_share),
-                isWellCaptured(makeView(seen, object_id_, 0))};
+        const auto seen = around_.views.estimateExactly(pose, object_id_);
+        return {position, nearnessOf(seen), isWellCaptured(makeView(seen, object_id_, 0))};
     }
 
-    /// What a glance finds illegal or far off is not looked at, and of no nearness.
+    /// Of places beside the parents, those that a glance finds legal and near enough.
     [[nodiscard]] std::vector<Looked> lookBeside(const std::vector<Looked>& parents, double spread,
-                                                 Random& random) const {
+                                                 Random& random, std::vector<Judged>& tried) const {
         std::vector<Eigen::Vector3d> places;
         for (std::size_t i = 0; i < kChildren; ++i) {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
@@ -48,12 +43,15 @@ class Climb {
             const double distance = (parent - judge_.subject().center).norm();
             places.push_back(parent + spread * distance * offset);
         }
-        std::vector<Looked> children(places.size());
+        std::vector<Judged> glances(places.size());
+        std::vector<Looked> looked(places.size());
         parallelFor(places.size(), [&](std::size_t i) {
-            const Judged glance = judge_.judge(places[i], Look::Closer);
-            if (glance.nearness >= kMayBeThere) children[i] = look(places[i]);
+            glances[i] = judge_.judge(places[i], Look::Closer);
+            if (glances[i].nearness >= kMayBeThere) looked[i] = look(places[i]);
         });
-        return children;
+        tried.insert(tried.end(), glances.begin(), glances.end());
+        std::erase_if(looked, [](const Looked& one) { return one.nearness == 0.0; });
+        return looked;
     }
 
   private:
@@ -71,27 +69,27 @@ void keepBest(std::vector<Looked>& looked) {
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> climbToCapture(const Surroundings& around,
-                                              const CandidateJudge& judge, int object_id,
-                                              const std::vector<Eigen::Vector3d>& places,
-                                              Random& random) {
+Climbed climbToCapture(const Surroundings& around, const CandidateJudge& judge, int object_id,
+                       const std::vector<Eigen::Vector3d>& places, Random& random) {
     const Climb climb(around, judge, object_id);
+    Climbed climbed;
     std::vector<Looked> best;
     for (std::size_t i = 0; i < std::min(kParents, places.size()); ++i) {
         best.push_back(climb.look(places[i]));
     }
+    if (best.empty()) return climbed;
     keepBest(best);
     double spread = kFirstSpread;
-    for (int generation = 0; generation < kGenerations && !best.empty(); ++generation) {
+    for (int generation = 0; generation < kGenerations; ++generation) {
         const Looked before = best.front();
-        if (before.well) return before.position;
-        if (before.nearness < kNearlyThere || spread < kLeastSpread) break;
-        const auto children = climb.lookBeside(best, spread, random);
+        if (before.well || before.nearness < kNearlyThere || spread < kLeastSpread) break;
+        const auto children = climb.lookBeside(best, spread, random, climbed.tried);
         best.insert(best.end(), children.begin(), children.end());
         keepBest(best);
         if (best.front().nearness <= before.nearness) spread *= kShrinking;
     }
-    return std::nullopt;
+    if (best.front().well) climbed.place = best.front().position;
+    return climbed;
 }
 
 }  // namespace dollytrack::planning

@@ -20,7 +20,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactGrid = 64;
 constexpr int kFirstGrid = 8;
 constexpr double kWorthALook = 0.6;  // visible fraction at a glance
 
@@ -212,7 +211,8 @@ class HandPlacing {
     }
 
     void addCaptured(PositionPoint& point, int id) const {
-        const ObjectView view = makeView(estimate(point.pose, id, kExactGrid), id, 0);
+        const ObjectView view =
+            makeView(estimate(point.pose, id, ViewEstimator::kExactGrid), id, 0);
         if (isWellCaptured(view)) point.well_captured.push_back(id);
         if (isCaptured(view)) point.captured.push_back(id);
     }

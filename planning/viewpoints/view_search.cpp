@@ -17,7 +17,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactGrid = 72;       // decides about objects that can be captured only just
 constexpr std::size_t kRefined = 5;  // candidates looked at again with the fine grid
 constexpr int kConeDirections = 20;
 constexpr int kAroundDirections = 64;
@@ -249,8 +248,10 @@ class Search {
         chooseParents(kFirstSpread);
         std::vector<Eigen::Vector3d> places;
         for (const Judged& one : promising_) places.push_back(one.candidate.position);
-        const auto place = climbToCapture(around_, judge_, point_.objects.front(), places, random_);
-        if (place) best_ = judge_.judge(*place, Look::Fine);
+        const Climbed climbed =
+            climbToCapture(around_, judge_, point_.objects.front(), places, random_);
+        for (const Judged& tried : climbed.tried) note(tried);
+        if (climbed.place) best_ = judge_.judge(*climbed.place, Look::Fine);
     }
 
     [[nodiscard]] double distanceOf(const Judged& judged) const {
@@ -277,7 +278,7 @@ class Search {
         for (const int id : point_.objects) {
             // By every pixel and without the margins: this very pose is flown to, and an object
             // that can be captured only just is better captured than not.
-            const ObjectView view = makeView(around_.views.estimate(p.pose, id, kExactGrid), id, 0);
+            const ObjectView view = makeView(around_.views.estimateExactly(p.pose, id), id, 0);
             if (isWellCaptured(view)) {
                 p.well_captured.push_back(id);
             } else {

@@ -39,8 +39,14 @@ class ViewEstimator {
     /// extent in the image; never denser than the pixels.
     [[nodiscard]] Estimate estimate(const Pose& pose, int object_id, int grid) const;
 
-    /// The same; where the silhouette is but a small part of its extent, as of a thin thing seen
-    /// aslant, with as many cells more as `least_rays` on it ask for.
+    /// The grid by which is decided what counts as captured: a denser one changes no answer.
+    static constexpr int kExactGrid = 72;
+    [[nodiscard]] Estimate estimateExactly(const Pose& pose, int object_id) const {
+        return estimate(pose, object_id, kExactGrid);
+    }
+
+    /// As estimate(); where the silhouette is but a small part of its extent, as of a thin thing
+    /// seen aslant, with as many cells more as `least_rays` on it ask for.
     [[nodiscard]] Estimate estimateClosely(const Pose& pose, int object_id, int grid,
                                            int least_rays = 200) const;
 
