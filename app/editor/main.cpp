@@ -36,7 +36,7 @@ int run(const std::string& path, const std::string& socket,
         std::cerr << "dollytrack-editor: " << describe(window.error()) << "\n";
         return 5;
     }
-    auto drawing = (*window)->sharedContext();
+    auto drawing = (*window)->drawingContext();
     if (!drawing) {
         std::cerr << "dollytrack-editor: " << describe(drawing.error()) << "\n";
         return 5;

@@ -1,5 +1,6 @@
 #include "app/editor/window.h"
 #include "engine/core/log.h"
+#include "render/gl/egl_context.h"
 #include "render/gl/picture_texture.h"
 #include "ui/screen_scale.h"
 #include "ui/theme.h"
@@ -29,10 +30,10 @@ void onGlfwError(int, const char* description) {
     last_glfw_error = description;
 }
 
-class SharedContext : public gl::Context {
+class HiddenWindow : public gl::Context {
   public:
-    explicit SharedContext(GLFWwindow* window) : window_(window) {}
-    ~SharedContext() override { glfwMakeContextCurrent(nullptr); }
+    explicit HiddenWindow(GLFWwindow* window) : window_(window) {}
+    ~HiddenWindow() override { glfwMakeContextCurrent(nullptr); }
     Status makeCurrent() override {
         glfwMakeContextCurrent(window_);
         if (glfwGetCurrentContext() == window_) return {};
@@ -163,21 +164,26 @@ Window::~Window() {
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
     }
-    if (sharer_ != nullptr) glfwDestroyWindow(sharer_);
+    if (hidden_ != nullptr) glfwDestroyWindow(hidden_);
     if (window_ != nullptr) glfwDestroyWindow(window_);
     glfwTerminate();
 }
 
-Result<std::unique_ptr<gl::Context>> Window::sharedContext() {
+Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
+    // Mesa's software driver keeps one list of contexts for all windows, and walks through another
+    // thread's work without asking: only a context that is none of a window's is safe from that.
+    if (gl::rendererName().find("llvmpipe") != std::string::npos) {
+        if (auto apart = gl::createEglContext()) return apart;
+    }
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
-    sharer_ = glfwCreateWindow(16, 16, "Dollytrack drawing", nullptr, window_);
+    hidden_ = glfwCreateWindow(16, 16, "Dollytrack drawing", nullptr, nullptr);
     glfwMakeContextCurrent(window_);
-    if (sharer_ == nullptr) {
+    if (hidden_ == nullptr) {
         return fail(ErrorCode::NoOpenGl,
                     "the second OpenGL context cannot be made: " + last_glfw_error);
     }
-    return std::unique_ptr<gl::Context>(std::make_unique<SharedContext>(sharer_));
+    return std::unique_ptr<gl::Context>(std::make_unique<HiddenWindow>(hidden_));
 }
 
 std::string Window::signOfKey(int key) {

@@ -30,8 +30,8 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// A second context that shares textures and buffers with the window's.
-    [[nodiscard]] Result<std::unique_ptr<gl::Context>> sharedContext();
+    /// A second context, for another thread, that shares nothing with the window's.
+    [[nodiscard]] Result<std::unique_ptr<gl::Context>> drawingContext();
 
     /// Calls `frame` whenever there is something to show, until it returns false. Sleeps while
     /// nothing happens.
@@ -72,7 +72,7 @@ class Window {
     [[nodiscard]] bool holdsKeys();
 
     GLFWwindow* window_ = nullptr;
-    GLFWwindow* sharer_ = nullptr;
+    GLFWwindow* hidden_ = nullptr;
     InputQueue input_;
     int held_frames_ = 0;  // for which what is typed waits until a field has the keyboard
     int frames_to_draw_ = 3;

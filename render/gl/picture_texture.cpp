@@ -19,10 +19,6 @@ void PictureTexture::upload(int width, int height, std::span<const std::uint8_t>
                         rgba.data());
 }
 
-void finish() {
-    glFinish();
-}
-
 void clearWindow(int width, int height, float red, float green, float blue) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width, height);

@@ -24,10 +24,6 @@ class PictureTexture {
     int height_ = 0;
 };
 
-/// Waits until everything asked of the current context is drawn, so that another context that
-/// shares its textures may show them.
-void finish();
-
 /// Makes the window itself what is drawn into, all of it in one colour.
 void clearWindow(int width, int height, float red, float green, float blue);
 

@@ -46,6 +46,13 @@ Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
     return canvas;
 }
 
+void OverlayCanvas::readRgba(std::vector<std::uint8_t>& rgba) const {
+    rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture_.get(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(rgba.size()), rgba.data());
+}
+
 void OverlayCanvas::readRgb(std::vector<std::uint8_t>& rgb) const {
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     rgb.resize(3 * pixels);

@@ -17,9 +17,8 @@ class OverlayCanvas {
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// As an OpenGL texture, to be shown in a window.
-    [[nodiscard]] unsigned picture() const { return picture_.get(); }
-    /// Waits for the drawing and copies it, 3 bytes a pixel, sRGB.
+    /// Both wait for the drawing and copy it, sRGB; 4 or 3 bytes a pixel.
+    void readRgba(std::vector<std::uint8_t>& rgba) const;
     void readRgb(std::vector<std::uint8_t>& rgb) const;
 
   private:

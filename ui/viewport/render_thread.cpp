@@ -52,6 +52,23 @@ struct Relay {
     int finished = 1;
     int drawn = 2;
     bool news = false;
+
+    /// The window's side: takes over what is finished, and what it shows into a texture.
+    const Image& newest(std::mutex& mutex, gl::PictureTexture& picture) {
+        const bool is_new = [&] {
+            const std::lock_guard lock(mutex);
+            if (news) std::swap(shown, finished);
+            return std::exchange(news, false);
+        }();
+        // The thread leaves alone what is shown.
+        Image& image = images[static_cast<std::size_t>(shown)];
+        if (is_new) {
+            const Intrinsics& size = image.view.intrinsics;
+            picture.upload(size.width, size.height, image.rgba);
+            image.texture = picture.get();
+        }
+        return image;
+    }
 };
 
 /// Whether two views show the same of an unchanged scene.
@@ -130,13 +147,14 @@ struct RenderThread::Impl {
     std::optional<render::View> drawn_view;  // what view_target holds
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
-    std::array<std::optional<render::OverlayCanvas>, 3> canvases;
-    std::array<gl::PictureTexture, 3> preview_pictures;
+    std::optional<render::OverlayCanvas> canvas;
     std::uint64_t serial = 0;
 
     // The window's: what it asked for last, so that asking again for the same costs nothing.
     std::optional<ViewRequest> asked_view;
     std::optional<PreviewRequest> asked_preview;
+    gl::PictureTexture view_picture;
+    gl::PictureTexture preview_picture;
 
     std::thread thread;
 
@@ -199,10 +217,9 @@ void RenderThread::Impl::release() {
     renderer.reset();
     view_target.reset();
     preview_target.reset();
-    canvases = {};
+    canvas.reset();
     layers.entries.clear();
     overlays.reset();
-    preview_pictures = {};
     context.reset();
 }
 
@@ -239,7 +256,6 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
 
 Status RenderThread::Impl::drawView(ViewRequest request) {
     const auto begin = std::chrono::steady_clock::now();
-    const int slot = views.drawn;
     const int width = request.view.intrinsics.width;
     const int height = request.view.intrinsics.height;
     if (!overlays) {
@@ -253,7 +269,6 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
         if (Status status = renderer->draw(request.view, *view_target); !status) return status;
         drawn_view = request.view;
     }
-    std::optional<render::OverlayCanvas>& canvas = canvases[static_cast<std::size_t>(slot)];
     if (!canvas || canvas->width() != width || canvas->height() != height) {
         Result<render::OverlayCanvas> made = render::OverlayCanvas::create(width, height);
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
@@ -265,12 +280,11 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
         !status) {
         return status;
     }
-    ViewImage& image = views.images[slot];
+    ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
     view_target->readDepth(image.depth_m);
     view_target->readIds(image.ids);
-    gl::finish();  // the window's context may show it from now on
+    canvas->readRgba(image.rgba);
     image.geometry = geometry;
-    image.texture = canvas->picture();
     image.view = std::move(request.view);
     image.serial = ++serial;
     image.milliseconds =
@@ -284,8 +298,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
 Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     if (Status status = fitTarget(preview_target, request.view.intrinsics); !status) return status;
     if (Status status = renderer->draw(request.view, *preview_target); !status) return status;
-    const int slot = previews.drawn;
-    PreviewImage& image = previews.images[slot];
+    PreviewImage& image = previews.images[static_cast<std::size_t>(previews.drawn)];
     render::FrameRecord& record = image.record;
     record.index = request.frame;
     record.time_s = request.time_s;
@@ -296,11 +309,7 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     preview_target->readDepth(record.depth_m);
     preview_target->readIds(record.instance);
     record.labelClasses(*scene);
-    const std::vector<std::uint8_t> rgba = falseColor(record, request.view, request.modality);
-    gl::PictureTexture& picture = preview_pictures[static_cast<std::size_t>(slot)];
-    picture.upload(record.width, record.height, rgba);
-    gl::finish();
-    image.texture = picture.get();
+    image.rgba = falseColor(record, request.view, request.modality);
     image.modality = request.modality;
     image.frame = request.frame;
     image.view = request.view;
@@ -372,17 +381,11 @@ void RenderThread::requestPreview(const render::View& view, int frame, double ti
 }
 
 const ViewImage& RenderThread::view() {
-    const std::lock_guard lock(impl_->mutex);
-    Relay<ViewImage>& relay = impl_->views;
-    if (std::exchange(relay.news, false)) std::swap(relay.shown, relay.finished);
-    return relay.images[static_cast<std::size_t>(relay.shown)];
+    return impl_->views.newest(impl_->mutex, impl_->view_picture);
 }
 
 const PreviewImage& RenderThread::preview() {
-    const std::lock_guard lock(impl_->mutex);
-    Relay<PreviewImage>& relay = impl_->previews;
-    if (std::exchange(relay.news, false)) std::swap(relay.shown, relay.finished);
-    return relay.images[static_cast<std::size_t>(relay.shown)];
+    return impl_->previews.newest(impl_->mutex, impl_->preview_picture);
 }
 
 bool RenderThread::ready() const {

@@ -38,8 +38,9 @@ struct ViewRequest {
 
 /// A finished picture of the viewport.
 struct ViewImage {
-    unsigned texture = 0;  // row 0 at the top; valid until the next call of view()
+    unsigned texture = 0;  // the window's, row 0 at the top
     render::View view;     // it was drawn from
+    std::vector<std::uint8_t> rgba;
     std::vector<float> depth_m;
     std::vector<std::uint16_t> ids;
     double milliseconds = 0.0;
@@ -52,7 +53,8 @@ enum class Modality { Rgb, Depth, Instance, Semantic, Normal };
 
 /// A frame exactly as export would make it, and one of its modalities as a texture.
 struct PreviewImage {
-    unsigned texture = 0;
+    unsigned texture = 0;  // the window's, row 0 at the top
+    std::vector<std::uint8_t> rgba;
     Modality modality = Modality::Rgb;
     int frame = -1;
     render::View view;  // with which it was drawn
@@ -60,8 +62,9 @@ struct PreviewImage {
     std::uint64_t serial = 0;
 };
 
-/// Draws on a thread with an OpenGL context of its own that shares its textures with the window's,
-/// so that neither a large scene nor its upload ever holds up the window.
+/// Draws on a thread with an OpenGL context of its own, so that neither a large scene nor its
+/// upload ever holds up the window. The two share nothing: Mesa's software driver crashes now and
+/// then where one context asks for what another is done with. Pictures travel as pixels.
 class RenderThread {
   public:
     /// `context` is not current anywhere; `wake` is called from the thread when there is news.
@@ -77,7 +80,8 @@ class RenderThread {
     void requestView(ViewRequest request);
     void requestPreview(const render::View& view, int frame, double time_s, Modality modality);
 
-    /// The newest picture; the one before may be drawn over from now on. Main thread only.
+    /// The newest picture; the one before may be drawn over from now on. Only on the window's
+    /// thread, with its context current.
     const ViewImage& view();
     const PreviewImage& preview();
 
