@@ -1,5 +1,6 @@
 #include "app/editor/autosave.h"
 
+#include "app/editor/files_in.h"
 #include "app/editor/settings.h"
 #include "engine/core/log.h"
 #include "engine/document/history_json.h"
@@ -33,8 +34,7 @@ std::string localTime(std::filesystem::file_time_type written) {
 
 std::vector<LostWork> findLost() {
     std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder(), error)) {
+    for (const auto& entry : filesIn(folder())) {
         if (entry.path().extension() != ".dolly" ||
             OwnerMark::isHeld(folder(), entry.path().stem().string())) {
             continue;

@@ -84,41 +84,52 @@ void LivePlanner::start(PlanRequest request) {
             outbox->put(outcome);
             wake();
         };
-        Status status =
-            setFromJson(planning::listFields(outcome.params), request.state->parameters);
-        if (status) status = desk->prepareScene(request, outcome.params);
-        if (!status) {
-            outcome.error = std::move(status.error());
-            return publish();
-        }
-        outcome.scene = desk->scene;
-        outcome.objects = desk->objects;
-        outcome.geometry = desk->geometry;
-        outcome.objects_since = desk->objects_since;
-        outcome.warnings = desk->warnings;
-        outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
-        const PlanEdits& edits = outcome.edits;
-        const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
-            outcome.rays = desk->pipeline->rays();
-            outcome.free_space = desk->pipeline->freeSpace();
-            outcome.plan = std::move(plan);
-            outcome.measured = measured;
+        const auto refuse = [&](Error error) {
+            outcome.error = std::move(error);
             publish();
         };
-        Result<std::shared_ptr<const Plan>> plan = fail(ErrorCode::Failed, "");
         try {
-            plan = desk->pipeline->run(
-                outcome.params, edits, job,
+            if (Status status =
+                    setFromJson(planning::listFields(outcome.params), request.state->parameters);
+                !status) {
+                return refuse(std::move(status.error()));
+            }
+            if (Status status = desk->prepareScene(request, outcome.params); !status) {
+                return refuse(std::move(status.error()));
+            }
+            outcome.scene = desk->scene;
+            outcome.objects = desk->objects;
+            outcome.geometry = desk->geometry;
+            outcome.objects_since = desk->objects_since;
+            outcome.warnings = desk->warnings;
+            outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+            const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
+                outcome.rays = desk->pipeline->rays();
+                outcome.free_space = desk->pipeline->freeSpace();
+                outcome.plan = std::move(plan);
+                outcome.measured = measured;
+                publish();
+            };
+            auto plan = desk->pipeline->run(
+                outcome.params, outcome.edits, job,
                 [&](std::shared_ptr<const Plan> moving) { collect(std::move(moving), false); });
+            if (plan) return collect(std::move(*plan), true);
+            if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
+            outcome.error = std::move(plan.error());
+            collect(nullptr, false);
         } catch (const std::exception& error) {
             desk->scene.reset();  // what is half made is made anew next time
-            plan = fail(ErrorCode::Failed, std::string("Planning failed: ") + error.what() +
-                                               "; try a larger octree_resolution_m.");
+            outcome.plan = nullptr;
+            outcome.measured = false;
+            if (outcome.scene) {
+                outcome.rays = desk->pipeline->rays();
+                outcome.free_space = desk->pipeline->freeSpace();
+            }
+            refuse({ErrorCode::Failed,
+                    std::string("Planning failed: ") + error.what() +
+                        "; try a larger octree_resolution_m.",
+                    {}});
         }
-        if (plan) return collect(std::move(*plan), true);
-        if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
-        outcome.error = std::move(plan.error());
-        collect(nullptr, false);
     });
 }
 

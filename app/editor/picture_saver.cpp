@@ -5,7 +5,9 @@
 #include "engine/io/png_writer.h"
 #include "ui/viewport/false_color.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -63,37 +65,25 @@ PictureSaver::~PictureSaver() {
 }
 
 void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage image) {
-    {
-        const std::lock_guard lock(desk_->mutex);
-        desk_->orders.push_back({file, std::move(image)});
-    }
+    orders_->put({file, std::move(image)});
     // The worker drops a piece of work that waits for a newer one: so each takes all orders.
-    writer_.start([desk = desk_](const JobContext&) {
-        while (true) {
-            std::vector<Order> orders;
-            {
-                const std::lock_guard lock(desk->mutex);
-                orders.swap(desk->orders);
-            }
-            if (orders.empty()) return;
-            for (const Order& order : orders) {
-                const Status written = write(order.file, order.image);
-                if (written) {
-                    log::info("editor", "saved " + order.file.string());
-                } else {
-                    const std::lock_guard lock(desk->mutex);
-                    desk->errors.push_back(written.error());
-                }
+    writer_.start([orders = orders_, failed = failed_](const JobContext&) {
+        for (const Order& order : orders->takeAll()) {
+            Status written = write(order.file, order.image);
+            if (written) {
+                log::info("editor", "saved " + order.file.string());
+            } else {
+                failed->put(std::move(written.error()));
             }
         }
     });
 }
 
 std::optional<Error> PictureSaver::takeError() {
-    const std::lock_guard lock(desk_->mutex);
-    if (desk_->errors.empty()) return std::nullopt;
-    Error first = std::move(desk_->errors.front());
-    desk_->errors.erase(desk_->errors.begin());
+    std::ranges::move(failed_->takeAll(), std::back_inserter(errors_));
+    if (errors_.empty()) return std::nullopt;
+    Error first = std::move(errors_.front());
+    errors_.erase(errors_.begin());
     return first;
 }
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -31,13 +30,9 @@ class PictureSaver {
         std::filesystem::path file;
         ui::PreviewImage image;
     };
-    /// Shared with the worker.
-    struct Desk {
-        std::mutex mutex;
-        std::vector<Order> orders;
-        std::vector<Error> errors;
-    };
-    std::shared_ptr<Desk> desk_ = std::make_shared<Desk>();
+    std::shared_ptr<Tray<Order>> orders_ = std::make_shared<Tray<Order>>();
+    std::shared_ptr<Tray<Error>> failed_ = std::make_shared<Tray<Error>>();
+    std::vector<Error> errors_;
     BackgroundWorker writer_;
 };
 

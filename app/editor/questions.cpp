@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -13,7 +14,11 @@ Questions::Questions(Workspace& workspace, Doors doors)
     : workspace_(workspace), doors_(std::move(doors)) {}
 
 void Questions::tell(Workspace::Notice notice) {
-    notice_ = std::move(notice);
+    // What goes wrong with every picture is told once.
+    const auto same = [&](const Workspace::Notice& waiting) {
+        return waiting.title == notice.title && waiting.text == notice.text;
+    };
+    if (std::ranges::none_of(notices_, same)) notices_.push_back(std::move(notice));
 }
 
 void Questions::offer(std::vector<LostWork> lost) {
@@ -37,7 +42,7 @@ void Questions::afterExports(std::function<void()> then) {
 }
 
 bool Questions::waiting() const {
-    return notice_ || !lost_.empty() || !changed_file_.empty() || after_unsaved_ ||
+    return !notices_.empty() || !lost_.empty() || !changed_file_.empty() || after_unsaved_ ||
            after_exports_ || !found_exports_.empty() || doubt_;
 }
 
@@ -58,13 +63,13 @@ bool Questions::pending(Kind kind) const {
         case Kind::Doubt:
             return doubt_.has_value();
         case Kind::Notice:
-            return notice_.has_value();
+            return !notices_.empty();
     }
     return false;
 }
 
 void Questions::draw(bool choosing_file) {
-    if (!notice_) notice_ = workspace_.takeNotice();
+    while (auto notice = workspace_.takeNotice()) notices_.push_back(std::move(*notice));
     if (auto file = workspace_.takeChangedFile()) changed_file_ = std::move(*file);
     answerUnsaved(choosing_file);
     if (choosing_file) return;
@@ -210,20 +215,23 @@ void Questions::drawDoubt() {
 
 void Questions::drawNotice() {
     ui::MessageBox box;
-    box.is_error = notice_->is_error;
-    box.title = notice_->title;
-    box.text = notice_->text;
-    const bool locate = !notice_->missing_scene_of.empty();
+    const Workspace::Notice& notice = notices_.front();
+    box.is_error = notice.is_error;
+    box.title = notice.title;
+    box.text = notice.text;
+    const bool locate = !notice.missing_scene_of.empty();
     if (locate) box.buttons = {"Find the scene…", "Cancel"};
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
-    const Workspace::Notice read = *std::exchange(notice_, std::nullopt);
+    const Workspace::Notice read = std::move(notices_.front());
+    notices_.pop_front();
     if (locate && pressed == 0) doors_.find_scene(read.missing_scene_of, read.restores);
 }
 
 void Questions::addTo(nlohmann::json& state) const {
     state["question"] = after_unsaved_ ? what_next_ : std::string();
-    state["notice"] = notice_ ? notice_->title + ": " + notice_->text : std::string();
+    state["notice"] =
+        notices_.empty() ? std::string() : notices_.front().title + ": " + notices_.front().text;
     nlohmann::json& dialogs = state["dialogs"];
     dialogs["unsaved"] = pending(Kind::Unsaved);
     dialogs["lost_work"] = pending(Kind::LostWork);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -73,7 +74,7 @@ class Questions {
     Workspace& workspace_;
     Doors doors_;
     Kind shown_ = Kind::None;
-    std::optional<Workspace::Notice> notice_;
+    std::deque<Workspace::Notice> notices_;
     std::vector<LostWork> lost_;
     std::filesystem::path changed_file_;  // by another program: overwrite it?
     std::function<void()> after_unsaved_;

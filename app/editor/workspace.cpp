@@ -173,30 +173,40 @@ void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
     const bool asks = if_changed == IfChanged::Ask;
     const bool nothing_new =
         asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned);
-    SaveOutcome request{++save_serial_, document_, path, stack_.state(), planned};
-    saver_.start([file = snapshot(false), scene = shown_.scene,
-                  plan = planned ? shown_.plan : nullptr, outcome = std::move(request), asks,
-                  nothing_new, known = known_files_, outbox = saved_](const JobContext&) {
-        SaveOutcome done = outcome;
-        std::error_code error;
-        done.was_there = nothing_new && std::filesystem::exists(done.path, error);
-        done.changed_elsewhere = !done.was_there && asks && known->changedElsewhere(done.path);
-        if (!done.was_there && !done.changed_elsewhere) {
-            try {
-                io::ProjectFile whole = file;
-                if (plan) whole.result = resultJson(*scene, *plan);
-                const std::string text = io::projectText(whole, done.path);
-                done.status = io::writeWhole(done.path, text);
-                if (done.status) known->remember(done.path, io::sha256Of(text));
-            } catch (const std::exception& failure) {
-                done.status = fail(ErrorCode::Failed,
-                                   std::string("The project cannot be written: ") + failure.what() +
-                                       "; close other programs and save again.",
-                                   done.path.string());
-            }
+    SaveOrder order;
+    order.outcome = {++save_serial_, document_, path, stack_.state(), planned};
+    order.file = snapshot(false);
+    order.scene = shown_.scene;
+    if (planned) order.plan = shown_.plan;
+    order.asks = asks;
+    order.nothing_new = nothing_new;
+    save_orders_->put(std::move(order));
+    // The worker drops a piece of work that waits for a newer one: so each takes all orders.
+    saver_.start([orders = save_orders_, known = known_files_, saved = saved_](const JobContext&) {
+        for (SaveOrder& one : orders->takeAll()) {
+            write(one, *known);
+            saved->put(std::move(one.outcome));
         }
-        outbox->put(std::move(done));
     });
+}
+
+void Workspace::write(SaveOrder& order, KnownFiles& known) {
+    SaveOutcome& done = order.outcome;
+    std::error_code error;
+    done.was_there = order.nothing_new && std::filesystem::exists(done.path, error);
+    done.changed_elsewhere = !done.was_there && order.asks && known.changedElsewhere(done.path);
+    if (done.was_there || done.changed_elsewhere) return;
+    try {
+        if (order.plan) order.file.result = resultJson(*order.scene, *order.plan);
+        const std::string text = io::projectText(order.file, done.path);
+        done.status = io::writeWhole(done.path, text);
+        if (done.status) known.remember(done.path, io::sha256Of(text));
+    } catch (const std::exception& failure) {
+        done.status = fail(ErrorCode::Failed,
+                           std::string("The project cannot be written: ") + failure.what() +
+                               "; close other programs and save again.",
+                           done.path.string());
+    }
 }
 
 void Workspace::finishSaving(SaveOutcome outcome) {
@@ -306,7 +316,8 @@ void Workspace::updateLight() {
                        return a.min() == b.min() && a.max() == b.max();
                    });
     const bool same = lit_geometry_ == shown_.geometry && same_rooms;
-    if (same && (light_ || lighter_.state().busy)) return;
+    if (same && (has_their_light_ || lighter_.state().busy)) return;
+    has_their_light_ = false;
     lit_geometry_ = shown_.geometry;
     lit_rooms_ = shown_.plan->rooms;
     lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
@@ -347,8 +358,9 @@ void Workspace::poll() {
     if (std::optional<render::LightVolume> light = lit_->take();
         light && isOpen() && lit_geometry_ == shown_.geometry) {
         light_ = std::make_shared<const render::LightVolume>(std::move(*light));
+        has_their_light_ = true;
     }
-    if (std::optional<SaveOutcome> outcome = saved_->take()) finishSaving(std::move(*outcome));
+    for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));
     // Not while it is being written here: the content is there before it is known.
     if (!saving()) file_watch_.look(path());
     updateLight();

@@ -134,6 +134,17 @@ class Workspace {
         bool was_there = false;          // all of it, so it was not written
     };
 
+    struct SaveOrder {
+        SaveOutcome outcome;  // what is known before
+        io::ProjectFile file;
+        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const Plan> plan;  // null: none goes into the file
+        bool asks = false;                 // before it replaces what another program wrote
+        bool nothing_new = false;
+    };
+
+    /// On the saver's thread; its outcome gets the rest.
+    static void write(SaveOrder& order, KnownFiles& known);
     void load(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead, bool restored);
     [[nodiscard]] Status checkEditable() const;
@@ -164,10 +175,12 @@ class Workspace {
     std::shared_ptr<const render::LightVolume> light_;
     std::uint64_t lit_geometry_ = 0;
     std::vector<Eigen::AlignedBox3d> lit_rooms_;
+    bool has_their_light_ = false;  // of these rooms, of that geometry
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();
-    std::shared_ptr<Outbox<SaveOutcome>> saved_ = std::make_shared<Outbox<SaveOutcome>>();
+    std::shared_ptr<Tray<SaveOrder>> save_orders_ = std::make_shared<Tray<SaveOrder>>();
+    std::shared_ptr<Tray<SaveOutcome>> saved_ = std::make_shared<Tray<SaveOutcome>>();
     std::shared_ptr<Outbox<render::LightVolume>> lit_ =
         std::make_shared<Outbox<render::LightVolume>>();
     BackgroundWorker loader_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace dollytrack {
 
@@ -70,6 +71,24 @@ class Outbox {
   private:
     std::mutex mutex_;
     std::optional<T> value_;
+};
+
+/// Hands every value from one thread to another, in order.
+template <class T>
+class Tray {
+  public:
+    void put(T value) {
+        const std::lock_guard lock(mutex_);
+        values_.push_back(std::move(value));
+    }
+    [[nodiscard]] std::vector<T> takeAll() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(values_, {});
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<T> values_;
 };
 
 }  // namespace dollytrack
