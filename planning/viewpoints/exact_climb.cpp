@@ -8,7 +8,6 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kNearlyThere = 1.94;  // of nearness, by every pixel: with less it is hopeless
-constexpr double kMayBeThere = 1.86;   // of nearness, by fewer rays and with the margins
 constexpr std::size_t kParents = 5;
 constexpr std::size_t kChildren = 48;
 constexpr int kGenerations = 30;

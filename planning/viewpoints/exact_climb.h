@@ -8,6 +8,9 @@
 
 namespace dollytrack::planning {
 
+/// Of Judged::nearness: with less by fewer rays, every pixel says no more.
+constexpr double kMayBeThere = 1.86;
+
 struct Climbed {
     std::optional<Eigen::Vector3d> place;  // legal, and captures the object well by every pixel
     std::vector<Judged> tried;             // all places looked from, but for those given

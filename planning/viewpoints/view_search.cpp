@@ -33,6 +33,7 @@ constexpr double kFirstSpread = 0.3;  // of the distance to the target
 constexpr double kShrinking = 0.75;   // of the spread, from one generation to the next
 constexpr double kHope = 1.1;         // of nearness a spread: with less they cannot get there
 constexpr double kWorthAnotherSearch = 0.4;  // of nearness missing
+constexpr double kWorthLuck = 0.2;           // the same, for the last search
 constexpr double kApart = 0.25;              // of the spread: nearer parents are too much alike
 constexpr double kNegligible = 0.01;         // of a view's quality
 constexpr int kEarlyLooks = 2;               // fine ones, in the hope that the search may end
@@ -235,6 +236,7 @@ class Search {
         if (refineBest()) return;
         breed();
         if (best_ && best_->all_well) return;
+        if (takeJustCaptured() || missing() > kWorthLuck) return;
         // Once more from other places: whether a gap is met is luck, and few things get here.
         tryRandomPlaces(0.15, 1.0, kHardPlaces);
         if (refineBest()) return;
@@ -244,14 +246,17 @@ class Search {
     }
 
     /// Better captured only just than not.
-    void takeJustCaptured() {
+    bool takeJustCaptured() {
         chooseParents(kFirstSpread);
         std::vector<Eigen::Vector3d> places;
-        for (const Judged& one : promising_) places.push_back(one.candidate.position);
+        for (const Judged& one : promising_) {
+            if (one.nearness >= kMayBeThere) places.push_back(one.candidate.position);
+        }
         const Climbed climbed =
             climbToCapture(around_, judge_, point_.objects.front(), places, random_);
         for (const Judged& tried : climbed.tried) note(tried);
         if (climbed.place) best_ = judge_.judge(*climbed.place, Look::Fine);
+        return climbed.place.has_value();
     }
 
     [[nodiscard]] double distanceOf(const Judged& judged) const {
