@@ -155,6 +155,32 @@ TEST(TrajectoryFile, TheLensIsReadWhereTheFileTellsIt) {
     EXPECT_NEAR(*colmap->hfov_deg, 90.0, 1e-9);
 }
 
+// Names that were counted without leading zeros: a10 comes after a9, not after a1.
+TEST(TrajectoryFile, ColmapImagesFollowEachOtherAsTheyAreNumbered) {
+    const test::TempFolder folder;
+    std::string text;
+    for (const int number : {10, 2, 0, 11, 1, 9}) {
+        // Turned by nothing, so that the camera is at minus its translation.
+        text += "1 1 0 0 0 -" + std::to_string(number) + " 0 0 1 seq2/a" + std::to_string(number) +
+                ".png\n\n";
+    }
+    const auto loaded = loadTrajectory(folder.write("images.txt", text), {});
+    ASSERT_TRUE(loaded) << describe(loaded.error());
+    std::vector<double> along;
+    for (const TrajectoryFrame& frame : loaded->trajectory.frames) {
+        along.push_back(frame.pose.position.x());
+    }
+    EXPECT_EQ(along, (std::vector<double>{0, 1, 2, 9, 10, 11}));
+}
+
+TEST(TrajectoryFile, AMissingFileIsSaidToBeMissing) {
+    const test::TempFolder folder;
+    const auto missing = loadTrajectory(folder.path() / "nowhere.txt", {});
+    ASSERT_FALSE(missing);
+    EXPECT_NE(describe(missing.error()).find("no such file"), std::string::npos);
+    EXPECT_NE(describe(missing.error()).find("nowhere.txt"), std::string::npos);
+}
+
 TEST(TrajectoryFile, RoomsAndViewsWithoutTimesAreNoMotion) {
     const test::TempFolder folder;
     const auto views =

@@ -1,3 +1,4 @@
+#include "engine/core/natural_order.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
@@ -31,7 +32,8 @@ std::optional<double> hfovBeside(const std::filesystem::path& images) {
 }  // namespace
 
 // COLMAP, images.txt: camera from world, Hamilton quaternion with w first. Each image has a second
-// line of points, which may be empty. Images are ordered by name, as they were taken.
+// line of points, which may be empty. Images are ordered by name, as they were taken: a2 before
+// a10.
 Result<PoseList> readColmap(const PoseFile& file) {
     const std::filesystem::path& path = file.path;
     std::vector<std::pair<std::string, ReadPose>> images;
@@ -71,7 +73,7 @@ Result<PoseList> readColmap(const PoseFile& file) {
         return fail(ErrorCode::BadInput, "There is no image in it.", path.string());
     }
     std::stable_sort(images.begin(), images.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+                     [](const auto& a, const auto& b) { return comesBefore(a.first, b.first); });
     PoseList list;
     for (auto& [name, pose] : images) list.poses.push_back(pose);
     list.hfov_deg = hfovBeside(path);

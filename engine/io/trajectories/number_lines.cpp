@@ -18,6 +18,9 @@ constexpr std::size_t kLargest = std::size_t{512} << 20U;
 
 Result<std::string> readText(const std::filesystem::path& path) {
     std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        return fail(ErrorCode::BadInput, "There is no such file.", path.string());
+    }
     std::ifstream file(path, std::ios::binary);
     if (std::filesystem::is_directory(path, error) || !file) {
         return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
