@@ -61,6 +61,29 @@ void warnOfStrays(Scene& scene, const char* list, const std::vector<std::string>
     }
 }
 
+/// Where the lists leave no target at all, which of them it was.
+void warnOfNothingLeft(Scene& scene, const std::vector<Object>& before, const SceneEdits& edits) {
+    // What is said of one object comes after the lists.
+    const auto included = [](const ObjectChange& change) { return change.role == Role::Target; };
+    if (std::ranges::any_of(edits.changes, included)) return;
+    const auto isTarget = [](const Object& object) { return object.role == Role::Target; };
+    if (std::ranges::any_of(scene.objects, isTarget) || std::ranges::none_of(before, isTarget)) {
+        return;
+    }
+    const bool only_names_some =
+        edits.only.empty() || std::ranges::any_of(before, [&](const Object& object) {
+            return isTarget(object) && isNamedByAny(object, edits.only);
+        });
+    scene.report.warnings.push_back(
+        only_names_some
+            ? std::string(edits.only.empty()
+                              ? "ignore names every target; nothing is left to capture"
+                              : "ignore names all that only leaves; nothing is left "
+                                "to capture")
+            : fmt::format("only '{}' names no target of this scene; nothing is left to capture",
+                          fmt::join(edits.only, "', '")));
+}
+
 }  // namespace
 
 bool isNamedBy(const Object& object, std::string_view pattern) {
@@ -77,6 +100,8 @@ bool isFilteredOut(const Object& object, const SceneEdits& edits) {
 }
 
 void filterTargets(Scene& scene, const SceneEdits& edits) {
+    const std::vector<Object> before = scene.objects;
+    const std::size_t warned = scene.report.warnings.size();
     for (Object& object : scene.objects) {
         if (object.role == Role::Target && isFilteredOut(object, edits)) {
             object.role = Role::Excluded;
@@ -84,6 +109,7 @@ void filterTargets(Scene& scene, const SceneEdits& edits) {
     }
     warnOfStrays(scene, "ignore", edits.ignore);
     warnOfStrays(scene, "only", edits.only);
+    if (scene.report.warnings.size() == warned) warnOfNothingLeft(scene, before, edits);
 }
 
 }  // namespace dollytrack

@@ -43,6 +43,22 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     ASSERT_EQ(slipped.report.warnings.size(), 1U);
     EXPECT_NE(slipped.report.warnings[0].find("did you mean 'sofa'"), std::string::npos);
 
+    // Nor lists that leave nothing.
+    const auto warningFor = [&](std::vector<std::string> only, std::vector<std::string> ignore) {
+        SceneEdits lists;
+        lists.only = std::move(only);
+        lists.ignore = std::move(ignore);
+        const Scene left = with(lists);
+        EXPECT_TRUE(namesOf(left).empty());
+        return left.report.warnings.size() == 1 ? left.report.warnings[0] : std::string();
+    };
+    EXPECT_EQ(warningFor({"floor"}, {}),
+              "only 'floor' names no target of this scene; nothing is left to capture");
+    EXPECT_EQ(warningFor({"sofa"}, {"sofa"}),
+              "ignore names all that only leaves; nothing is left to capture");
+    EXPECT_EQ(warningFor({}, {"*"}), "ignore names every target; nothing is left to capture");
+    EXPECT_NE(warningFor({"nosuch"}, {}).find("names no class and no object"), std::string::npos);
+
     // An object that the lists leave out can be wanted by name all the same.
     ProjectState state;
     state.edits.scene.only = {"sofa"};
