@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
@@ -36,11 +37,22 @@ struct EditArguments {
     [[nodiscard]] bool showsOnly() const { return script.empty() && operations.empty(); }
 };
 
+/// ":3:14", line and column of a byte, which counts from 1.
+std::string placeIn(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t begins = before.rfind('\n');  // npos + 1 is 0
+    return fmt::format(":{}:{}", line, before.size() - (begins + 1) + 1);
+}
+
 Result<nlohmann::json> parse(const std::string& text, const std::string& where) {
     try {
         return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& e) {
-        return fail(ErrorCode::Usage, fmt::format("This is not valid JSON ({}).", e.what()), where);
+    } catch (const nlohmann::json::parse_error& e) {
+        return fail(ErrorCode::Usage,
+                    "This is not valid JSON; names and texts stand in double quotes, as in "
+                    "{\"op\":\"exclude\",\"object\":\"lamp_3\"}.",
+                    where + placeIn(text, e.byte));
     }
 }
 
@@ -48,6 +60,10 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& where) 
 Result<nlohmann::json> readOperations(const EditArguments& arguments) {
     nlohmann::json all = nlohmann::json::array();
     if (!arguments.script.empty()) {
+        std::error_code error;
+        if (!std::filesystem::exists(arguments.script, error)) {
+            return fail(ErrorCode::BadInput, "There is no such file.", arguments.script);
+        }
         std::ifstream file(arguments.script, std::ios::binary);
         std::ostringstream text;
         text << file.rdbuf();

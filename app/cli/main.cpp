@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
             return cli::kDone;
         }
         std::string message = cli::explainUnknownName(app, arguments);
-        if (message.empty()) message = error.what();
+        if (message.empty()) message = cli::explainRefusal(app, error);
         if (!session.lines) message += "\nRun with --help for more information.";
         return endWith(session, {ErrorCode::Usage, message, {}}, cli::kUsage);
     }

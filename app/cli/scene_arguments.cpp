@@ -166,7 +166,7 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
 void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--set", arguments.assignments,
-                    "Set a parameter; 'dollytrack params' lists them")
+                    "Set a parameter; 'dollytrack params' lists them; again for each")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");

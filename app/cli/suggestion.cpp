@@ -51,6 +51,19 @@ std::string sentence(const char* kind, const std::string& wrong,
                : fmt::format("There is no {} '{}'; did you mean '{}'?", kind, wrong, close);
 }
 
+/// Whether an option of the program or of one of its subcommands takes no fractions, by how its
+/// help calls the value.
+bool wantsWholeNumber(const CLI::App& app, const std::string& name) {
+    std::vector<const CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
+    all.push_back(&app);
+    return std::ranges::any_of(all, [&](const CLI::App* one) {
+        const CLI::Option* option = one->get_option_no_throw(name);
+        if (option == nullptr) return false;
+        const std::string type = option->get_type_name();
+        return type == "N" || type.starts_with("INT");
+    });
+}
+
 }  // namespace
 
 std::string explainUnknownName(const CLI::App& app, const std::vector<std::string>& arguments) {
@@ -81,6 +94,32 @@ std::string explainUnknownName(const CLI::App& app, const std::vector<std::strin
         if (takesValue(&app, argument) || takesValue(command, argument)) ++i;
     }
     return {};
+}
+
+std::string explainRefusal(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string words = error.what();
+    const auto after = [&](std::string_view mark) {
+        const std::size_t at = words.find(mark);
+        return at == std::string::npos ? std::string() : words.substr(at + mark.size());
+    };
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+        // "Could not convert: --seed = x"; all options that are converted are numbers.
+        const std::string value = after(" = ");
+        const std::string name = after("Could not convert: ").substr(0, after(": ").find(" = "));
+        if (value.empty()) return words;
+        const bool whole = wantsWholeNumber(app, name);
+        return fmt::format("'{}' is not a {}number, which {} takes.", value, whole ? "whole " : "",
+                           name);
+    }
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        const std::string extra = after("expected: ");
+        if (extra.empty()) return words;
+        return extra.find('=') != std::string::npos && !extra.starts_with('-')
+                   ? fmt::format("'{}' is not expected here; repeat --set before each parameter.",
+                                 extra)
+                   : fmt::format("'{}' is not expected here.", extra);
+    }
+    return words;
 }
 
 }  // namespace dollytrack::cli

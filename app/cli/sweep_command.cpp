@@ -58,8 +58,9 @@ Result<std::vector<int>> findMetrics(const std::vector<std::string>& names) {
         if (at == known.end()) {
             const std::string closest = closestName(name, known);
             return fail(ErrorCode::Usage,
-                        "There is no such metric" +
-                            (closest.empty() ? "." : "; did you mean " + closest + "?"),
+                        closest.empty() ? fmt::format("There is no such metric; there are {}.",
+                                                      fmt::join(known, ", "))
+                                        : "There is no such metric; did you mean " + closest + "?",
                         name);
         }
         found.push_back(static_cast<int>(at - known.begin()));

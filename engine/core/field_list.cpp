@@ -206,7 +206,9 @@ std::string closestName(std::string_view wrong, const std::vector<std::string>& 
         return row[name.size()];
     };
     std::string best;
-    std::size_t least = std::max<std::size_t>(2, wrong.size() / 2) + 1;
+    // A letter of a short word is a large part of it: "foo" was not meant to be "loop".
+    const std::size_t length = wrong.size() - std::min(wrong.find_first_not_of('-'), wrong.size());
+    std::size_t least = (length < 4 ? 1 : std::max<std::size_t>(2, length / 3)) + 1;
     for (const std::string& name : names) {
         const bool begins = !wrong.empty() && name.starts_with(wrong);
         const std::size_t d = begins ? 1 : distance(name);
