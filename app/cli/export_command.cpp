@@ -146,8 +146,12 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                     arguments.scene.path);
     }
 
-    const Result<std::vector<RoomExport>> exports = roomExports(*planned);
+    Result<std::vector<RoomExport>> exports = roomExports(*planned);
     if (!exports) return tl::unexpected<Error>(exports.error());
+    for (RoomExport& one : *exports) {  // what is written of the room, not what was planned
+        const int count = static_cast<int>(one.trajectory.frames.size());
+        one.about["frames"] = render::framesOf(*range, count).size();
+    }
     const RayCaster rays(*planned->scene);
     const auto render = [&](const Trajectory& trajectory, const std::string& folder,
                             const JobContext& part) -> Result<render::DatasetSummary> {

@@ -128,6 +128,8 @@ class Constraints(FolderCase):
         self.assertEqual(sorted(sides, key=str), [{False}, {True}])
         listed = json.loads((out / "rooms.json").read_text())["rooms"]
         self.assertEqual([room["name"] for room in listed], ["room_1", "room_2"])
+        self.assertEqual([room["frames"] for room in listed],
+                         [room["frames"] for room in metrics["rooms"]])
         before = hashes(out)
         self.assertEqual(run(*arguments, "--resume").returncode, 0)
         self.assertEqual(hashes(out), before)
@@ -137,6 +139,13 @@ class Constraints(FolderCase):
         last = json.loads(lines[-1])
         self.assertEqual((last["frames_done"], last["frames"]), (len(frames), len(frames)))
         self.assertEqual(hashes(out), before)
+        # The list states what is written of a plan, not the plan's own frames.
+        part = self.folder / "part_of_rooms"
+        result = run("export", project, "--out", part, "--modalities", "rgb", "--range", "::3")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for room in json.loads((part / "rooms.json").read_text())["rooms"]:
+            written = list((part / room["name"] / "rgb").glob("*.png"))
+            self.assertEqual(room["frames"], len(written))
         # Joined, all is one dataset again.
         joined = self.folder / "joined"
         result = run("export", scene, "--out", joined, "--modalities", "rgb", "--max-frames", 8)
