@@ -16,6 +16,7 @@ enum class Loss {
     Occluded,         // something hides it at every free place
     TooSmall,         // seen, but too small in the image wherever the camera may be
     DoesNotFit,       // cropped wherever nothing hides it
+    PitchBand,        // in sight, but only for a camera that looks lower or higher than it may
     OtherComponent,   // its view is in a part of free space that no path goes through
     DroppedByPath,    // its key frame is not on the path
     LostInSmoothing,  // the rounded path passes its key frame where it no longer shows

@@ -54,6 +54,8 @@ std::string_view name(Loss loss) {
             return "too_small";
         case Loss::DoesNotFit:
             return "does_not_fit";
+        case Loss::PitchBand:
+            return "pitch_band";
         case Loss::OtherComponent:
             return "other_component";
         case Loss::DroppedByPath:

@@ -159,10 +159,13 @@ class Finder {
             return;
         }
         lookDenser(places, row);
-        if (takeFirst(proposeRegions(what), row) || takeFirst(proposeSmallerCameras(what), row) ||
-            takeFirst(proposeLenses(what), row)) {
+        std::vector<Proposal> pitches = proposePitches(what);
+        if (!pitches.empty()) blamePitchBand(row);
+        if (takeFirst(std::move(pitches), row) || takeFirst(proposeRegions(what), row) ||
+            takeFirst(proposeSmallerCameras(what), row) || takeFirst(proposeLenses(what), row)) {
             return;
         }
+        if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(what), row)) return;
         takeFirst(proposeMoves(what, trials_), row);
     }
 
@@ -174,6 +177,22 @@ class Finder {
         row.loss = tally.loss();
         row.occluder = tally.loss() == Loss::Occluded ? tally.occluder() : 0;
         row.reason = tally.reason(scene_);
+    }
+
+    /// There are views of it where the camera may be, but it may not look at them.
+    void blamePitchBand(LedgerRow& row) const {
+        const ConstraintParams& band = params_.constraints;
+        const std::string range =
+            fmt::format("{:.6g} .. {:.6g} deg", band.min_pitch_deg, band.max_pitch_deg);
+        if (row.captured) {
+            row.reason += " The pitch band of " + range + " keeps out views that show it larger.";
+            return;
+        }
+        row.loss = Loss::PitchBand;
+        row.occluder = 0;
+        row.reason = "The pitch band of " + range +
+                     " keeps it out of the image at places where the camera may be and would "
+                     "capture it.";
     }
 
     /// A view was found and lost on the way: undo what lost it.

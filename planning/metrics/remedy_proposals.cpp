@@ -3,80 +3,19 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
+#include "planning/metrics/proposal_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr std::size_t kLookedAt = 24;  // places a kind of remedy looks at again, exactly
-constexpr std::size_t kMost = 2;       // proposals of one kind
-constexpr double kAlmost = 0.9;        // of what a coarse look must show for an exact one
 constexpr double kLeastRadius_m = 0.01;
-constexpr double kWhole = 0.92;  // share of the image's length that an object may take
-
-/// How near a coarse look comes to what is asked for; 1: all of it.
-double promise(const ViewEstimator::Estimate& seen, bool well) {
-    const CaptureRules rules;
-    double share = std::min(1.0, seen.visible_fraction / rules.min_visible_fraction);
-    share = std::min(share, seen.visible_px / rules.min_visible_px);
-    return well ? std::min(share, seen.box_share / rules.min_box_share) : share;
-}
-
-/// Places worth an exact look, by falling `order`.
-std::vector<const WhatIfPlace*> best(const std::vector<WhatIfPlace>& places,
-                                     const std::function<bool(const WhatIfPlace&)>& fits,
-                                     const std::function<double(const WhatIfPlace&)>& order) {
-    std::vector<const WhatIfPlace*> chosen;
-    for (const WhatIfPlace& place : places) {
-        if (fits(place)) chosen.push_back(&place);
-    }
-    std::stable_sort(chosen.begin(), chosen.end(),
-                     [&](const auto* a, const auto* b) { return order(*a) > order(*b); });
-    return chosen;
-}
-
-/// Well before captured, then with as much in sight and in the image as is to be had.
-double goodness(const ViewEstimator::Estimate& seen) {
-    return promise(seen, false) + 2.0 * promise(seen, true) + 0.5 * seen.visible_fraction +
-           0.2 * seen.box_share;
-}
-
-Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
-    return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
-}
-
-Proposal proposal(const WhatIf& what, const Pose& view) {
-    Proposal made;
-    made.change.params = what.params;
-    made.change.edits = what.edits;
-    made.view = view;
-    return made;
-}
-
-std::string instead(const std::string& name, double value, double before) {
-    return fmt::format("{} {:.6g} instead of {:.6g}", name, value, before);
-}
-
-void set(Proposal& made, const std::string& name, double& field, double value) {
-    made.remedy.settings.push_back(fmt::format("{}={:.6g}", name, value));
-    if (!made.remedy.text.empty()) made.remedy.text += " and ";
-    made.remedy.text += instead(name, value, field);
-    field = value;
-}
-
-/// Distance of the near plane's corners for a near distance of 1.
-double cornerOf(const CameraParams& camera) {
-    return makeIntrinsics(camera).unproject(0.0, 0.0).norm();
-}
 
 }  // namespace
 
@@ -179,67 +118,6 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
             set(made, "near_m", smaller.near_m, std::floor(near * 1000.0) / 1000.0);
         }
         proposals.push_back(std::move(made));
-    }
-    return proposals;
-}
-
-std::vector<Proposal> proposeLenses(const WhatIf& what) {
-    const double before = what.params.camera.hfov_deg;
-    const double half = std::tan(before * std::numbers::pi / 360.0);
-    // The lens at which the object is just large enough or, where it is cropped, just fits.
-    const auto lensFor = [&](const WhatIfPlace& p) {
-        if (p.seen.occluder != 0 || !std::isfinite(p.fill) || p.fill <= 0.0) return before;
-        const CaptureRules rules;
-        double scale = 1.0;
-        if (p.fill > kWhole) {
-            scale = kWhole / p.fill;
-        } else {
-            double grow = rules.min_visible_px / std::max(p.seen.visible_px, 1.0);
-            if (what.well) {
-                grow = std::max(grow, rules.min_box_share / std::max(p.seen.box_share, 1e-6));
-            }
-            scale = std::max(1.0, 1.02 * std::sqrt(grow));
-            if (scale * p.fill > kWhole) return before;
-        }
-        const double hfov = 2.0 * std::atan(half / scale) * 180.0 / std::numbers::pi;
-        return scale > 1.0 ? std::floor(hfov) : std::ceil(hfov);
-    };
-    constexpr double kNarrowest = 10.0;
-    constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their rims
-    const auto places = best(
-        what.places,
-        [&](const WhatIfPlace& p) {
-            const double hfov = lensFor(p);
-            const bool whole = p.fill > kWhole || p.seen.visible_fraction >=
-                                                      kAlmost * CaptureRules{}.min_visible_fraction;
-            return p.legal() && whole && hfov != before && hfov >= kNarrowest && hfov <= kWidest;
-        },
-        [&](const WhatIfPlace& p) { return -std::abs(lensFor(p) - before); });
-    std::vector<Proposal> proposals;
-    std::map<double, ViewEstimator> lenses;
-    std::map<double, std::size_t> looked;
-    for (const WhatIfPlace* place : places) {
-        if (proposals.size() >= kMost || lenses.size() > 3 * kMost) break;
-        const double hfov = lensFor(*place);
-        const bool known =
-            !proposals.empty() && proposals.back().change.params.camera.hfov_deg == hfov;
-        if (known || ++looked[hfov] > kLookedAt / 2) continue;
-        const Pose view = poseAt(what, *place);
-        Proposal made = proposal(what, view);
-        set(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov);
-        CameraParams& camera = made.change.params.camera;
-        const double near = camera.camera_radius_m / cornerOf(camera);
-        if (near < camera.near_m) {
-            set(made, "near_m", camera.near_m, std::floor(near * 1000.0) / 1000.0);
-        }
-        const ViewEstimator& views =
-            lenses
-                .try_emplace(hfov, what.around.views.scene(), what.around.views.rays(),
-                             made.change.params.camera)
-                .first->second;
-        if (showsEnough(views, view, what.object_id, what.well)) {
-            proposals.push_back(std::move(made));
-        }
     }
     return proposals;
 }

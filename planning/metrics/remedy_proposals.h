@@ -33,9 +33,13 @@ bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bo
 
 // Each for one kind of remedy, the mildest change first, checked by rays from the very place.
 std::vector<Proposal> proposePins(const WhatIf& what);
+std::vector<Proposal> proposePitches(const WhatIf& what);  // a looser pitch band
 std::vector<Proposal> proposeRegions(const WhatIf& what);  // no-go boxes and the height band
 std::vector<Proposal> proposeSmallerCameras(const WhatIf& what);
 std::vector<Proposal> proposeLenses(const WhatIf& what);
+// For what does not fit, and where none of the places shows enough of it: the search looks more
+// closely at some, and may find a view through a wider lens. Nothing is checked.
+std::vector<Proposal> proposeWiderUnseen(const WhatIf& what);
 std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials);
 
 }  // namespace dollytrack::planning

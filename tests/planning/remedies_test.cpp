@@ -130,7 +130,46 @@ TEST(Remedies, TheHeightBandIsWidenedAsFarAsNeeded) {
     EXPECT_TRUE(room.cured(plate).captured);
 }
 
-// From 1.1 m away 60 degrees span 1.3 m, and the poster is 3 m wide.
+// A tray on the floor, and a camera that looks up: its image ends above the horizon.
+TEST(Remedies, ThePitchBandIsLoosenedAsFarAsNeeded) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    builder.object("tray").box({2.0, 1.5, 0.02}, {0.5, 0.5, 0.04});
+    builder.object("chest").box({0.5, 0.5, 0.7}, {0.5, 0.5, 1.4});
+    PlanParams params;
+    params.constraints.min_pitch_deg = 30.0;
+    const Treated room(builder.build(), params);
+    const LedgerRow& tray = room.row("tray");
+    ASSERT_FALSE(tray.captured);
+    EXPECT_EQ(tray.loss, Loss::PitchBand);
+    EXPECT_NE(tray.reason.find("30 .. 90"), std::string::npos) << tray.reason;
+    ASSERT_TRUE(tray.remedy) << tray.reason;
+    ASSERT_EQ(tray.remedy->settings.size(), 1U);
+    ASSERT_EQ(tray.remedy->settings[0].rfind("min_pitch_deg=", 0), 0U) << tray.remedy->text;
+    const double lowest = std::stod(tray.remedy->settings[0].substr(14));
+    EXPECT_TRUE(room.cured(tray).well_captured);
+    // Half of the loosening is not enough.
+    params.constraints.min_pitch_deg = 0.5 * (30.0 + lowest);
+    const auto half = Treated::planOf(*room.scene, params, {});
+    EXPECT_FALSE(std::ranges::find(half->captures, tray.object_id, &ObjectCapture::object_id)
+                     ->well_captured);
+}
+
+// Where every place may look at it, the band is not to blame.
+TEST(Remedies, APitchBandThatKeepsNothingOutIsLeftAlone) {
+    PlanParams params = {};
+    params.constraints.min_pitch_deg = -60.0;
+    params.camera.camera_radius_m = 0.3;
+    const Treated wall(coinInAShaft(0.5, 2.5), params);
+    const LedgerRow& coin = wall.row("coin");
+    ASSERT_TRUE(coin.remedy) << coin.reason;
+    EXPECT_EQ(coin.reason.find("pitch"), std::string::npos) << coin.reason;
+    for (const std::string& setting : coin.remedy->settings) {
+        EXPECT_EQ(setting.find("pitch"), std::string::npos) << setting;
+    }
+}
+
+// From 1.1 m away 60 degrees span 1.3 m, and the poster is 3 m wide; aslant it takes less.
 TEST(Remedies, AWideLensShowsWhatDoesNotFit) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 1.2, 2.6});
@@ -141,8 +180,15 @@ TEST(Remedies, AWideLensShowsWhatDoesNotFit) {
     EXPECT_EQ(poster.loss, Loss::DoesNotFit) << poster.reason;
     ASSERT_TRUE(poster.remedy) << poster.reason;
     ASSERT_EQ(poster.remedy->settings[0].rfind("hfov_deg=", 0), 0U) << poster.remedy->text;
-    EXPECT_GT(std::stod(poster.remedy->settings[0].substr(9)), 80.0);
+    const double hfov = std::stod(poster.remedy->settings[0].substr(9));
+    EXPECT_GT(hfov, 60.0);
     EXPECT_TRUE(corridor.cured(poster).captured);
+    // No wider than it takes.
+    PlanParams narrower;
+    narrower.camera.hfov_deg = hfov - 5.0;
+    const auto plan = Treated::planOf(*corridor.scene, narrower, {});
+    EXPECT_FALSE(
+        std::ranges::find(plan->captures, poster.object_id, &ObjectCapture::object_id)->captured);
 }
 
 // A shaft 0.5 m wide holds a camera of radius 0.2 m, not one of 0.3 m.

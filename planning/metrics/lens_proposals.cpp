@@ -1,0 +1,176 @@
+#include "planning/metrics/proposal_parts.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kNarrowest = 10.0;
+constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their rims
+constexpr double kWhole = 0.92;    // share of the image's length that an object may take
+constexpr int kCoarseGrid = 14;
+
+/// The camera's sphere has to hold the near plane.
+double nearAt(const CameraParams& camera) {
+    const double farthest = camera.camera_radius_m / cornerOf(camera);
+    if (farthest >= camera.near_m) return camera.near_m;
+    return std::floor(farthest * 1000.0) / 1000.0;
+}
+
+Proposal withLens(const WhatIf& what, double hfov_deg) {
+    Proposal made = proposal(what, std::nullopt);
+    CameraParams& camera = made.change.params.camera;
+    set(made, "hfov_deg", camera.hfov_deg, hfov_deg);
+    const double near = nearAt(camera);
+    if (near < camera.near_m) set(made, "near_m", camera.near_m, near);
+    return made;
+}
+
+/// The scene through other lenses, one of each angle of view. Made when asked for.
+class Lenses {
+  public:
+    explicit Lenses(const WhatIf& what) : what_(what) {}
+
+    [[nodiscard]] const ViewEstimator& at(double hfov_deg) {
+        CameraParams camera = what_.params.camera;
+        camera.hfov_deg = hfov_deg;
+        camera.near_m = nearAt(camera);
+        const ViewEstimator& views = what_.around.views;
+        return made_.try_emplace(hfov_deg, views.scene(), views.rays(), camera).first->second;
+    }
+
+    [[nodiscard]] bool show(double hfov_deg, const Pose& view) {
+        return showsEnough(at(hfov_deg), view, what_.object_id, what_.well);
+    }
+
+    [[nodiscard]] std::size_t count() const { return made_.size(); }
+
+    [[nodiscard]] Proposal propose(double hfov_deg, const Pose& view) const {
+        Proposal made = withLens(what_, hfov_deg);
+        made.view = view;
+        return made;
+    }
+
+  private:
+    const WhatIf& what_;
+    std::map<double, ViewEstimator> made_;
+};
+
+/// The angle of view that enlarges the image by `scale`, deg.
+double scaled(double hfov_deg, double scale) {
+    const double half = std::tan(hfov_deg * std::numbers::pi / 360.0);
+    return 2.0 * std::atan(half / scale) * 180.0 / std::numbers::pi;
+}
+
+/// Longer lenses, where the object is too small: the least that enlarges it enough.
+std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
+    const double before = what.params.camera.hfov_deg;
+    const auto lensFor = [&](const WhatIfPlace& p) {
+        if (p.seen.occluder != 0 || !(p.fill > 0.0) || p.fill > kWhole) return before;
+        const CaptureRules rules;
+        double grow = rules.min_visible_px / std::max(p.seen.visible_px, 1.0);
+        if (what.well) {
+            grow = std::max(grow, rules.min_box_share / std::max(p.seen.box_share, 1e-6));
+        }
+        const double scale = std::max(1.0, 1.02 * std::sqrt(grow));
+        return scale * p.fill > kWhole ? before : std::floor(scaled(before, scale));
+    };
+    const auto places = best(
+        what.places,
+        [&](const WhatIfPlace& p) {
+            const double hfov = lensFor(p);
+            return p.legal() && hfov < before && hfov >= kNarrowest &&
+                   p.seen.visible_fraction >= kAlmost * CaptureRules{}.min_visible_fraction;
+        },
+        [&](const WhatIfPlace& p) { return lensFor(p); });
+    std::vector<Proposal> proposals;
+    std::map<double, std::size_t> looked;
+    for (const WhatIfPlace* place : places) {
+        if (proposals.size() >= kMost || lenses.count() > 3 * kMost) break;
+        const double hfov = lensFor(*place);
+        const bool known =
+            !proposals.empty() && proposals.back().change.params.camera.hfov_deg == hfov;
+        if (known || ++looked[hfov] > kLookedAt / 2) continue;
+        const Pose view = poseAt(what, *place);
+        if (lenses.show(hfov, view)) proposals.push_back(lenses.propose(hfov, view));
+    }
+    return proposals;
+}
+
+/// Wider lenses, where the object does not fit: the least by which enough of it does.
+std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
+    const double before = what.params.camera.hfov_deg;
+    const auto fits = [&](const WhatIfPlace& p) {
+        return std::min(std::ceil(scaled(before, kWhole / p.fill)), kWidest);
+    };
+    const auto cropped = best(
+        what.places,
+        [](const WhatIfPlace& p) { return p.legal() && std::isfinite(p.fill) && p.fill > kWhole; },
+        [](const WhatIfPlace& p) { return -p.fill; });
+    if (cropped.empty() || before >= kWidest) return {};
+    // The widest lens tells where something hides it: what is cropped now says little of that.
+    const ViewEstimator& widest = lenses.at(kWidest);
+    std::vector<double> promises(cropped.size());
+    parallelFor(cropped.size(), [&](std::size_t i) {
+        const auto seen = widest.estimate(poseAt(what, *cropped[i]), what.object_id, kCoarseGrid);
+        promises[i] = promise(seen, what.well);
+    });
+    double least = kWidest + 1.0;
+    Pose view;
+    const auto lookFrom = [&](std::size_t i) {
+        // More of it shows the wider the lens is: so halving finds the least.
+        const Pose here = poseAt(what, *cropped[i]);
+        double enough = std::min(least - 1.0, fits(*cropped[i]));
+        if (enough <= before || !lenses.show(enough, here)) return;
+        double short_of = before;
+        while (enough - short_of > 1.0) {
+            const double middle = std::ceil(0.5 * (enough + short_of));
+            if (middle >= enough) break;
+            (lenses.show(middle, here) ? enough : short_of) = middle;
+        }
+        least = enough;
+        view = here;
+    };
+    // Of the places that nearly promise it most fail when looked at exactly.
+    for (const double asked : {1.0, kAlmost}) {
+        std::size_t looked = 0;
+        for (std::size_t i = 0; i < cropped.size() && looked < kLookedAt; ++i) {
+            if (promises[i] < asked) continue;
+            ++looked;
+            lookFrom(i);
+        }
+        if (least <= kWidest) break;
+    }
+    if (least > kWidest) return {};
+    std::vector<Proposal> proposals = {lenses.propose(least, view)};
+    // A little more leaves the search more places to choose from.
+    const double more = std::min(std::ceil(least / 5.0 + 0.5) * 5.0, kWidest);
+    if (more > least && lenses.show(more, view)) proposals.push_back(lenses.propose(more, view));
+    return proposals;
+}
+
+}  // namespace
+
+std::vector<Proposal> proposeLenses(const WhatIf& what) {
+    Lenses lenses(what);
+    std::vector<Proposal> proposals = narrower(what, lenses);
+    for (Proposal& made : wider(what, lenses)) proposals.push_back(std::move(made));
+    return proposals;
+}
+
+std::vector<Proposal> proposeWiderUnseen(const WhatIf& what) {
+    constexpr double kStep = 5.0;
+    const double before = what.params.camera.hfov_deg;
+    std::vector<Proposal> proposals;
+    for (double hfov = std::floor(before / kStep + 1.0) * kStep; hfov <= kWidest; hfov += kStep) {
+        proposals.push_back(withLens(what, hfov));
+    }
+    return proposals;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,137 @@
+#include "planning/metrics/proposal_parts.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr int kCoarseGrid = 14;
+constexpr int kMoreSteps = 5;
+
+/// The pitch band with one of its ends moved outwards by steps of up to a degree: onto whole
+/// degrees, which are easier to read.
+ConstraintParams loosened(const ConstraintParams& from, bool down, int steps) {
+    ConstraintParams to = from;
+    if (down) {
+        to.min_pitch_deg = std::max(-90.0, std::ceil(from.min_pitch_deg) - steps);
+    } else {
+        to.max_pitch_deg = std::min(90.0, std::floor(from.max_pitch_deg) + steps);
+    }
+    return to;
+}
+
+/// A place from which the object is above or below what the camera may look at.
+struct SteepPlace {
+    const WhatIfPlace* place = nullptr;
+    bool down = false;
+    int steps = 0;  // the least after which a coarse look promises what is asked for; 0: none does
+    double goodness = 0.0;  // when nothing limits the pitch
+};
+
+SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked) {
+    SteepPlace steep{&place};
+    const double elevation = elevationOf(what.subject.center - place.position);
+    const PitchBand band = pitchBand(what.params.constraints);
+    if (band.nearest(elevation) == elevation) return steep;
+    steep.down = elevation < band.lowest;
+    const ConstraintParams& from = what.params.constraints;
+    const auto seen = [&](int steps) {
+        const PitchBand looser = pitchBand(loosened(from, steep.down, steps));
+        return what.around.views.estimate(aim(place.position, what.subject.center, looser),
+                                          what.object_id, kCoarseGrid);
+    };
+    const auto promises = [&](const ViewEstimator::Estimate& view) {
+        return promise(view, what.well) >= asked;
+    };
+    // Past this the object is in the image's middle.
+    int enough =
+        static_cast<int>(std::ceil(steep.down ? from.min_pitch_deg - elevation * kDegrees
+                                              : elevation * kDegrees - from.max_pitch_deg)) +
+        1;
+    const ViewEstimator::Estimate whole = seen(enough);
+    if (!promises(whole)) return steep;
+    steep.goodness = goodness(whole);
+    int short_of = 0;
+    while (enough - short_of > 1) {
+        const int middle = (enough + short_of) / 2;
+        (promises(seen(middle)) ? enough : short_of) = middle;
+    }
+    steep.steps = enough;
+    return steep;
+}
+
+Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
+    const ConstraintParams to = loosened(what.params.constraints, steep.down, steps);
+    Proposal made = proposal(what, aim(steep.place->position, what.subject.center, pitchBand(to)));
+    ConstraintParams& band = made.change.params.constraints;
+    if (steep.down) {
+        set(made, "min_pitch_deg", band.min_pitch_deg, to.min_pitch_deg);
+    } else {
+        set(made, "max_pitch_deg", band.max_pitch_deg, to.max_pitch_deg);
+    }
+    return made;
+}
+
+/// Those from which a coarse look promises `asked`, the least step first.
+std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
+    std::vector<SteepPlace> steep(what.places.size());
+    parallelFor(what.places.size(), [&](std::size_t i) {
+        const WhatIfPlace& place = what.places[i];
+        if (place.legal() && std::isfinite(place.fill)) steep[i] = steepPlace(what, place, asked);
+    });
+    std::erase_if(steep, [](const SteepPlace& one) { return one.steps == 0; });
+    std::stable_sort(steep.begin(), steep.end(), [](const SteepPlace& a, const SteepPlace& b) {
+        return a.steps != b.steps ? a.steps < b.steps : a.goodness > b.goodness;
+    });
+    return steep;
+}
+
+/// The least loosening, checked exactly; none when no place shows what is asked for.
+std::vector<Proposal> loosenedFor(const WhatIf& what) {
+    const auto shows = [&](const Proposal& made) {
+        return showsEnough(what.around.views, *made.view, what.object_id, what.well);
+    };
+    // Of the many places that nearly promise it most fail when looked at exactly.
+    for (const double asked : {1.0, kAlmost}) {
+        std::size_t looked = 0;
+        for (const SteepPlace& one : steepPlaces(what, asked)) {
+            if (++looked > 2 * kLookedAt) break;
+            int steps = one.steps;
+            Proposal pinned = propose(what, one, steps);
+            if (!shows(pinned)) continue;
+            for (; steps > 1; --steps) {
+                Proposal milder = propose(what, one, steps - 1);
+                if (!shows(milder)) break;
+                pinned = std::move(milder);
+            }
+            // A little more spares the pin, where the search has more places to choose from then.
+            Proposal least = pinned;
+            Proposal more = propose(what, one, steps + kMoreSteps);
+            least.view.reset();
+            more.view.reset();
+            pinned.needs_pin = true;
+            return {std::move(least), std::move(more), std::move(pinned)};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<Proposal> proposePitches(const WhatIf& what) {
+    if (!pitchBand(what.params.constraints).restricts()) return {};
+    WhatIf well = what;
+    well.well = true;
+    // What is captured but small is next to no help: a looser band costs nothing but itself.
+    std::vector<Proposal> proposals = loosenedFor(well);
+    if (what.well) return proposals;
+    for (Proposal& made : loosenedFor(what)) proposals.push_back(std::move(made));
+    return proposals;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,64 @@
+#include "planning/metrics/proposal_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack::planning {
+
+double promise(const ViewEstimator::Estimate& seen, bool well) {
+    const CaptureRules rules;
+    double share = std::min(1.0, seen.visible_fraction / rules.min_visible_fraction);
+    share = std::min(share, seen.visible_px / rules.min_visible_px);
+    return well ? std::min(share, seen.box_share / rules.min_box_share) : share;
+}
+
+std::vector<const WhatIfPlace*> best(const std::vector<WhatIfPlace>& places,
+                                     const std::function<bool(const WhatIfPlace&)>& fits,
+                                     const std::function<double(const WhatIfPlace&)>& order) {
+    std::vector<const WhatIfPlace*> chosen;
+    for (const WhatIfPlace& place : places) {
+        if (fits(place)) chosen.push_back(&place);
+    }
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](const auto* a, const auto* b) { return order(*a) > order(*b); });
+    return chosen;
+}
+
+double goodness(const ViewEstimator::Estimate& seen) {
+    return promise(seen, false) + 2.0 * promise(seen, true) + 0.5 * seen.visible_fraction +
+           0.2 * seen.box_share;
+}
+
+Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
+    return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
+}
+
+Proposal proposal(const WhatIf& what, const std::optional<Pose>& view) {
+    Proposal made;
+    made.change.params = what.params;
+    made.change.edits = what.edits;
+    made.view = view;
+    return made;
+}
+
+namespace {
+
+std::string instead(const std::string& name, double value, double before) {
+    return fmt::format("{} {:.6g} instead of {:.6g}", name, value, before);
+}
+
+}  // namespace
+
+void set(Proposal& made, const std::string& name, double& field, double value) {
+    made.remedy.settings.push_back(fmt::format("{}={:.6g}", name, value));
+    if (!made.remedy.text.empty()) made.remedy.text += " and ";
+    made.remedy.text += instead(name, value, field);
+    field = value;
+}
+
+double cornerOf(const CameraParams& camera) {
+    return makeIntrinsics(camera).unproject(0.0, 0.0).norm();
+}
+
+}  // namespace dollytrack::planning
