@@ -408,6 +408,7 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.smooth_paths = repair->smooth_paths;
     plan.trajectory = repair->trajectory;
     if (asks) plan.tour_rooms = asked->tour_rooms;
+    if (asks) plan.anchors = countAnchors(*asked, plan.smooth_paths);
     plan.refused_pins = points().refused;
     plan.stages = times;
     for (const StageTime& stage : times) {

@@ -104,6 +104,13 @@ std::string metricsTable(const nlohmann::json& m) {
                                 100.0 * region.value("rate", 0.0), region.value("seen", 0),
                                 region.value("seeable", 0)));
     }
+    for (const auto& anchors : m.value("anchors", nlohmann::json::array())) {
+        const int found = anchors.value("found", 0);
+        text +=
+            row(anchors.value("kind", ""),
+                found == 0 ? std::string("none in this scene")
+                           : fmt::format("{} of {} visited", anchors.value("visited", 0), found));
+    }
     for (const auto& room : m.value("rooms", nlohmann::json::array())) {
         text +=
             row(room.value("name", ""), fmt::format("{} frames, {:.1f} m", room.value("frames", 0),

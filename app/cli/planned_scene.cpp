@@ -3,7 +3,36 @@
 #include "engine/core/log.h"
 #include "engine/plan/plan_json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace dollytrack::cli {
+
+namespace {
+
+/// Of what was asked for and is not there, or is not visited. Where all kinds are asked for, it is
+/// no news that a scene lacks some.
+void warnOfAnchors(const Plan& plan) {
+    const auto& anchors = plan.anchors;
+    const bool none = !anchors.empty() && std::all_of(anchors.begin(), anchors.end(),
+                                                      [](const auto& a) { return a.found == 0; });
+    if (none) {
+        log::warn("planning", anchors.size() == 1
+                                  ? "the scene has no " + anchors[0].kind + " to visit as anchors"
+                                  : std::string("the scene has no doorways, openings or corridors "
+                                                "to visit as anchors"));
+    }
+    for (const AnchorTally& one : anchors) {
+        if (one.visited >= one.found) continue;
+        log::warn("planning",
+                  fmt::format("{} of {} {} are not visited: the camera finds no place there, or no "
+                              "way leads to it",
+                              one.found - one.visited, one.found, one.kind));
+    }
+}
+
+}  // namespace
 
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job) {
@@ -12,6 +41,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     for (const RefusedPin& pin : (*plan)->refused_pins) {
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
     }
+    warnOfAnchors(**plan);
     PlannedScene planned;
     planned.scene = opened.scene;
     planned.params = opened.params;

@@ -64,6 +64,13 @@ struct RegionCoverage {
     }
 };
 
+/// What joins or opens rooms and is visited for its own sake, of one kind.
+struct AnchorTally {
+    std::string kind;  // "doorways", "openings", "corridors", as the parameter has it
+    int found = 0;     // in the scene
+    int visited = 0;   // with a view of their own on the way; a corridor has two
+};
+
 /// A room that has a trajectory of its own, see CameraPath::room.
 struct TourRoom {
     std::string name;         // a folder's name, too
@@ -100,7 +107,8 @@ struct Plan {
     TrajectoryMetrics trajectory_metrics;
     RepairReport repair;
     std::vector<RegionCoverage> must_see;
-    std::vector<LedgerRow> ledger;  // one a target, ordered by id
+    std::vector<AnchorTally> anchors;  // one a kind that is asked for
+    std::vector<LedgerRow> ledger;     // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;
 
     std::vector<StageTime> stages;

@@ -163,6 +163,10 @@ json metricsJson(const Scene& scene, const Plan& plan) {
                                       {"seen", one.seen},
                                       {"rate", one.rate()}});
     }
+    for (const AnchorTally& one : plan.anchors) {
+        result["anchors"].push_back(
+            {{"kind", one.kind}, {"found", one.found}, {"visited", one.visited}});
+    }
     result["must_see_rate"] = least;  // 1 where nothing has to be
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     return result;

@@ -19,6 +19,11 @@ constexpr double kFarthest_m = 1.5;  // that a view stands before an opening
 constexpr double kNearest_m = 0.3;
 constexpr double kLooksAhead_m = 2.0;
 
+/// A missing ceiling is none.
+bool isWindow(const Opening& hole) {
+    return std::abs(hole.outwards.z()) <= 0.5;
+}
+
 class Finder {
   public:
     explicit Finder(const Surroundings& around) : around_(around) {}
@@ -46,7 +51,6 @@ class Finder {
     }
 
     void opening(const Opening& hole, std::vector<Pose>& views) const {
-        if (std::abs(hole.outwards.z()) > 0.5) return;  // a missing ceiling is no window
         for (double back = kFarthest_m; back >= kNearest_m; back -= kStep_m) {
             const auto place = legalNear(hole.center_in_world - back * hole.outwards);
             if (!place || around_.free_space.componentAt(*place) != hole.component) continue;
@@ -79,26 +83,41 @@ class Finder {
 
 }  // namespace
 
-std::vector<Pose> anchorViews(const RoomPlan& rooms, Anchors wanted, const Surroundings& around) {
+std::vector<Anchors> anchorKinds(Anchors wanted) {
+    if (wanted == Anchors::None) return {};
+    if (wanted != Anchors::All) return {wanted};
+    return {Anchors::Doorways, Anchors::Openings, Anchors::Corridors};
+}
+
+std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
+                                     const Surroundings& around) {
     const Finder finder(around);
-    const auto wants = [&](Anchors kind) { return wanted == kind || wanted == Anchors::All; };
-    std::vector<Pose> views;
+    const std::vector<Anchors> kinds = anchorKinds(wanted);
+    const auto wants = [&](Anchors kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    std::vector<AnchorViews> anchors;
+    const auto add = [&](Anchors kind) -> std::vector<Pose>& {
+        return anchors.emplace_back(AnchorViews{kind, {}}).views;
+    };
     if (wants(Anchors::Doorways)) {
         for (Doorway door : rooms.doorways()) {
             // Rooms are numbered by size.
             if (door.room_a > door.room_b) door.through = -door.through;
-            finder.doorway(door, views);
+            finder.doorway(door, add(Anchors::Doorways));
         }
     }
     if (wants(Anchors::Openings)) {
-        for (const Opening& hole : around.free_space.leaks().openings) finder.opening(hole, views);
+        for (const Opening& hole : around.free_space.leaks().openings) {
+            if (isWindow(hole)) finder.opening(hole, add(Anchors::Openings));
+        }
     }
     if (wants(Anchors::Corridors)) {
         for (const PlanRoom& room : rooms.rooms()) {
-            if (room.corridor) finder.corridor(room, views);
+            if (room.corridor) finder.corridor(room, add(Anchors::Corridors));
         }
     }
-    return views;
+    return anchors;
 }
 
 }  // namespace dollytrack::planning

@@ -9,6 +9,7 @@
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
+#include <set>
 
 namespace dollytrack::planning {
 namespace {
@@ -23,7 +24,45 @@ std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
     return views;
 }
 
+/// As the parameter has it.
+const char* nameOf(Anchors kind) {
+    switch (kind) {
+        case Anchors::Doorways:
+            return "doorways";
+        case Anchors::Openings:
+            return "openings";
+        case Anchors::Corridors:
+            return "corridors";
+        case Anchors::None:
+        case Anchors::All:
+            break;
+    }
+    return "";
+}
+
 }  // namespace
+
+std::vector<AnchorTally> countAnchors(const AskedPoints& asked,
+                                      const std::vector<SmoothPath>& paths) {
+    std::set<int> on_the_way;
+    for (const SmoothPath& path : paths) {
+        for (const SmoothPath::Key& key : path.keys) on_the_way.insert(key.position_point);
+    }
+    std::vector<AnchorTally> tallies;
+    for (const Anchors kind : anchorKinds(asked.anchors)) {
+        AnchorTally tally{nameOf(kind)};
+        for (const AskedAnchor& anchor : asked.found_anchors) {
+            if (anchor.kind != kind) continue;
+            ++tally.found;
+            tally.visited += std::any_of(anchor.points.begin(), anchor.points.end(),
+                                         [&](int point) { return on_the_way.contains(point); })
+                                 ? 1
+                                 : 0;
+        }
+        tallies.push_back(std::move(tally));
+    }
+    return tallies;
+}
 
 bool asksForRooms(const ConstraintParams& constraints) {
     return constraints.anchors != Anchors::None || constraints.rooms == RoomTours::Each;
@@ -39,8 +78,13 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
     std::vector<PositionPoint>& points = viewpoints.position_points;
     const std::size_t before = points.size();
     if (rooms != nullptr) {
-        for (const Pose& view : anchorViews(*rooms, constraints.anchors, around)) {
-            addFixedPoint(view, around, viewpoints);
+        asked.anchors = constraints.anchors;
+        for (const AnchorViews& anchor : anchorViews(*rooms, constraints.anchors, around)) {
+            AskedAnchor& found = asked.found_anchors.emplace_back(AskedAnchor{anchor.kind, {}});
+            for (const Pose& view : anchor.views) {
+                found.points.push_back(static_cast<int>(points.size()));
+                addFixedPoint(view, around, viewpoints);
+            }
         }
     }
     const std::vector<int> keys = must_see.empty() ? std::vector<int>() : chooseKeyFrames(points);

@@ -3,7 +3,9 @@
 #include "engine/core/result.h"
 #include "engine/document/edits.h"
 #include "engine/jobs/job.h"
+#include "engine/plan/plan.h"
 #include "planning/coverage/must_see.h"
+#include "planning/plan_params.h"
 #include "planning/viewpoints/hand_placed.h"
 
 #include <vector>
@@ -11,14 +13,25 @@
 namespace dollytrack::planning {
 
 class RoomPlan;
-struct ConstraintParams;
+
+/// An anchor and the position points that visit it.
+struct AskedAnchor {
+    Anchors kind = Anchors::Doorways;
+    std::vector<int> points;
+};
 
 /// Points with those added that a person asks for beside the objects', each with its room.
 struct AskedPoints {
     PlacedPoints placed;
     std::vector<MustSee> must_see;
     std::vector<TourRoom> tour_rooms;
+    Anchors anchors = Anchors::None;  // the kinds asked for
+    std::vector<AskedAnchor> found_anchors;
 };
+
+/// The anchors of each kind asked for, and how many of them have a view on the way.
+std::vector<AnchorTally> countAnchors(const AskedPoints& asked,
+                                      const std::vector<SmoothPath>& paths);
 
 /// Whether the plan of rooms is needed.
 bool asksForRooms(const ConstraintParams& constraints);

@@ -119,12 +119,43 @@ class CommandLine(FolderCase):
             (["--thread", 2, "plan", self.room], ["option '--thread'", "'--threads'"]),
             (["--threads", 2, "export", self.room, "--oot", "x"], ["'--oot'", "'--out'"]),
             (["zzzzzzzz"], ["no subcommand 'zzzzzzzz'."]),
+            (["plan", self.room, "--set", "foo=1"], ["no parameter 'foo'."]),
+            (["plan", self.room, "--max-frames", "x"],
+             ["'x' is not a whole number, which --max-frames takes."]),
+            (["plan", self.room, "--max-length", "x"], ["'x' is not a number", "--max-length"]),
+            (["plan", self.room, "--set", "fill=0.5", "seed=2"], ["'seed=2'", "repeat --set"]),
+            (["sweep", self.room, "--param", "fill=0.4,0.5", "--metric", "foo"],
+             ["no such metric", "well_captured_rate"]),
+            (["edit", self.room, "-o", "x.dolly", "--op", "{op:1}"],
+             ["--op:1:2", "double quotes"]),
         ]:
             result = run(*arguments)
             self.assertEqual(result.returncode, 2)
             for word in words:
                 self.assertIn(word, result.stderr)
         self.assertEqual(run("--help").returncode, 0)
+
+    def test_missing_files_are_said_to_be_missing(self):
+        nowhere = self.folder / "nowhere.txt"
+        for arguments in (["compare", self.room, "--planners", "uniform", "--trajectory", nowhere],
+                          ["edit", self.project, "--script", nowhere]):
+            self.assertFails(run(*arguments), 4, "no such file", "nowhere.txt")
+
+    def test_lists_that_leave_no_target_are_warned_of(self):
+        for arguments in (["--only", "floor"], ["--only", "sofa", "--ignore", "sofa"],
+                          ["--only", "nosuch"]):
+            result = run("plan", self.room, "-q", *arguments)
+            self.assertEqual(result.returncode, 0)
+            self.assertEqual(result.stderr.count("warning: edits: "), 1, result.stderr)
+
+    def test_anchors_are_counted_and_missing_ones_told(self):
+        result = run("plan", self.room, "--set", "anchors=corridors", "--max-frames", 10)
+        self.assertIn("has no corridors", result.stderr)
+        self.assertIn("none in this scene", result.stdout)
+        result = run("plan", self.room, "--set", "anchors=all", "--max-frames", 10, "--json")
+        self.assertEqual([row["kind"] for row in json.loads(result.stdout)["anchors"]],
+                         ["doorways", "openings", "corridors"])
+        self.assertNotIn("anchors", json.loads(self.planned.stdout))
 
     def test_bad_scenes_are_one_sentence_and_exit_code_4(self):
         def scene(name, content):

@@ -200,6 +200,10 @@ TEST(Anchors, TheTrajectoryGoesThroughEveryDoorway) {
             params.constraints.anchors = anchors;
             const auto plan = planOf(scene, params);
             EXPECT_TRUE(atTheDoor(*plan));
+            ASSERT_EQ(plan->anchors.size(), anchors == Anchors::All ? 3U : 1U);
+            EXPECT_EQ(plan->anchors[0].kind, "doorways");
+            EXPECT_EQ(plan->anchors[0].found, 1);
+            EXPECT_EQ(plan->anchors[0].visited, 1);
             EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
         }
     }
@@ -234,9 +238,17 @@ TEST(Anchors, OpeningsAreLookedOutOfAndCorridorsAlong) {
                                                    frame.pose.forward()) < 0.15;
                            });
     };
-    EXPECT_TRUE(looksOut(*planOf(builder.build(), params)));
+    const auto hole_plan = planOf(builder.build(), params);
+    EXPECT_TRUE(looksOut(*hole_plan));
+    ASSERT_EQ(hole_plan->anchors.size(), 1U);
+    EXPECT_EQ(hole_plan->anchors[0].visited, 1);
 
+    // What a scene lacks is told as such.
     params.constraints.anchors = Anchors::Corridors;
+    const auto without = planOf(builder.build(), params);
+    ASSERT_EQ(without->anchors.size(), 1U);
+    EXPECT_EQ(without->anchors[0].kind, "corridors");
+    EXPECT_EQ(without->anchors[0].found, 0);
     const auto plan = planOf(roomAtACorridor(), params);
     for (const double side : {1.0, -1.0}) {
         EXPECT_TRUE(std::any_of(plan->trajectory.frames.begin(), plan->trajectory.frames.end(),
