@@ -98,6 +98,7 @@ class Editor {
     void makeExportQueue();
     void drawSheet();
     void queueExport(const ui::ExportView& view);
+    void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
     [[nodiscard]] std::filesystem::path exportFolder() const;
     [[nodiscard]] nlohmann::json exportsJson() const;

@@ -124,6 +124,16 @@ ui::ExportView Editor::exportView() {
     if (exports_) {
         view.jobs = exports_->jobs();
         view.held = exports_->held();
+        const ui::ExportJob* job =
+            draft.folder.empty() ? nullptr : jobThatWillWrite(exportFolder(), view.jobs);
+        if (job != nullptr) {
+            // No error: it is so after each export that was begun here.
+            view.folder_warns = true;
+            view.folder_says =
+                fmt::format("{} {} exported there: another one needs its own folder.",
+                            job->request.name, job->active() ? "is being" : "will be");
+            if (view.why_not.empty()) view.why_not = view.folder_says;
+        }
     }
     view.why_no_folder = why_no_folders_;
     return view;
@@ -140,7 +150,7 @@ void Editor::drawExport() {
     if (actions.add_current && view.why_not.empty()) queueExport(view);
     if (actions.toggle_hold) exports_->hold(!exports_->held());
     if (actions.cancel != 0) exports_->cancel(actions.cancel);
-    if (actions.resume != 0) exports_->resume(actions.resume);
+    if (actions.resume != 0) resumeExport(actions.resume, view.jobs);
     if (actions.remove != 0) exports_->remove(actions.remove);
     if (actions.earlier != 0) exports_->move(actions.earlier, -1);
     if (actions.later != 0) exports_->move(actions.later, 1);
@@ -153,6 +163,18 @@ void Editor::drawExport() {
             log::warn("export", describe(opened.error()));
         }
     }
+}
+
+void Editor::resumeExport(int id, const std::vector<ui::ExportJob>& jobs) {
+    const auto job = std::ranges::find(jobs, id, &ui::ExportJob::id);
+    const ui::ExportJob* other =
+        job != jobs.end() ? jobThatWillWrite(job->request.folder, jobs) : nullptr;
+    if (other == nullptr) return exports_->resume(id);
+    questions_.tell({true,
+                     "The folder is in use",
+                     fmt::format("{} is exported into {} now.\nGo on when that has ended.",
+                                 other->request.name, other->request.folder.string()),
+                     {}});
 }
 
 void Editor::queueExport(const ui::ExportView& view) {

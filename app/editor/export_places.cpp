@@ -30,20 +30,37 @@ fs::path findInPath(const std::string& program) {
     return {};
 }
 
+namespace {
+
+/// Written in one way, so that folders can be compared without asking the disk.
+fs::path plainly(const fs::path& folder) {
+    const fs::path normal = folder.lexically_normal();
+    return normal.has_filename() ? normal : normal.parent_path();
+}
+
+}  // namespace
+
 fs::path folderBeside(const fs::path& folder, const fs::path& project,
                       const std::vector<ui::ExportJob>& jobs) {
-    const fs::path parent =
-        (folder.has_filename() ? folder : folder.parent_path()).lexically_normal().parent_path();
+    const fs::path parent = plainly(folder).parent_path();
     const std::string stem = project.stem().string();
     const auto taken = [&](const fs::path& place) {
-        return place == folder.lexically_normal() ||
-               std::ranges::any_of(jobs, [&](const ui::ExportJob& job) {
-                   return job.request.folder.lexically_normal() == place;
+        return place == plainly(folder) || std::ranges::any_of(jobs, [&](const ui::ExportJob& job) {
+                   return plainly(job.request.folder) == place;
                });
     };
     fs::path place = parent / stem;
     for (int i = 2; taken(place); ++i) place = parent / (stem + "_" + std::to_string(i));
     return place;
+}
+
+const ui::ExportJob* jobThatWillWrite(const fs::path& folder,
+                                      const std::vector<ui::ExportJob>& jobs) {
+    const auto found = std::ranges::find_if(jobs, [&](const ui::ExportJob& job) {
+        const bool will = job.active() || job.state == ui::ExportState::Waiting;
+        return will && plainly(job.request.folder) == plainly(folder);
+    });
+    return found != jobs.end() ? &*found : nullptr;
 }
 
 fs::path contactSheetIn(const fs::path& folder) {

@@ -18,6 +18,11 @@ namespace dollytrack::editor {
                                                  const std::filesystem::path& project,
                                                  const std::vector<ui::ExportJob>& jobs);
 
+/// The job that runs or waits to write into this folder; null: none does. What a second one wrote
+/// there would replace what the first did.
+[[nodiscard]] const ui::ExportJob* jobThatWillWrite(const std::filesystem::path& folder,
+                                                    const std::vector<ui::ExportJob>& jobs);
+
 /// The contact sheet of the dataset in a folder, or of its first room that has one where each room
 /// has a dataset; empty without.
 [[nodiscard]] std::filesystem::path contactSheetIn(const std::filesystem::path& folder);

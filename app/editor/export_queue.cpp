@@ -288,12 +288,26 @@ void ExportQueue::storeNewJobs() {
             at->stored = true;
             id = at->job.id;
         }
-        mark_.hold();
-        if (writeSnapshot(id)) storeNote(id);
+        // Another job may be running: it has no part in what goes wrong here.
+        try {
+            mark_.hold();
+            if (writeSnapshot(id)) storeNote(id);
+        } catch (const std::exception& e) {
+            log::debug("export", std::string("A job is not kept for later: ") + e.what());
+        }
     }
 }
 
+/// Nothing that happens to a note may end the job that it is of.
 void ExportQueue::storeNote(int id) {
+    try {
+        writeNoteOf(id);
+    } catch (const std::exception& e) {
+        log::debug("export", std::string("An export cannot be noted for later: ") + e.what());
+    }
+}
+
+void ExportQueue::writeNoteOf(int id) {
     noted_at_ = Clock::now();
     ExportNote note;
     bool done = false;

@@ -83,6 +83,7 @@ class ExportQueue {
     void adoptLeftJobs();
     void storeNewJobs();
     void storeNote(int id);
+    void writeNoteOf(int id);
     void removeIfGone(int id, const std::filesystem::path& file);
     void failEntry(int id, const Error& error);
     void removeFiles(const Entry& entry) const;

@@ -366,6 +366,26 @@ TEST(ExportQueue, LeavesAJobToOneOfTwoEditors) {
               1);
 }
 
+TEST(ExportQueue, TellsWhichJobWillWriteIntoAFolder) {
+    const FakeProgram program(kFinish);
+    ExportQueue queue(program.file("snapshots"), program.path());
+    queue.hold(true);
+    const int waits = queue.addFile(program.request("room"), "room.dolly");
+    const auto nameOf = [&](const fs::path& folder) {
+        const std::vector<ui::ExportJob> jobs = queue.jobs();
+        const ui::ExportJob* job = jobThatWillWrite(folder, jobs);
+        return job != nullptr ? job->request.name : "";
+    };
+    EXPECT_EQ(nameOf(program.file("room")), "room");
+    EXPECT_EQ(nameOf(program.file("room") / ""), "room");
+    EXPECT_EQ(nameOf(program.file("other") / ".." / "room"), "room");
+    EXPECT_EQ(nameOf(program.file("room_2")), "");
+    EXPECT_EQ(nameOf(program.file("room").parent_path()), "");
+    queue.hold(false);
+    EXPECT_EQ(endOf(queue, waits), ExportState::Done);
+    EXPECT_EQ(nameOf(program.file("room")), "") << "what is there may be replaced";
+}
+
 // A file that has the name already is not the project that was handed over.
 TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
     const FakeProgram program("cp \"$2\" \"$out/copy\"\n" + std::string(kFinish));
@@ -379,6 +399,27 @@ TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
     EXPECT_EQ(endOf(queue, id), ExportState::Done);
     EXPECT_EQ(contentOf(program.file("room") / "copy"),
               io::projectText(*project, folder / "any.dolly"));
+}
+
+// A project without a scene cannot be written: the library throws.
+TEST(ExportQueue, FailsAloneWhereItsSnapshotCannotBeWritten) {
+    const FakeProgram program(
+        "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
+        "while [ ! -e \"$out/../go\" ]; do sleep 0.02; done\n" +
+        std::string(kFinish));
+    const auto broken = std::make_shared<io::ProjectFile>();
+    ExportQueue queue(program.file("snapshots"), program.path());
+    const int before = queue.add(program.request("before"), broken);
+    EXPECT_EQ(endOf(queue, before), ExportState::Failed);
+    const int running = queue.addFile(program.request("running"), "room.dolly");
+    ASSERT_TRUE(eventually([&] { return jobOf(queue, running).frames_done == 2; }));
+    const int meanwhile = queue.add(program.request("meanwhile"), broken);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(jobOf(queue, running).state, ExportState::Running);
+    std::ofstream(program.file("go")) << "";
+    EXPECT_EQ(endOf(queue, running), ExportState::Done);
+    EXPECT_EQ(endOf(queue, meanwhile), ExportState::Failed);
+    EXPECT_FALSE(jobOf(queue, meanwhile).error.message.empty());
 }
 
 bool isAlive(pid_t process) {

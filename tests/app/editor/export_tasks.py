@@ -193,6 +193,21 @@ class Exporting(Task):
         self.assertEqual([name for name in ours if ours[name] != theirs[name] and
                           name != "dataset.json"], [])
 
+    def test_two_exports_do_not_go_into_one_folder(self):
+        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
+        out = self.folder / "dataset"
+        job = self.queue(out)
+        self.press_in_panel("export.add")
+        self.assertEqual(len(self.editor.idle()["exports"]), 1, "the folder is the first one's")
+        self.press_job(job, "cancel")
+        self.finished(job, CANCELLED)
+        self.press_in_panel("export.add")
+        self.editor.wait(lambda now: len(now["exports"]) == 2, "the second, in its place")
+        self.press_job(job, "resume")
+        self.assertIn("in use", self.notice())
+        self.dismiss("ok")
+        self.assertEqual(self.editor.state()["exports"][0]["state"], CANCELLED)
+
     def saved_preview(self, modality, frame):
         self.editor.type_value("timeline.frame", str(frame))
         if modality != "rgb":
