@@ -289,7 +289,9 @@ void Editor::dropGizmo() {
 void Editor::cancelDrag() {
     // Points become an edit when the drag ends, all else while it lasts.
     dropGizmo();
-    if (workspace_.history().position() > position_before_drag_) workspace_.undo();
+    if (workspace_.history().position() > position_before_drag_) {
+        workspace_.goTo(position_before_drag_);
+    }
 }
 
 void Editor::select(ui::Selection selection) {

@@ -214,6 +214,8 @@ class Files(Task):
 
     def test_quit_and_throw_the_work_away(self):
         self.changed_room()
+        self.editor.wait(lambda state: state["autosaves"] > 0, "a copy")
+        time.sleep(5.5)  # another would be due
         self.ends = True
         self.editor.close_window()
         self.editor.point("message.dont_save")
