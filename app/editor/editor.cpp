@@ -143,7 +143,8 @@ bool Editor::frame() {
     requestLayers();
     requestPicture();
     requestPreview();
-    autosave();
+    // What was thrown away on the way out would be copied once more, and offered at the next start.
+    if (!quitting_) autosave();
     rememberSettings();
     window_.setTitle(workspace_.title());
     return !quitting_;

@@ -193,6 +193,11 @@ void Editor::goToTrackTime(double time_s) {
 void Editor::followTracks() {
     if (!workspace_.isOpen()) return;
     const SceneEdits& edits = workspace_.state().edits.scene;
+    // What one has in hand stays there, and the two would cut each other's steps of undo to pieces.
+    if (track_time_.playing() && gizmo_.dragging()) {
+        track_time_.stop();
+        workspace_.endMerge();
+    }
     if (track_time_.playing()) {
         window_.animate();
         const PlanOutcome& shown = workspace_.shown();

@@ -1,5 +1,6 @@
 """Moving objects by hand and by keys."""
 import math
+import time
 
 from task import MUG, SOFA, Task
 
@@ -148,3 +149,36 @@ class Moving(Task):
         self.over_the_viewport()
         self.editor.key("alt+i")
         self.assertEqual([key["time_s"] for key in self.change()["track"]], [0])
+
+    def grab_while_things_move(self, also):
+        """Pulls at the sofa while its track plays, and does something else before it is let go."""
+        self.editor.type_value("tracks.time", "0")
+        self.editor.idle()
+        self.editor.click("tracks.play")
+        self.editor.wait(lambda state: state["track_time"] > 0.2, "things to move")
+        x, y = self.editor.middle("gizmo.y")
+        origin = self.editor.middle("gizmo.free")
+        self.editor.point((x, y))
+        self.editor.press()
+        before = self.editor.state()
+        for step in range(1, 9):
+            self.editor.move(x + step * (x - origin[0]) / 10, y + step * (y - origin[1]) / 10)
+            self.editor.state()
+            time.sleep(0.1)
+        also()
+        self.editor.release()
+        return before, self.editor.idle()
+
+    def test_what_one_drags_while_things_move_is_one_step(self):
+        self.give_two_keys(last="20")
+        before, after = self.grab_while_things_move(also=lambda: None)
+        self.assertFalse(after["tracks_play"])
+        self.assertEqual(after["history"], [*before["history"], "Move sofa"])
+        self.assertGreater(abs(self.offset()[1]), 0.05)
+
+    def test_escape_takes_back_all_of_a_drag_while_things_move(self):
+        self.give_two_keys(last="20")
+        before, after = self.grab_while_things_move(also=lambda: self.editor.key("esc"))
+        self.assertEqual(after["history_position"], before["history_position"])
+        self.assertEqual(self.offset()[1], 0)
+        self.assertEqual(after["selected"], [SOFA])
