@@ -83,6 +83,12 @@ void Editor::requestLayers() {
     request.regions = workspace_.state().edits.plan.regions;
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    // A parallel view has no eye that could be in it.
+    request.in_cone = through_camera_
+                          ? playback_.frame() < frameCount() &&
+                                looksFromCone(request, viewportView(camera).pose.position)
+                          : !camera.orthographic && looksFromCone(request, camera.pose().position);
     layers_.request(request);
 }
 

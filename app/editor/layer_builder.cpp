@@ -1,12 +1,15 @@
 #include "app/editor/layer_builder.h"
 
+#include "render/look_inside.h"
 #include "render/overlays/trajectory_overlay.h"
 #include "ui/overlays/edge_shape.h"
+#include "ui/overlays/grid_overlay.h"
 #include "ui/overlays/palette.h"
 #include "ui/overlays/steps_overlay.h"
 
 #include <any>
 #include <array>
+#include <span>
 #include <tuple>
 
 namespace dollytrack::editor {
@@ -137,6 +140,7 @@ ui::CandidatesOverlayOptions candidatesOptions(const LayersRequest& request) {
     options.cone = request.settings.cone;
     options.shown = request.settings.candidate_kinds;
     options.cone_half_angle_deg = request.cone_half_angle_deg;
+    options.cone_filled = !request.in_cone;
     const Selection& selection = request.selection;
     options.observation_point = -1;
     options.selected_candidate = -1;
@@ -181,8 +185,13 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
     return scene == other.scene && plan == other.plan && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
-           no_go == other.no_go && regions == other.regions && step == other.step &&
-           frame == other.frame;
+           in_cone == other.in_cone && no_go == other.no_go && regions == other.regions &&
+           step == other.step && frame == other.frame;
+}
+
+bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
+    return request.plan && request.settings.candidates && request.settings.cone &&
+           ui::isInCone(*request.plan, candidatesOptions(request), eye);
 }
 
 /// Belongs to the worker's thread: each layer with what it was made of.
@@ -191,7 +200,7 @@ struct LayerBuilder::Desk {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
     };
-    std::array<Made, 9> made;
+    std::array<Made, 10> made;
 
     template <class Inputs, class Make>
     void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
@@ -211,6 +220,14 @@ Layers LayerBuilder::Desk::build(const LayersRequest& request) {
     layers.plan = request.plan;
     if (!request.scene) return layers;
     const ui::LayerSettings& on = request.settings;
+    if (on.grid) {
+        add(layers, 9, std::tuple(request.scene, request.plan), [&] {
+            const auto rooms = request.plan ? std::span(std::as_const(request.plan->rooms))
+                                            : std::span<const Eigen::AlignedBox3d>();
+            return ui::gridLayer(request.scene->room_bounds,
+                                 render::floorOf(*request.scene, rooms));
+        });
+    }
     if (on.free_space && request.free_space) {
         const ui::FreeSpaceOverlayOptions options = cellOptions(on);
         add(layers, 0, std::tuple(request.free_space, options),

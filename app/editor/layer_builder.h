@@ -30,11 +30,15 @@ struct LayersRequest {
     std::vector<Region> regions;
     bool stepping = false;  // the algorithm's steps, instead of the whole roadmap
     double cone_half_angle_deg = 40.0;
+    bool in_cone = false;  // the viewer is, of the candidates shown
     std::size_t step = 0;  // of the algorithm
     int frame = -1;        // where the camera is now
 
     bool operator==(const LayersRequest&) const;
 };
+
+/// Whether somebody at this place looks from inside the cone of the candidates that are shown.
+[[nodiscard]] bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye);
 
 /// Everything drawn over the scene, bottom first.
 struct Layers {

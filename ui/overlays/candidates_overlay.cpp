@@ -22,11 +22,13 @@ constexpr double kRefused_px = 3.5;
 constexpr int kConeSides = 36;
 const Eigen::Vector4f kCone(0.98F, 0.85F, 0.35F, 1.0F);
 
-/// The cone from the observation point, as long as the candidates in it are far; those outside the
-/// room only count where there are no others.
-void addCone(render::Overlay& overlay, const ObservationPoint& point,
-             const std::vector<Candidate>& candidates, double half_angle_deg) {
-    const double half_angle = std::min(half_angle_deg, 89.0) * std::numbers::pi / 180.0;
+double halfAngle(const CandidatesOverlayOptions& options) {
+    return std::min(options.cone_half_angle_deg, 89.0) * std::numbers::pi / 180.0;
+}
+
+/// As far as the candidates in it are; those outside the room only count where there are no others.
+double coneLength(const ObservationPoint& point, const std::vector<Candidate>& candidates,
+                  double half_angle) {
     double length = 0.0;
     double outside = 0.0;
     for (const Candidate& candidate : candidates) {
@@ -37,7 +39,14 @@ void addCone(render::Overlay& overlay, const ObservationPoint& point,
         double& reach = candidate.verdict == Verdict::OutsideRoom ? outside : length;
         reach = std::max(reach, distance);
     }
-    if (length <= 0.0) length = outside;
+    return length > 0.0 ? length : outside;
+}
+
+/// The cone from the observation point.
+void addCone(render::Overlay& overlay, const ObservationPoint& point,
+             const std::vector<Candidate>& candidates, const CandidatesOverlayOptions& options) {
+    const double half_angle = halfAngle(options);
+    const double length = coneLength(point, candidates, half_angle);
     if (length <= 0.0) return;
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), point.direction);
@@ -48,8 +57,10 @@ void addCone(render::Overlay& overlay, const ObservationPoint& point,
         return Eigen::Vector3d(point.position + length * (turn * way));
     };
     for (int i = 0; i < kConeSides; ++i) {
-        overlay.triangles.push_back(
-            {point.position, rim(i), rim(i + 1), withOpacity(kCone, 0.16F)});
+        if (options.cone_filled) {
+            overlay.triangles.push_back(
+                {point.position, rim(i), rim(i + 1), withOpacity(kCone, 0.16F)});
+        }
         overlay.lines.push_back({rim(i), rim(i + 1), withOpacity(kCone, 0.9F), 1.5});
         if (i % 9 == 0) {
             overlay.lines.push_back({point.position, rim(i), withOpacity(kCone, 0.6F), 1.2});
@@ -113,6 +124,27 @@ Eigen::Vector4f colorOf(Verdict verdict) {
     return {1, 1, 1, 1};
 }
 
+bool isInCone(const Plan& plan, const CandidatesOverlayOptions& options,
+              const Eigen::Vector3d& eye) {
+    const auto index = static_cast<std::size_t>(options.observation_point);
+    if (options.observation_point < 0 ||
+        index >= std::min(plan.observation_points.size(), plan.searches.size())) {
+        return false;
+    }
+    // A side that one nearly touches covers as much as one that one has passed.
+    constexpr double kTouching_m = 0.15;
+    // Twice as far as it is long, its mouth fits into the picture.
+    constexpr double kMouth = 2.0;
+    const ObservationPoint& point = plan.observation_points[index];
+    const double half_angle = halfAngle(options);
+    const double length = coneLength(point, plan.searches[index].candidates, half_angle);
+    const Eigen::Vector3d apex =
+        point.position - kTouching_m / std::sin(half_angle) * point.direction.normalized();
+    const Eigen::Vector3d way = eye - apex;
+    return length > 0.0 && (eye - point.position).norm() < kMouth * length &&
+           way.dot(point.direction.normalized()) > std::cos(half_angle) * way.norm();
+}
+
 PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& options) {
     PlanLayer layer;
     layer.legend.title = "Candidates";
@@ -123,7 +155,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
     const ObservationPoint& point = plan.observation_points[static_cast<std::size_t>(index)];
     const ViewpointSearch& search = plan.searches[static_cast<std::size_t>(index)];
     if (options.cone) {
-        addCone(layer.overlay, point, search.candidates, options.cone_half_angle_deg);
+        addCone(layer.overlay, point, search.candidates, options);
     }
     std::array<int, kVerdicts> counts{};
     for (std::size_t i = 0; i < search.candidates.size(); ++i) {

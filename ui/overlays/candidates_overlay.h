@@ -23,6 +23,7 @@ struct CandidatesOverlayOptions {
     int observation_point = -1;  // index; -1: nothing is shown
     double cone_half_angle_deg = 40.0;
     bool cone = true;
+    bool cone_filled = true;  // else only its edges
     int selected_candidate = -1;
     ShownVerdicts shown = allVerdicts();
     bool operator==(const CandidatesOverlayOptions&) const = default;
@@ -31,6 +32,11 @@ struct CandidatesOverlayOptions {
 /// Why an observation point is seen from where it is, or from nowhere: the cone that was searched,
 /// every place tried there and elsewhere by the reason it was not taken, and the one that was.
 [[nodiscard]] PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& options);
+
+/// Whether an eye is in the cone or before its mouth: from there its sides are all around what one
+/// looks at, and would tint the whole picture.
+[[nodiscard]] bool isInCone(const Plan& plan, const CandidatesOverlayOptions& options,
+                            const Eigen::Vector3d& eye);
 
 /// A verdict in words: "in an obstacle".
 [[nodiscard]] std::string_view inWords(Verdict verdict);

@@ -1,5 +1,6 @@
 #include "tests/ui/overlays/planned_room.h"
 #include "ui/overlays/candidates_overlay.h"
+#include "ui/overlays/grid_overlay.h"
 #include "ui/overlays/palette.h"
 #include "ui/overlays/pick_tag.h"
 #include "ui/overlays/points_overlay.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -36,6 +38,65 @@ std::set<int> tagged(const render::Overlay& overlay, Picked kind) {
     for (const auto& line : overlay.lines) take(line.tag);
     for (const auto& mark : overlay.marks) take(mark.tag);
     return indices;
+}
+
+/// One observation point at the origin that looks along x, with a candidate 2 m before it.
+Plan oneSearch() {
+    Plan plan;
+    plan.observation_points.resize(1);
+    plan.observation_points[0].direction = {1, 0, 0};
+    plan.searches.resize(1);
+    plan.searches[0].candidates.resize(1);
+    plan.searches[0].candidates[0].position = {2, 0, 0};
+    return plan;
+}
+
+TEST(PlanLayers, TheConeIsNotFilledForAnEyeInIt) {
+    const Plan plan = oneSearch();
+    CandidatesOverlayOptions options;
+    options.observation_point = 0;
+    options.cone_half_angle_deg = 40.0;
+    EXPECT_TRUE(isInCone(plan, options, {1, 0, 0}));
+    EXPECT_TRUE(isInCone(plan, options, {1, 0.8, 0})) << "atan(0.8) is 38.7 degrees";
+    EXPECT_TRUE(isInCone(plan, options, {3, 0, 0})) << "before its mouth";
+    EXPECT_FALSE(isInCone(plan, options, {1, 1.2, 0})) << "beside it";
+    EXPECT_FALSE(isInCone(plan, options, {-1, 0, 0})) << "behind it";
+    EXPECT_FALSE(isInCone(plan, options, {9, 0, 0})) << "far away";
+    options.observation_point = -1;
+    EXPECT_FALSE(isInCone(plan, options, {1, 0, 0}));
+    options.observation_point = 0;
+    const PlanLayer filled = candidatesLayer(plan, options);
+    EXPECT_FALSE(filled.overlay.triangles.empty());
+    options.cone_filled = false;
+    const PlanLayer edges = candidatesLayer(plan, options);
+    EXPECT_TRUE(edges.overlay.triangles.empty());
+    EXPECT_EQ(edges.overlay.lines.size(), filled.overlay.lines.size());
+}
+
+TEST(PlanLayers, TheGridReachesBesideTheRoomOnWholeMetres) {
+    const Eigen::AlignedBox3d room(Eigen::Vector3d(-1.3, 0.2, 0.1), Eigen::Vector3d(3.7, 2.9, 2.6));
+    const PlanLayer layer = gridLayer(room, 0.15);
+    Eigen::AlignedBox3d reach;
+    for (const render::OverlayLine& line : layer.overlay.lines) {
+        reach.extend(line.a);
+        reach.extend(line.b);
+        const Eigen::Vector3d way = line.b - line.a;
+        ASSERT_TRUE((way.x() == 0.0) != (way.y() == 0.0));
+        const double at = way.x() == 0.0 ? line.a.x() : line.a.y();
+        EXPECT_EQ(at, std::round(at));
+    }
+    EXPECT_EQ(reach.min(), Eigen::Vector3d(-4, -2, 0.15));
+    EXPECT_EQ(reach.max(), Eigen::Vector3d(6, 5, 0.15));
+    EXPECT_EQ(layer.overlay.lines.size(), 11U + 8U);
+    EXPECT_EQ(countOf(layer.legend, "squares of 1 m"), 70);
+}
+
+TEST(PlanLayers, TheGridOfAHugeSceneHasLargerSquares) {
+    const Eigen::AlignedBox3d town(Eigen::Vector3d(-900, 0, 0), Eigen::Vector3d(900, 50, 30));
+    const PlanLayer layer = gridLayer(town, 0.0);
+    EXPECT_LT(layer.overlay.lines.size(), 300U);
+    EXPECT_GT(countOf(layer.legend, "squares of 10 m"), 0);
+    EXPECT_TRUE(gridLayer({}, 0.0).overlay.lines.empty());
 }
 
 /// A plan made by hand: four key frames in a row, 1 m apart, and one of each kind of edge.
