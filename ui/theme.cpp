@@ -85,8 +85,9 @@ void setColors(ThemeKind kind) {
     colors[ImGuiCol_TitleBgActive] = raised;
     colors[ImGuiCol_MenuBarBg] = dark ? rgb(0x17191D) : rgb(0xECECEA);
     colors[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
-    colors[ImGuiCol_ScrollbarGrab] = hover;
-    colors[ImGuiCol_ScrollbarGrabHovered] = pressed;
+    colors[ImGuiCol_ScrollbarGrab] = dark ? rgb(0x4A515C) : rgb(0xB3B9C1);
+    colors[ImGuiCol_ScrollbarGrabHovered] = dark ? rgb(0x5D6572) : rgb(0x969DA7);
+    colors[ImGuiCol_ScrollbarGrabActive] = dark ? rgb(0x6E7785) : rgb(0x7C848F);
     colors[ImGuiCol_CheckMark] = accent;
     colors[ImGuiCol_SliderGrab] = accent;
     colors[ImGuiCol_SliderGrabActive] = dark ? rgb(0x7DB5FF) : rgb(0x0F52A3);

@@ -43,6 +43,25 @@ TEST(PreviewPanel, ChoosesAModality) {
     EXPECT_EQ(preview.changes, 1) << "the same again is no change";
 }
 
+// Its title is what it is folded and carried by.
+TEST(PreviewPanel, APortraitFitsIntoTheViewport) {
+    Preview preview;
+    preview.image.record.width = 320;
+    preview.image.record.height = 480;
+    for (const float height : {560.0F, 300.0F, 120.0F}) {
+        test::Screen screen([&] { preview.draw(); }, 660, height);
+        screen.frame(2);
+        const auto title = screen.find("preview.fold");
+        const auto picture = screen.find("preview.picture");
+        ASSERT_TRUE(title && picture) << screen.names();
+        EXPECT_GE(title->top, 0.0F) << height;
+        EXPECT_LE(picture->bottom, height);
+        EXPECT_NEAR((picture->right - picture->left) / (picture->bottom - picture->top), 2.0 / 3.0,
+                    0.05);
+        EXPECT_LT(picture->bottom - picture->top, 300.0F) << "no longer than a landscape is wide";
+    }
+}
+
 TEST(PreviewPanel, GrowsFoldsAndMoves) {
     Preview preview;
     test::Screen screen([&] { preview.draw(); }, 900, 560);

@@ -68,6 +68,25 @@ TEST(TimelinePanel, MovesWithItsButtons) {
     EXPECT_EQ(timeline.state.speed, 4.0);
 }
 
+// With few frames half of one is more than a second.
+TEST(TimelinePanel, TheAxisAndThePlayheadAgree) {
+    Timeline timeline(5);
+    timeline.keys.clear();
+    timeline.bands.clear();
+    timeline.view.frame_interval_s = 2.0;
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    screen.frame(2);
+    for (const int frame : {0, 1, 4}) {
+        timeline.view.frame = frame;
+        screen.frame(2);
+        const auto playhead = screen.find("timeline.playhead");
+        const auto tick = screen.find("timeline.tick." + std::to_string(2 * frame));
+        ASSERT_TRUE(playhead && tick) << screen.names();
+        EXPECT_NEAR(playhead->left, tick->left, 1.5) << frame;
+    }
+    EXPECT_FALSE(screen.shows("timeline.tick.-1"));
+}
+
 TEST(TimelinePanel, TakesAFrameAndATimeThatAreTyped) {
     Timeline timeline(300);
     test::Screen screen([&] { timeline.draw(); }, 1280, 180);

@@ -240,7 +240,8 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
     switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
                    "To look into rooms from above");
-    switches.check("Grid", "grid", settings.grid, "At the height of the floor, under the room and beside it");
+    switches.check("Grid", "grid", settings.grid,
+                   "At the height of the floor, under the room and beside it");
     if (!view.legends.empty()) {
         ImGui::Separator();
         drawLegends(view.legends);

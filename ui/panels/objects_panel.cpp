@@ -80,7 +80,7 @@ void drawState(const Object& object, const ObjectCapture* capture) {
         }
     }
     ImGui::TextColored(color, "%s", text);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", why.c_str());
+    tooltipBeside(why);
 }
 
 /// Scrolls only where the row is not in sight, and as little as it takes where a part of it is: the
@@ -120,7 +120,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     if (ImGui::IsItemClicked()) state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
     nameItem("objects.row." + std::to_string(object.id));
     const std::string class_name = className(object.nyu40);
-    if (shown_name != name || !with_class) tooltip(name + "\n" + class_name);
+    if (shown_name != name || !with_class) tooltipBeside(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
         bringRowIntoView();
         state.scroll_to = 0;
@@ -131,17 +131,15 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     }
     ImGui::TableNextColumn();
     ImGui::TextColored(palette().text_dim, "%s", object.large ? "L" : "s");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip(object.large ? "large" : "small");
+    tooltipBeside(object.large ? "large" : "small");
     ImGui::TableNextColumn();
     const bool hidden = view.hidden != nullptr &&
                         static_cast<std::size_t>(object.id) < view.hidden->size() &&
                         (*view.hidden)[static_cast<std::size_t>(object.id)];
     if (ImGui::SmallButton(hidden ? "◌##eye" : "◉##eye")) actions.toggle_hidden = object.id;
     nameItem("objects.eye." + std::to_string(object.id));
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(hidden ? "Hidden in the viewport; click to show"
-                                 : "Click to hide in the viewport; the plan does not change");
-    }
+    tooltipBeside(hidden ? "Hidden in the viewport; click to show"
+                         : "Click to hide in the viewport; the plan does not change");
     ImGui::TableNextColumn();
     if (object.role != Role::Structure) {
         const ObjectChange* change =
@@ -156,7 +154,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         }
         ImGui::PopStyleVar();
         nameItem("objects.target." + std::to_string(object.id));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("A target: the plan shall capture it");
+        tooltipBeside("A target: the plan shall capture it");
     }
     ImGui::PopID();
 }

@@ -60,13 +60,19 @@ Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
         return frame;
     }
     const float margin = scaled(kMargin);
-    float width = std::min(scaled(std::max(state.width, kNarrowest)), pane.x - 2 * margin);
-    width = std::min(width, (pane.y - 2 * margin - title) * aspect);
-    width = std::max(width, std::min(scaled(kNarrowest), pane.x - 2 * margin));
+    // The longer side has the length that was chosen: a portrait as wide as a landscape would be
+    // would cover half of the viewport.
+    const float side = std::min(scaled(std::max(state.width, kNarrowest)), pane.x - 2 * margin);
+    const float room = std::max(pane.y - 2 * margin - title, 1.0F);
+    const float width = std::max(std::min(side * std::min(aspect, 1.0F), room * aspect), 1.0F);
     frame.picture = {std::floor(width), std::floor(width / aspect)};
-    frame.size = {frame.picture.x, title + (state.open ? frame.picture.y : 0.0F)};
+    // The title needs its width, however narrow the picture is.
+    frame.size = {std::max(frame.picture.x, std::min(scaled(kNarrowest), pane.x - 2 * margin)),
+                  title + (state.open ? frame.picture.y : 0.0F)};
     frame.low.x = isLeft(state.corner) ? view.low.x + margin : view.high.x - margin - frame.size.x;
     frame.low.y = isTop(state.corner) ? view.low.y + margin : view.high.y - margin - frame.size.y;
+    // Its bar is what it is folded and carried by.
+    frame.low.y = std::max(frame.low.y, view.low.y);
     return frame;
 }
 

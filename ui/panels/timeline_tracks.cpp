@@ -45,12 +45,15 @@ void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows
     const ImU32 line = ImGui::GetColorU32(palette().panel_line);
     const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
     const double step = tickSeconds(interval / axis.pixelsPerFrame());
-    const auto first = static_cast<long>(std::ceil(timeOf(view, axis.first()) / step));
+    // A frame's time is in the frame's middle, as the playhead and the key frames are.
+    const double begin = timeOf(view, std::max(axis.first() - 0.5, 0.0));
+    const auto first = static_cast<long>(std::ceil(begin / step));
     for (long i = first;; ++i) {
         const double seconds = static_cast<double>(i) * step;
-        const auto x = static_cast<float>(axis.xOf(frameAt(view, seconds)));
+        const auto x = static_cast<float>(axis.xOf(frameAt(view, seconds) + 0.5));
         if (x > axis.right()) break;
         list->AddLine({x, rows.ruler}, {x, rows.bottom}, line);
+        nameArea(fmt::format("timeline.tick.{:g}", seconds), x, rows.ruler, x + 1, rows.bottom);
         const std::string text = fmt::format("{:.{}f} s", seconds, step < 1.0 ? 1 : 0);
         if (x + ImGui::CalcTextSize(text.c_str()).x + scaled(4) < axis.right()) {
             list->AddText({x + scaled(4), rows.ruler}, ImGui::GetColorU32(palette().text_dim),
@@ -219,6 +222,7 @@ void drawPlayhead(const TimelineView& view, const FrameAxis& axis, const Rows& r
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 color = ImGui::GetColorU32(palette().accent);
     list->AddRectFilled({x, rows.ruler}, {x + std::max(1.0F, scaled(1.5F)), rows.bottom}, color);
+    nameArea("timeline.playhead", x, rows.ruler, x + 1, rows.bottom);
     list->AddTriangleFilled({x - scaled(6), rows.ruler}, {x + scaled(7), rows.ruler},
                             {x + scaled(0.5F), rows.ruler + scaled(8)}, color);
 }

@@ -7,6 +7,17 @@
 #include <algorithm>
 
 namespace dollytrack::ui {
+namespace {
+
+void drawTooltip(const std::string& text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(scaled(340));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
 
 bool beginForm(const char* id, float names) {
     if (!ImGui::BeginTable(id, 2)) return false;
@@ -71,11 +82,18 @@ void tooltip(const std::string& text) {
         ImGui::SetNextWindowPos({x, top - scaled(4)}, ImGuiCond_Always,
                                 {x < 0.5F * window.x ? 0.0F : 1.0F, 1.0F});
     }
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(scaled(340));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    drawTooltip(text);
+}
+
+void tooltipBeside(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const float left = ImGui::GetWindowPos().x;
+    const float right = left + ImGui::GetWindowWidth();
+    const bool has_room = right + scaled(200) < ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos(
+        {has_room ? right + scaled(6) : left - scaled(6), ImGui::GetItemRectMin().y},
+        ImGuiCond_Always, {has_room ? 0.0F : 1.0F, 0.0F});
+    drawTooltip(text);
 }
 
 bool button(const char* label, std::string_view name, const ButtonOptions& options) {

@@ -29,6 +29,10 @@ void paragraph(const std::string& text);
 /// above the item: below it are the slider and the line that the item changes.
 void tooltip(const std::string& text);
 
+/// The same beside the window or list at hand: what is below the item can still be read and
+/// clicked.
+void tooltipBeside(const std::string& text);
+
 /// How a button is drawn, and why it cannot be pressed.
 struct ButtonOptions {
     std::string why_not = {};  // not empty: disabled, and this says why

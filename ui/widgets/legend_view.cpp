@@ -85,7 +85,11 @@ void drawSign(const LegendEntry& entry) {
 void drawScale(const LegendScale& scale) {
     constexpr int kPieces = 24;
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = std::min(ImGui::GetContentRegionAvail().x, scaled(240));
+    const std::string begin = fmt::format("{:.3g}", scale.min);
+    const std::string end = fmt::format("{:.3g} {}", scale.max, scale.unit);
+    const float end_width = ImGui::CalcTextSize(end.c_str()).x;
+    const float labels = ImGui::CalcTextSize(begin.c_str()).x + end_width + scaled(16);
+    const float width = std::max(std::min(ImGui::GetContentRegionAvail().x, scaled(240)), labels);
     const float height = scaled(10);
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (int i = 0; i < kPieces; ++i) {
@@ -98,11 +102,8 @@ void drawScale(const LegendScale& scale) {
                                       right, left);
     }
     ImGui::Dummy({width, height});
-    const std::string begin = fmt::format("{:.3g}", scale.min);
-    const std::string end = fmt::format("{:.3g} {}", scale.max, scale.unit);
     ImGui::TextColored(palette().text_dim, "%s", begin.c_str());
     ImGui::SameLine();
-    const float end_width = ImGui::CalcTextSize(end.c_str()).x;
     ImGui::SetCursorScreenPos({low.x + width - end_width, ImGui::GetCursorScreenPos().y});
     ImGui::TextColored(palette().text_dim, "%s", end.c_str());
 }
@@ -148,10 +149,9 @@ void drawLegends(const std::vector<Legend>& legends) {
 
 void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
                    LegendBoxState& state) {
-    // More of it would hide the scene that it explains.
-    const ImVec2 size(std::min(state.size.x, room.x), std::min(state.size.y, 0.5F * room.y));
+    const ImVec2 size(std::min(state.size.x, room.x), std::min(state.size.y, room.y));
     ImVec4 back = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
-    back.w = 0.82F;
+    back.w = 0.97F;
     ImGui::SetCursorScreenPos(low);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, scaled(5));

@@ -20,8 +20,8 @@ struct LegendBoxState {
     std::vector<std::string> folded;  // titles of parts that show only those
 };
 
-/// The same in a box over the window at hand, with its corner at `low` and within half of `room`'s
-/// height; what is more is scrolled to. A click on a title folds its part, or the box.
+/// The same in a box over the window at hand, with its corner at `low` and within `room`; what is
+/// more is scrolled to. A click on a title folds its part, or the box.
 void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
                    LegendBoxState& state);
 
