@@ -172,6 +172,30 @@ TEST(ExportPanel, SetsTheSizeOfTheImage) {
     EXPECT_EQ(width, 640);
     EXPECT_EQ(panel.actions.edited, "height_px");
     EXPECT_TRUE(panel.actions.finished);
+    screen.click("export.keep_ratio");
+    ASSERT_TRUE(screen.typeInto("export.width_px", "320"));
+    EXPECT_EQ(width, 320);
+    EXPECT_EQ(height, 180) << "as 640 is to 360";
+    ASSERT_TRUE(screen.typeInto("export.height_px", "90"));
+    EXPECT_EQ(width, 160);
+}
+
+// Which of the two was meant, only the user knows.
+TEST(ExportPanel, WaitsForARangeThatIsTheRightWayRound) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    screen.typeInto("export.last", "4");
+    screen.typeInto("export.first", "6");
+    EXPECT_EQ(panel.draft.first, 6);
+    EXPECT_EQ(panel.draft.last, 4);
+    EXPECT_NE(screen.names().find("range_note"), std::string::npos);
+    EXPECT_FALSE(screen.enabled("export.add"));
+    EXPECT_FALSE(screen.enabled("export.add_files"));
+    EXPECT_EQ(frameCountOf(panel.view, panel.draft), 0);
+    screen.typeInto("export.last", "8");
+    EXPECT_EQ(screen.names().find("range_note"), std::string::npos);
+    EXPECT_TRUE(screen.enabled("export.add"));
+    EXPECT_EQ(requestOf(panel.view, panel.draft).range, "6:9:1");
 }
 
 TEST(ExportPanel, WritesNowhereThatItCannot) {

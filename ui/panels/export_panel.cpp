@@ -12,7 +12,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace dollytrack::ui {
 namespace {
@@ -24,10 +26,17 @@ struct Frames {
     int step = 1;
 };
 
+/// The last frame comes before the first, as it does while only one of them is set. Neither is
+/// changed to fit the other: one would get another range than one typed.
+bool isReversed(const ExportDraft& draft) {
+    return !draft.current_only && draft.last >= 0 && draft.first > draft.last;
+}
+
 Frames framesOf(const ExportView& view, const ExportDraft& draft) {
     if (draft.current_only) return {view.current_frame, view.current_frame + 1, 1};
     const int last = draft.last < 0 ? view.frame_count - 1 : draft.last;
     Frames frames;
+    if (isReversed(draft)) return {draft.first, draft.first, 1};
     frames.begin = std::clamp(draft.first, 0, std::max(view.frame_count - 1, 0));
     frames.end =
         std::clamp(last + 1, frames.begin + 1, std::max(view.frame_count, frames.begin + 1));
@@ -69,34 +78,84 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
     cutText(says.empty() ? none : says, color);
 }
 
-/// The camera's, as among the parameters: the plan follows it.
-void drawImageSize(const ExportView& view, ExportActions& actions) {
-    if (view.parameters == nullptr) return;
-    formLabel("Image, px",
-              "Width and height. They are parameters of the camera: with another size all is "
-              "planned anew");
-    const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
-    const float half = (ImGui::GetContentRegionAvail().x - cross) / 2;
-    for (const char* name : {"width_px", "height_px"}) {
+struct SizeField {
+    const Field* field = nullptr;
+    const Field* standard = nullptr;
+    const Field::Integer* number = nullptr;
+};
+
+/// Width and height among the parameters; nothing where they are not there.
+std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
+    if (view.parameters == nullptr) return std::nullopt;
+    std::array<SizeField, 2> sizes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const char* name = i == 0 ? "width_px" : "height_px";
         const auto field = std::ranges::find(*view.parameters, name, &Field::name);
         const auto standard = std::ranges::find(*view.standard, name, &Field::name);
-        if (field == view.parameters->end() || standard == view.standard->end()) continue;
-        if (field->name == "height_px") {
+        if (field == view.parameters->end() || standard == view.standard->end()) return {};
+        sizes[i] = {&*field, &*standard, std::get_if<Field::Integer>(&field->value)};
+        if (sizes[i].number == nullptr) return std::nullopt;
+    }
+    return sizes;
+}
+
+/// The camera's, as among the parameters: the plan follows it.
+void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
+    const auto sizes = sizeFields(view);
+    if (!sizes) return;
+    const char* camera = "The image of the plan's camera: with another size all is planned anew.";
+    formLabel("Image, px", camera);
+    const char* keep = "keep ratio";
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x +
+                      ImGui::CalcTextSize(keep).x + style.ItemSpacing.x;
+    const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = room - box > scaled(140);
+    const float half = ((beside ? room - box : room) - cross) / 2;
+    bool active = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (i == 1) {
             ImGui::SameLine(0, 0);
             ImGui::TextUnformatted(" \u00d7 ");
             ImGui::SameLine(0, 0);
         }
+        const SizeField& size = (*sizes)[i];
         ImGui::SetNextItemWidth(half);
-        const FieldEdit edit = drawFieldValue(*field, *standard, std::string("export.") + name);
-        if (edit.changed) actions.edited = name;
+        const FieldEdit edit =
+            drawFieldValue(*size.field, *size.standard, "export." + size.field->name);
+        active = active || ImGui::IsItemActive();
+        // Below what the field says of itself.
+        if (!edit.says) tooltip(camera);
         actions.finished = actions.finished || edit.finished;
+        if (!edit.changed) continue;
+        actions.edited = size.field->name;
+        if (!draft.keep_ratio || draft.ratio <= 0.0) continue;
+        const Field::Integer& other = *(*sizes)[1 - i].number;
+        const double fits = *size.number->value * (i == 0 ? 1.0 / draft.ratio : draft.ratio);
+        *other.value = static_cast<int>(
+            std::clamp(std::round(fits), std::ceil(other.info.min), std::floor(other.info.max)));
     }
+    // As it was before the drag: what is rounded on the way must not add up.
+    if (!active) draft.ratio = double(*(*sizes)[0].number->value) / *(*sizes)[1].number->value;
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        formLabel("");
+    }
+    ImGui::Checkbox(keep, &draft.keep_ratio);
+    nameItem("export.keep_ratio");
+    tooltip("Width and height change together");
 }
 
 /// What of the range is not there, or nothing.
 std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
     const int last = view.frame_count - 1;
     if (view.frame_count == 0 || draft.current_only) return {};
+    if (isReversed(draft)) {
+        return fmt::format("From {} to {} there are no frames: the last comes before the first.",
+                           draft.first, draft.last);
+    }
     if (draft.first > last) return fmt::format("The trajectory ends with frame {}.", last);
     if (draft.last <= last && draft.first >= 0) return {};
     const Frames frames = framesOf(view, draft);
@@ -122,10 +181,11 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     int last = draft.last < 0 ? most : draft.last;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float third = std::floor((fields - 2 * gap) / 3);
+    const bool wrong = isReversed(draft);
+    if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, palette().bad);
     ImGui::SetNextItemWidth(third);
     if (ImGui::DragInt("##first", &first, 0.5F, 0, most, "from %d")) {
         draft.first = std::max(first, 0);
-        if (draft.last >= 0) draft.last = std::max(draft.last, draft.first);
     }
     nameItem("export.first");
     ImGui::SameLine(0, gap);
@@ -133,9 +193,9 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     if (ImGui::DragInt("##last", &last, 0.5F, 0, most, "to %d")) {
         // To the end stays to the end when a new plan has more frames.
         draft.last = last == most ? -1 : std::max(last, 0);
-        draft.first = std::min(draft.first, std::max(last, 0));
     }
     nameItem("export.last");
+    if (wrong) ImGui::PopStyleColor();
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(third);
     ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1), "every %d",
@@ -159,7 +219,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
                                       : fmt::format("There are frames 0 to {}.", most),
                 palette().text_dim);
     } else {
-        cutText(note, palette().warning);
+        cutText(note, wrong ? palette().bad : palette().warning);
         nameItem("export.range_note");
     }
 }
@@ -207,6 +267,7 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     if (view.frame_count == 0) return "The trajectory has no frames.";
     if (draft.folder.empty()) return "Choose a folder first.";
     if (!view.why_not_folder.empty()) return view.why_not_folder;
+    if (isReversed(draft)) return rangeNote(view, draft);
     if (!draft.current_only && draft.first >= view.frame_count) return rangeNote(view, draft);
     // To the program, no name means all.
     if (!view.modalities.empty() && chosen(view.modalities, draft.left_out_modalities).empty()) {
@@ -221,7 +282,7 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
 void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     if (!beginForm("place", 0.22F)) return;
     drawFolder(view, draft, actions);
-    drawImageSize(view, actions);
+    drawImageSize(view, draft, actions);
     drawFrames(view, draft);
     endForm();
 }
@@ -251,7 +312,7 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     }
     flowTo("Add projects…");
     if (button("Add projects…", "export.add_files",
-               {{},
+               {isReversed(draft) ? rangeNote(view, draft) : "",
                 fmt::format("Queue other .dolly files: {}, with the modalities and formats ticked "
                             "here, in the size of their own cameras; each gets a folder beside {}",
                             rangeForOthers(draft) == "::" ? "all of their frames"

@@ -43,6 +43,8 @@ struct ExportDraft {
     int first = 0;
     int last = -1;
     int step = 1;
+    bool keep_ratio = false;  // of width to height
+    double ratio = 0.0;       // when the last edit of them began
     std::vector<std::string> left_out_modalities;
     std::vector<std::string> left_out_formats;
     bool overwrite = false;
