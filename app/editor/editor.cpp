@@ -132,8 +132,10 @@ bool Editor::frame() {
     refreshScene();
     play();
     followTracks();
-    if (!files_.isOpen() && !panels_.palette.open && !panels_.help.open && !sheet_.isOpen() &&
-        !questions_.waiting()) {
+    // Keys are for the menu or list that was open: Escape closes it, which has happened by now, and
+    // does nothing else.
+    if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&
+        !sheet_.isOpen() && !questions_.waiting()) {
         commands_.runShortcuts(&Window::signOfKey);
         runKeypad();
     }
@@ -146,6 +148,7 @@ bool Editor::frame() {
     // What was thrown away on the way out would be copied once more, and offered at the next start.
     if (!quitting_) autosave();
     rememberSettings();
+    popup_was_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     window_.setTitle(workspace_.title());
     return !quitting_;
 }

@@ -207,6 +207,7 @@ class Editor {
     PanelStates panels_;
     ui::ViewportActions pane_;
     bool preview_hovered_ = false;
+    bool popup_was_open_ = false;  // in the frame before
     std::vector<ui::PaletteItem> palette_parameters_;
     std::string focus_tab_;  // to be brought to the front
 

@@ -21,6 +21,39 @@ class Selecting(Task):
         state = self.editor.key("esc")
         self.assertEqual((state["selection_kind"], state["selected"]), (NONE, []))
 
+    def test_escape_closes_a_menu_and_nothing_else(self):
+        self.start_room()
+        self.select_row(SOFA)
+        self.editor.click("menu.view")
+        self.editor.item("command.view.preview")
+        state = self.editor.key("esc")
+        self.assertNotIn("command.view.preview", state["items"])
+        self.assertEqual(state["selected"], [SOFA])
+        self.editor.point("viewport")
+        self.assertEqual(self.editor.key("esc")["selected"], [])
+
+    def test_the_grid_is_seen_in_both_themes(self):
+        self.start_room()
+        self.show_preview(False)
+        self.editor.click("tab.layers")
+        for _ in range(2):
+            self.editor.key("7")
+            before = self.picture_at_rest()
+            self.editor.click("layers.grid")
+            after = self.picture_at_rest()
+            # Beside the room, where there is nothing but the background.
+            changed = sum(a != b for a, b in zip(before[2][::3], after[2][::3]))
+            self.assertGreater(changed, 2000)
+            self.editor.click("layers.grid")
+            self.editor.menu("window", "window.light")
+
+    def picture_at_rest(self):
+        self.editor.point("viewport")
+        self.wait_picture()
+        time.sleep(0.5)
+        self.wait_picture()
+        return self.editor.picture()
+
     def test_select_in_the_list_and_read_about_it(self):
         self.start_room()
         state = self.select_row(SOFA)
