@@ -52,6 +52,11 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
     panels_.timeline.strips = settings_.layout.strips;
+    panels_.preview.open = settings_.layout.show_preview;
+    layer_settings_ = settings_.layout.layers;
+    left_tabs_.restore(settings_.layout.left_tab);
+    right_tabs_.restore(settings_.layout.right_tab);
+    bottom_tabs_.restore(settings_.layout.bottom_tab);
     addCommands();
     makeExportQueue();
     for (const Field& field : parameters_.standard()) {
@@ -230,6 +235,11 @@ void Editor::rememberSettings() {
     }
     settings_.window = window_.settings();
     settings_.layout.strips = panels_.timeline.strips;
+    settings_.layout.show_preview = panels_.preview.open;
+    settings_.layout.layers = layer_settings_;
+    settings_.layout.left_tab = left_tabs_.open();
+    settings_.layout.right_tab = right_tabs_.open();
+    settings_.layout.bottom_tab = bottom_tabs_.open();
     settings_saver_.follow(settings_);
 }
 

@@ -19,6 +19,7 @@
 #include "app/editor/settings.h"
 #include "app/editor/settings_saver.h"
 #include "app/editor/step_playback.h"
+#include "app/editor/tab_row.h"
 #include "app/editor/track_time.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
@@ -210,6 +211,7 @@ class Editor {
     bool popup_was_open_ = false;  // in the frame before
     std::vector<ui::PaletteItem> palette_parameters_;
     std::string focus_tab_;  // to be brought to the front
+    TabRow left_tabs_, right_tabs_, bottom_tabs_;
 
     // Questions to the user.
     Questions questions_;

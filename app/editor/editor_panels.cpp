@@ -11,7 +11,6 @@
 #include "ui/panels/parameters_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
-#include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -23,37 +22,21 @@ namespace dollytrack::editor {
 
 using ui::Selection;
 
-namespace {
-
-/// A tab that comes to the front when `focus` names it.
-bool beginTab(const char* name, std::string& focus) {
-    const bool wanted = focus == name;
-    if (wanted) focus.clear();
-    const bool open =
-        ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-    std::string item = "tab." + std::string(name);
-    std::ranges::transform(item, item.begin(), [](unsigned char c) { return std::tolower(c); });
-    ui::nameItem(item);
-    return open;
-}
-
-}  // namespace
-
 void Editor::drawLeft() {
     if (!ImGui::BeginTabBar("left tabs")) return;
-    if (beginTab("Objects", focus_tab_)) {
+    if (left_tabs_.begin("Objects", focus_tab_)) {
         drawObjects();
         ImGui::EndTabItem();
     }
-    if (beginTab("Layers", focus_tab_)) {
+    if (left_tabs_.begin("Layers", focus_tab_)) {
         drawLayers();
         ImGui::EndTabItem();
     }
-    if (beginTab("By hand", focus_tab_)) {
+    if (left_tabs_.begin("By hand", focus_tab_)) {
         drawEdits();
         ImGui::EndTabItem();
     }
-    if (beginTab("History", focus_tab_)) {
+    if (left_tabs_.begin("History", focus_tab_)) {
         ui::HistoryView view;
         const std::vector<std::string> names = workspace_.history().names();
         if (workspace_.isOpen()) view.names = &names;
@@ -204,15 +187,15 @@ void Editor::drawSelection() {
 
 void Editor::drawRight() {
     if (!ImGui::BeginTabBar("right tabs")) return;
-    if (beginTab("Parameters", focus_tab_)) {
+    if (right_tabs_.begin("Parameters", focus_tab_)) {
         drawParameters();
         ImGui::EndTabItem();
     }
-    if (beginTab("Selection", focus_tab_)) {
+    if (right_tabs_.begin("Selection", focus_tab_)) {
         drawSelection();
         ImGui::EndTabItem();
     }
-    if (beginTab("Metrics", focus_tab_)) {
+    if (right_tabs_.begin("Metrics", focus_tab_)) {
         drawMetrics();
         ImGui::EndTabItem();
     }
@@ -271,20 +254,20 @@ void Editor::drawBottom() {
     if (!ImGui::BeginTabBar("bottom tabs")) return;
     // The algorithm's picture is shown as long as one looks at its steps.
     step_playback_.show(false);
-    if (beginTab("Timeline", focus_tab_)) {
+    if (bottom_tabs_.begin("Timeline", focus_tab_)) {
         drawTracks();
         drawTimeline();
         ImGui::EndTabItem();
     }
-    if (beginTab("Algorithm", focus_tab_)) {
+    if (bottom_tabs_.begin("Algorithm", focus_tab_)) {
         drawSteps();
         ImGui::EndTabItem();
     }
-    if (beginTab("Export", focus_tab_)) {
+    if (bottom_tabs_.begin("Export", focus_tab_)) {
         drawExport();
         ImGui::EndTabItem();
     }
-    if (beginTab("Log", focus_tab_)) {
+    if (bottom_tabs_.begin("Log", focus_tab_)) {
         ui::drawLogPanel(log_, panels_.log);
         ImGui::EndTabItem();
     }

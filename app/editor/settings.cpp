@@ -65,6 +65,13 @@ EditorSettings loadSettings() {
         settings.layout.show_left = layout.value("show_left", true);
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
+        settings.layout.show_preview = layout.value("show_preview", true);
+        settings.layout.left_tab = layout.value("left_tab", "");
+        settings.layout.right_tab = layout.value("right_tab", "");
+        settings.layout.bottom_tab = layout.value("bottom_tab", "");
+        const nlohmann::json layers = layout.value("layers", nlohmann::json::object());
+        visitLayerSwitches(settings.layout.layers,
+                           [&](const char* name, bool& on) { on = layers.value(name, on); });
         if (layout.contains("strips")) {
             const auto shown = layout["strips"].get<std::vector<std::string>>();
             for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
@@ -97,11 +104,18 @@ Status saveSettings(const EditorSettings& settings) {
                              {"bottom", settings.layout.bottom},
                              {"show_left", settings.layout.show_left},
                              {"show_right", settings.layout.show_right},
-                             {"show_bottom", settings.layout.show_bottom}}},
+                             {"show_bottom", settings.layout.show_bottom},
+                             {"show_preview", settings.layout.show_preview},
+                             {"left_tab", settings.layout.left_tab},
+                             {"right_tab", settings.layout.right_tab},
+                             {"bottom_tab", settings.layout.bottom_tab}}},
                            {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
                            {"zoom", settings.zoom},
                            {"recent", settings.recent},
                            {"last_folder", settings.last_folder}};
+    nlohmann::json& layers = json["layout"]["layers"] = nlohmann::json::object();
+    visitLayerSwitches(settings.layout.layers,
+                       [&](const char* name, bool on) { layers[name] = on; });
     nlohmann::json& strips = json["layout"]["strips"] = nlohmann::json::array();
     for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
         if (settings.layout.strips[i]) strips.push_back(kStripNames[i]);

@@ -2,6 +2,7 @@
 
 #include "app/editor/window.h"
 #include "engine/core/result.h"
+#include "ui/layers.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/theme.h"
 
@@ -13,6 +14,21 @@
 
 namespace dollytrack::editor {
 
+/// Which layers are drawn, by their names in the settings' file: what they show in detail belongs
+/// to the scene.
+template <class Layers, class Visitor>
+void visitLayerSwitches(Layers& switches, Visitor&& visit) {
+    visit("free_space", switches.free_space);
+    visit("points", switches.points);
+    visit("roadmap", switches.roadmap);
+    visit("trajectory", switches.trajectory);
+    visit("candidates", switches.candidates);
+    visit("cone", switches.cone);
+    visit("no_go_boxes", switches.no_go_boxes);
+    visit("ceiling_cut", switches.ceiling_cut);
+    visit("grid", switches.grid);
+}
+
 /// Sizes of the window's parts, px at 96 dots per inch.
 struct Layout {
     float left = 280;
@@ -22,7 +38,13 @@ struct Layout {
     bool show_right = true;
     bool show_bottom = true;
     std::optional<bool> show_legend;  // none: where the viewport has room for it
+    bool show_preview = true;         // else only its bar
     std::array<bool, ui::kTimelineStrips> strips = ui::TimelineState().strips;
+    // The tabs in front, by their names; empty: the first.
+    std::string left_tab;
+    std::string right_tab;
+    std::string bottom_tab;
+    ui::LayerSettings layers;  // only its switches are kept
     bool operator==(const Layout&) const = default;
 };
 

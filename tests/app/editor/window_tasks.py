@@ -47,6 +47,13 @@ class Window(Task):
         strips = {name for name in self.editor.items() if name.startswith("timeline.strip.")}
         state = self.editor.drag("splitter.left", (400, 300))
         width = state["items"]["viewport"][0]
+        self.show_preview(False)
+        self.editor.key("F4")
+        state = self.editor.key("F3")
+        layers = {key: state["layers"][key] for key in ("points", "roadmap", "trajectory")}
+        self.assertEqual(layers, {"points": False, "roadmap": True, "trajectory": True})
+        for tab in ("tab.layers", "tab.metrics", "tab.log"):
+            self.editor.click(tab)
         time.sleep(1.0)
         self.editor.kill()
         state = self.start_room()
@@ -55,6 +62,12 @@ class Window(Task):
         self.assertEqual(state["recent"], [str(self.room)])
         self.assertEqual(strips, {name for name in state["items"]
                                   if name.startswith("timeline.strip.")})
+        self.assertEqual(layers, {key: state["layers"][key] for key in layers})
+        self.assertNotIn("preview.grip", state["items"])
+        for name in ("layers.grid", "log.copy"):
+            self.assertIn(name, state["items"], "the tab that was in front")
+        self.assertNotIn("parameters.filter", state["items"], "the metrics are in front")
+        self.assertIn("parameters.filter", self.editor.click("tab.parameters")["items"])
 
     def test_light_theme_and_larger_text_are_remembered(self):
         self.start_room()
