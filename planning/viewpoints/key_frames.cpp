@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kGlance = 6;
-constexpr double kWorthALook = 0.6;  // visible fraction
+constexpr double kWorthALook = 0.7;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
 constexpr double kRidesAlong = 0.6;
