@@ -116,13 +116,14 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
 }
 
 void Autosave::discard() {
-    if (!stored_) return;
+    if (!stored_ && restored_from_.empty()) return;
     stored_.reset();
     failing_ = false;
     // After a copy that is being written, and in its order.
-    writer_.start([file = file_](const JobContext&) {
+    writer_.start([file = file_, old = std::exchange(restored_from_, {})](const JobContext&) {
         std::error_code ignored;
         std::filesystem::remove(file, ignored);
+        if (!old.empty()) std::filesystem::remove(old, ignored);
     });
 }
 

@@ -212,10 +212,8 @@ class Files(Task):
         state = self.editor.wait(lambda state: not state["dialogs"]["unsaved"], "no question")
         self.assertTrue(state["unsaved"])
 
-    def test_quit_and_throw_the_work_away(self):
-        self.changed_room()
-        self.editor.wait(lambda state: state["autosaves"] > 0, "a copy")
-        time.sleep(5.5)  # another would be due
+    def throw_away(self):
+        """On purpose: nothing is offered again."""
         self.ends = True
         self.editor.close_window()
         self.editor.point("message.dont_save")
@@ -223,10 +221,25 @@ class Files(Task):
         time.sleep(0.1)
         self.editor.release()
         self.assertEqual(self.editor.wait_end(), 0)
-        # It was thrown away on purpose: nothing is offered again.
         self.editor.tidy()
         self.ends = False
         self.assertFalse(self.start()["dialogs"]["lost_work"])
+
+    def test_quit_and_throw_the_work_away(self):
+        self.changed_room()
+        self.editor.wait(lambda state: state["autosaves"] > 0, "a copy")
+        time.sleep(5.5)  # another would be due
+        self.throw_away()
+
+    def test_throw_restored_work_away(self):
+        self.changed_room()
+        self.editor.wait(lambda state: state["autosaves"] > 0, "a copy")
+        self.wait_copy("fill")
+        self.editor.kill()
+        self.start()
+        self.editor.click("message.restore")
+        self.editor.wait(lambda state: state["open"], "the lost work")
+        self.throw_away()
 
     def test_quit_and_save(self):
         self.changed_room()
