@@ -226,6 +226,8 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
         return;
     }
     const int up = choice.up_axis - 'x';
+    constexpr double kDoubtful = 0.35;
+    constexpr double kBelievable = 0.9;  // of what a file says; rooms of usual sizes score 1
     constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
     double best_unit = 1.0;
     UnitScore best;
@@ -244,6 +246,12 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
         if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
             choice.unit_m = *raw.file_unit_m;
             choice.unit_source = "file";
+            if (by_file.score < kBelievable) {
+                choice.warnings.push_back("the unit is doubtful: the file says 1 unit = " +
+                                          number(*raw.file_unit_m) + " m, which makes the " +
+                                          by_file.evidence +
+                                          "; give metres per unit if it is wrong");
+            }
             return;
         }
         choice.warnings.push_back("the file says 1 unit = " + number(*raw.file_unit_m) +
@@ -252,7 +260,7 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
-    if (best.score < 0.35) {
+    if (best.score < kDoubtful) {
         choice.warnings.push_back(
             "the unit is doubtful: no usual unit gives this scene a room's "
             "size; give metres per unit if it is wrong");

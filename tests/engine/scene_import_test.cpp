@@ -170,6 +170,24 @@ Eigen::Vector3f firstFaceNormal(const Scene& scene) {
         .normalized();
 }
 
+// glTF is in metres by its standard, which not every file keeps to.
+TEST(SceneImport, DoubtsAUnitThatMakesADollsHouse) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("quad.bin", quadBytes()));
+    const auto warningsAt = [&](const std::string& scale) {
+        std::string text = gltfQuad(",\"scale\":[" + scale + "," + scale + "," + scale + "]");
+        text.replace(text.find("painting"), 8, "wall");
+        const Scene scene = imported(folder.write("scaled.gltf", text));
+        EXPECT_EQ(scene.report.unit_m, 1.0);
+        std::string all;
+        for (const std::string& warning : scene.report.warnings) all += warning + "\n";
+        return all;
+    };
+    EXPECT_EQ(warningsAt("2.6").find("the unit is doubtful"), std::string::npos);
+    EXPECT_NE(warningsAt("1.2").find("1 unit = 1 m, which makes the room height 1.2 m"),
+              std::string::npos);
+}
+
 TEST(SceneImport, ReadsGltfAsMetresAndYUp) {
     const TempFolder folder;
     static_cast<void>(folder.write("quad.bin", quadBytes()));
