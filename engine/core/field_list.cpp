@@ -191,16 +191,22 @@ Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
 }
 
 std::string closestName(std::string_view wrong, const std::vector<std::string>& names) {
-    const auto distance = [&](std::string_view name) {
+    // Letters left out, added, changed or swapped with the next one.
+    const auto slips = [&](std::string_view name) {
         std::vector<std::size_t> row(name.size() + 1);
+        std::vector<std::size_t> above = row;
+        std::vector<std::size_t> two_above = row;
         std::iota(row.begin(), row.end(), 0U);
         for (std::size_t i = 0; i < wrong.size(); ++i) {
-            std::size_t diagonal = row[0];
+            two_above.swap(above);
+            above.swap(row);
             row[0] = i + 1;
             for (std::size_t j = 0; j < name.size(); ++j) {
-                const std::size_t change = diagonal + (wrong[i] == name[j] ? 0 : 1);
-                diagonal = row[j + 1];
-                row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, change});
+                const std::size_t change = above[j] + (wrong[i] == name[j] ? 0 : 1);
+                row[j + 1] = std::min({above[j + 1] + 1, row[j] + 1, change});
+                const bool swapped =
+                    i > 0 && j > 0 && wrong[i] == name[j - 1] && wrong[i - 1] == name[j];
+                if (swapped) row[j + 1] = std::min(row[j + 1], two_above[j - 1] + 1);
             }
         }
         return row[name.size()];
@@ -211,7 +217,7 @@ std::string closestName(std::string_view wrong, const std::vector<std::string>& 
     std::size_t least = (length < 4 ? 1 : std::max<std::size_t>(2, length / 3)) + 1;
     for (const std::string& name : names) {
         const bool begins = !wrong.empty() && name.starts_with(wrong);
-        const std::size_t d = begins ? 1 : distance(name);
+        const std::size_t d = begins ? 1 : slips(name);
         if (d >= least) continue;
         least = d;
         best = name;
