@@ -61,19 +61,16 @@ void warnOfStrays(Scene& scene, const char* list, const std::vector<std::string>
     }
 }
 
-/// Where the lists leave no target at all, which of them it was.
-void warnOfNothingLeft(Scene& scene, const std::vector<Object>& before, const SceneEdits& edits) {
+/// Where the lists leave no target at all, which of them it was. `left_out`: ids of what they took.
+void warnOfNothingLeft(Scene& scene, const std::vector<int>& left_out, const SceneEdits& edits) {
     // What is said of one object comes after the lists.
     const auto included = [](const ObjectChange& change) { return change.role == Role::Target; };
     if (std::ranges::any_of(edits.changes, included)) return;
     const auto isTarget = [](const Object& object) { return object.role == Role::Target; };
-    if (std::ranges::any_of(scene.objects, isTarget) || std::ranges::none_of(before, isTarget)) {
-        return;
-    }
-    const bool only_names_some =
-        edits.only.empty() || std::ranges::any_of(before, [&](const Object& object) {
-            return isTarget(object) && isNamedByAny(object, edits.only);
-        });
+    if (left_out.empty() || std::ranges::any_of(scene.objects, isTarget)) return;
+    const bool only_names_some = edits.only.empty() || std::ranges::any_of(left_out, [&](int id) {
+                                     return isNamedByAny(scene.object(id), edits.only);
+                                 });
     scene.report.warnings.push_back(
         only_names_some
             ? std::string(edits.only.empty()
@@ -100,16 +97,17 @@ bool isFilteredOut(const Object& object, const SceneEdits& edits) {
 }
 
 void filterTargets(Scene& scene, const SceneEdits& edits) {
-    const std::vector<Object> before = scene.objects;
+    std::vector<int> left_out;
     const std::size_t warned = scene.report.warnings.size();
     for (Object& object : scene.objects) {
         if (object.role == Role::Target && isFilteredOut(object, edits)) {
             object.role = Role::Excluded;
+            left_out.push_back(object.id);
         }
     }
     warnOfStrays(scene, "ignore", edits.ignore);
     warnOfStrays(scene, "only", edits.only);
-    if (scene.report.warnings.size() == warned) warnOfNothingLeft(scene, before, edits);
+    if (scene.report.warnings.size() == warned) warnOfNothingLeft(scene, left_out, edits);
 }
 
 }  // namespace dollytrack

@@ -516,26 +516,5 @@ TEST(ExportQueueGl, ContinuesToTheSameBytes) {
     EXPECT_EQ(filesIn(folder.path() / "whole"), filesIn(folder.path() / "broken"));
 }
 
-TEST(ExportPlaces, GivesEveryProjectAFolderOfItsOwn) {
-    ui::ExportJob job;
-    job.request.folder = "/data/flat";
-    EXPECT_EQ(folderBeside("/data/room", "/else/flat.dolly", {}), "/data/flat");
-    EXPECT_EQ(folderBeside("/data/room/", "/else/flat.dolly", {}), "/data/flat");
-    EXPECT_EQ(folderBeside("/data/room", "/else/flat.dolly", {job}), "/data/flat_2");
-    EXPECT_EQ(folderBeside("/data/room", "/else/room.dolly", {job}), "/data/room_2");
-}
-
-TEST(LineCutter, CutsHoweverTheTextArrives) {
-    LineCutter cutter;
-    std::vector<std::string> lines;
-    std::string line;
-    for (const char* part : {"a", "b\n", "\nc\nd", "e", "\n", "rest"}) {
-        cutter.add(part);
-        while (cutter.take(line)) lines.push_back(line);
-    }
-    EXPECT_EQ(lines, (std::vector<std::string>{"ab", "", "c", "de"}));
-    EXPECT_EQ(cutter.rest(), "rest");
-}
-
 }  // namespace
 }  // namespace dollytrack::editor

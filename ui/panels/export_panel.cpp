@@ -19,6 +19,15 @@
 namespace dollytrack::ui {
 namespace {
 
+/// The next widget of a row: beside the last one where there is room, else on a line of its own.
+void besideOrBelow(bool beside) {
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        formLabel("");
+    }
+}
+
 /// The frames the settings name, cut to what there is: first, one past the last, step.
 struct Frames {
     int begin = 0;
@@ -138,11 +147,7 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
     }
     // As it was before the drag: what is rounded on the way must not add up.
     if (!active) draft.ratio = double(*(*sizes)[0].number->value) / *(*sizes)[1].number->value;
-    if (beside) {
-        ImGui::SameLine();
-    } else {
-        formLabel("");
-    }
+    besideOrBelow(beside);
     ImGui::Checkbox(keep, &draft.keep_ratio);
     nameItem("export.keep_ratio");
     tooltip("Width and height change together");
@@ -203,11 +208,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     nameItem("export.step");
     tooltip("1: all of them; 5: every fifth");
     ImGui::EndDisabled();
-    if (beside) {
-        ImGui::SameLine();
-    } else {
-        formLabel("");
-    }
+    besideOrBelow(beside);
     ImGui::Checkbox(only, &draft.current_only);
     nameItem("export.current_only");
     tooltip(fmt::format("Only the frame that is shown, number {}", view.current_frame));
