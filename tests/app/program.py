@@ -49,3 +49,11 @@ class FolderCase(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.temporary.cleanup()
+
+    def assertFails(self, result, code, *words):
+        """With one sentence, the last line, that holds the words."""
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, "")
+        message = result.stderr.strip().splitlines()[-1]
+        for word in words:
+            self.assertIn(word, message)
