@@ -29,7 +29,10 @@
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -58,6 +61,18 @@ std::vector<int> structureClasses(const Scene& scene) {
         if (object.structure) classes.push_back(object.nyu40);
     }
     return classes;
+}
+
+/// What keeps key frames off the path, as a sentence's part.
+std::string leftOutFor(const PlanParams& params) {
+    if (params.path.path_mode == PathMode::LongestBranch) {
+        return "as path_mode=longest_branch takes one branch of the tree only";
+    }
+    if (params.path.max_length_m <= 0.0) return "as no way leads there";
+    return params.timing.max_frames > 0
+               ? fmt::format("to keep to max_length_m={:g} with max_frames={}",
+                             params.path.max_length_m, params.timing.max_frames)
+               : fmt::format("to keep to max_length_m={:g}", params.path.max_length_m);
 }
 
 /// The position point of the pinned one that bears the name; -1 without one, or when it is refused.
@@ -95,7 +110,9 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
-    Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool>, Paths>
+    Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool, int,
+                     SmoothingParams>,
+          Paths>
         paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
     Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
@@ -112,6 +129,7 @@ struct Pipeline::Stages {
 
     RunMemory memory;
     std::vector<StageTime> times;
+    std::string left_out_for;  // of the last run's parameters, see captureLedger()
 
     /// Runs one stage, timed, unless the job was cancelled before it.
     template <class StageType, class Inputs, class Make>
@@ -218,8 +236,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                        looks, job);
                 })
                 .and_then([&](Trajectory&& steady) {
-                    return shakeTrajectory(std::move(steady), all.position_points, *views, moves(),
-                                           params.shake, pitch, params.seed, job);
+                    return shakeTrajectory(smooth, std::move(steady), all.position_points, *views,
+                                           moves(), params.shake, pitch, params.seed, job);
                 });
         }};
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
@@ -287,13 +305,16 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     params.timing.max_frames};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
-            return run("key_frames", key_frames,
-                       std::tuple(pointsVersion(), edits.regions, ends.visits, ends.start, ends.end,
-                                  ends.loop),
-                       job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                           const auto& all = points().viewpoints.position_points;
-                           return withinBudget(chooseKeyFrames(all, weights), all, ends);
-                       });
+            const auto& all = points().viewpoints.position_points;
+            ends.chosen_by_tour = isChosenByTour(params.path, all, ends);
+            return run(
+                "key_frames", key_frames,
+                std::tuple(pointsVersion(), edits.regions, ends.chosen_by_tour ? 0 : ends.visits,
+                           ends.start, ends.end, ends.loop),
+                job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
+                    std::vector<int> chosen = chooseKeyFrames(all, weights);
+                    return ends.chosen_by_tour ? chosen : withinBudget(chosen, all, ends);
+                });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.71, 0.75, "roadmap");
@@ -319,18 +340,29 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const JobContext part = job.stage(0.8, 0.84, "path");
-            return run("path", paths,
-                       std::tuple(linking.version(), params.path, params.roadmap, edits.regions,
-                                  ends.start, ends.end, ends.loop),
-                       part, [&]() -> Result<Paths> {
-                           Paths taken{*linking, {}};
-                           return takePaths(taken.roadmap, points().viewpoints.position_points,
-                                            moves(), params.path, params.roadmap, ends, part)
-                               .map([&](std::vector<CameraPath> made) {
-                                   taken.paths = std::move(made);
-                                   return std::move(taken);
-                               });
-                       });
+            ends.rank.assign(points().viewpoints.position_points.size(), 0);
+            for (std::size_t i = 0; i < key_frames->size(); ++i) {
+                ends.rank[static_cast<std::size_t>((*key_frames)[i])] = static_cast<int>(i);
+            }
+            ends.corner_distance_m = params.smoothing.corner_distance_m;
+            ends.flown_m = [&](const CameraPath& path) {
+                const auto smooth = maker.smooth(path);
+                return smooth ? smooth->length_m : std::numeric_limits<double>::infinity();
+            };
+            return run(
+                "path", paths,
+                std::tuple(linking.version(), params.path, params.roadmap, edits.regions,
+                           ends.start, ends.end, ends.loop, ends.visits,
+                           params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{}),
+                part, [&]() -> Result<Paths> {
+                    Paths taken{*linking, {}};
+                    return takePaths(taken.roadmap, points().viewpoints.position_points, moves(),
+                                     params.path, params.roadmap, ends, part)
+                        .map([&](std::vector<CameraPath> made) {
+                            taken.paths = std::move(made);
+                            return std::move(taken);
+                        });
+                });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.84, 0.9, "smoothing");
@@ -380,8 +412,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     report.threshold = lowThreshold(series.score, params.repair.score_threshold);
                     report.before = report.after = tally(series.score, report.threshold);
                 }
-                return measureTrajectory(*views, repair->smooth_paths, trajectory,
-                                         params.shake.shake != ShakeKind::None, moves(), *rays,
+                return measureTrajectory(*views, repair->smooth_paths, trajectory, moves(), *rays,
                                          part)
                     .and_then([&](const TrajectoryMetrics& measured) {
                         static const std::vector<MustSee> kNone;
@@ -431,7 +462,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.repair = metrics->repair;
     plan.must_see = metrics->must_see;
     refusePinsOverBudget(edits, plan);
-    plan.ledger = captureLedger(*scene, plan);
+    plan.ledger = captureLedger(*scene, plan, left_out_for);
     return plan;
 }
 
@@ -477,6 +508,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
                     "loop");
     }
     stages_->times.clear();
+    stages_->left_out_for = leftOutFor(params);
     return stages_->map(params, edits, job)
         .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
         .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });

@@ -128,9 +128,10 @@ template <class Params, class Visitor>
 void visitTimingParams(Params& p, Visitor&& visit) {
     visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames a second"});
     visit("motion_preset", p.motion_preset,
-          ChoiceInfo{{"easy", "medium", "hard", "custom"},
-                     "Limits of motion, where they are 0 below: a slow pan, a calm walk, a hurried "
-                     "one, or (custom) none"});
+          ChoiceInfo{
+              {"easy", "medium", "hard", "custom"},
+              "Limits of motion, where they are 0 below, in m/s, m/s2, deg/s, deg/s2: easy 0.25, "
+              "0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none"});
     visit("max_speed_mps", p.max_speed_mps,
           FieldInfo{0, 100, "m/s", "Speed limit; 0: the preset's"});
     visit("max_acceleration_mps2", p.max_acceleration_mps2,
@@ -211,6 +212,20 @@ void visitImuParams(Params& p, Visitor&& visit) {
     visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
 }
 
+/// The stereo pair that an export can write.
+struct StereoParams {
+    double stereo_baseline_m = 0.1;
+    bool operator==(const StereoParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitStereoParams(Params& p, Visitor&& visit) {
+    visit("stereo_baseline_m", p.stereo_baseline_m,
+          FieldInfo{0.001, 10, "m",
+                    "From the left camera, which is the trajectory's, to the right one; beyond "
+                    "camera_radius_m the right one is not kept clear of things"});
+}
+
 /// Openings that the trajectory visits for their own sake.
 enum class Anchors { None, Doorways, Openings, Corridors, All };
 
@@ -259,6 +274,7 @@ struct PlanParams {
     ShakeParams shake;
     RepairParams repair;
     ImuParams imu;
+    StereoParams stereo;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
 };
@@ -292,6 +308,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitRepairParams(p.repair, visit);
     section("imu");
     visitImuParams(p.imu, visit);
+    section("stereo");
+    visitStereoParams(p.stereo, visit);
     section("random");
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }

@@ -10,16 +10,18 @@
 
 namespace dollytrack::render {
 
-/// The rows of a table that `names` name, in the table's order; all of them when it is empty. A row
-/// has a `name`. Error: Usage, with the closest name, at `where`.
+/// The rows of a table that `names` name, in the table's order; all of them for the one name "all",
+/// the standard ones when it is empty. A row has a `name` and a `standard`. Error: Usage, with the
+/// closest name, at `where`.
 template <class Row>
 Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
                                            const std::vector<std::string>& names,
                                            const std::string& kind, const std::string& where) {
     std::vector<std::string> known;
     for (const Row& row : table) known.push_back(row.name);
+    const bool all_wanted = names == std::vector<std::string>{"all"};
     for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        if (all_wanted || std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::string close = closestName(name, known);
         std::string all;
         for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
@@ -31,7 +33,8 @@ Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
     }
     std::vector<const Row*> chosen;
     for (const Row& row : table) {
-        if (names.empty() || std::find(names.begin(), names.end(), row.name) != names.end()) {
+        const bool named = std::find(names.begin(), names.end(), row.name) != names.end();
+        if (all_wanted || named || (names.empty() && row.standard)) {
             chosen.push_back(&row);
         }
     }

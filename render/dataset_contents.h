@@ -6,8 +6,13 @@
 #include "engine/plan/image_score.h"
 #include "engine/scene/scene.h"
 #include "render/formats/mask_rle.h"
+#include "render/frame_file.h"
+#include "render/frame_folds.h"
+#include "render/instances.h"
 #include "render/modalities.h"
+#include "render/object_motion.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +27,7 @@ struct DatasetFrame {
     double clearance_m = 0.0;       // from the camera's centre to the nearest surface, exact
     std::vector<int> well_shown;    // ids of the targets it shows well
     std::vector<ObjectMask> masks;  // of all objects; empty when no format needs them
+    std::vector<InstanceInFrame> instances;  // of the things seen; empty when nothing needs them
 };
 
 /// Everything a format writes from: the dataset but for the images themselves.
@@ -32,6 +38,11 @@ struct DatasetContents {
     std::vector<DatasetFrame> frames;  // by index
     double imu_rate_hz = 200.0;
     ScoreWeights score = {};
+    std::vector<int> flow_distances = {1};  // in frames, each at least 1
+    double stereo_baseline_m = 0.1;
+    std::vector<ObjectMotion> motions = {};  // of the objects that move
+    FoldSettings folds = {};
+    std::filesystem::path folder = {};  // where the images are, for what is made from them
 
     /// What other files show or refer to: the colour pictures, else the first there are.
     [[nodiscard]] const Modality& pictureModality() const {

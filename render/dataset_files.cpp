@@ -3,10 +3,12 @@
 #include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
 #include "render/contact_sheet.h"
+#include "render/formats/fold_files.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <span>
+#include <system_error>
 
 namespace dollytrack::render {
 namespace {
@@ -27,10 +29,10 @@ Result<std::vector<std::uint8_t>> contactSheet(const std::filesystem::path& fold
     std::vector<SheetPicture> pictures;
     for (const int index : chooseSheetFrames(is_key)) {
         const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
-        std::array<char, 64> caption{};
-        std::snprintf(caption.data(), caption.size(), "%d   %.1f s   %s", index,
-                      frame.camera.time_s, frame.room.substr(0, 24).c_str());
-        pictures.push_back({folder / contents.pictureFile(index), caption.data()});
+        // Not printf(), which writes another point in another locale.
+        pictures.push_back(
+            {folder / contents.pictureFile(index),
+             fmt::format("{}   {:.1f} s   {:.24}", index, frame.camera.time_s, frame.room)});
     }
     return encodeContactSheet(pictures, contents.pictureModality(), title);
 }
@@ -41,14 +43,24 @@ Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetConte
                          DatasetCard card, const std::string& title) {
     const auto put = [&](const std::string& name, std::span<const std::uint8_t> bytes) -> Status {
         card.sha256s[name] = io::sha256Of(bytes);
+        std::error_code error;
+        const std::filesystem::path parent = (folder / name).parent_path();
+        std::filesystem::create_directories(parent, error);
+        if (error) return tl::unexpected<Error>(io::writeError(error.value(), parent));
         return io::writeWhole(folder / name, bytes, io::Durability::Renamed);
     };
     for (const Format* format : card.formats) {
+        if (!format->write) continue;
         const Result<std::vector<DatasetFile>> files = format->write(contents);
         if (!files) return tl::unexpected(files.error());
         for (const DatasetFile& file : *files) {
             if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
         }
+    }
+    const Result<std::vector<DatasetFile>> folds = foldFiles(contents, card.formats);
+    if (!folds) return tl::unexpected(folds.error());
+    for (const DatasetFile& file : *folds) {
+        if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
     }
     const auto sheet = contactSheet(folder, contents, title);
     if (!sheet) return tl::unexpected(sheet.error());

@@ -2,6 +2,7 @@
 
 #include "engine/io/durable_file.h"
 #include "render/formats/dataset_card.h"
+#include "render/formats/fold_files.h"
 #include "render/formats/formats.h"
 
 #include <fcntl.h>
@@ -15,6 +16,8 @@
 #include <chrono>
 #include <exception>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -30,11 +33,29 @@ Error asError(const std::error_code& error, const fs::path& path) {
     return io::writeError(error.value(), path);
 }
 
-/// 000000.png, and what a killed run left of it (000000.png.tmp.123).
+/// 000000.png, 000000_000001.flo, and what a killed run left of them (000000.png.tmp.123).
 bool isFrameFile(const std::string& name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
-    return digits != std::string::npos && digits >= 6 && name.compare(digits, 4, ".png") == 0 &&
-           (name.size() == digits + 4 || name.compare(digits + 4, 5, ".tmp.") == 0);
+    return digits != std::string::npos && digits >= 6 &&
+           (name[digits] == '.' || name[digits] == '_');
+}
+
+/// The folders that hold a file for each frame, whichever are written.
+std::set<std::string> frameFolders(const ModalitySet& modalities, const FormatSet& formats) {
+    std::set<std::string> folders;
+    for (const Modality* modality : modalities) folders.insert(modality->name);
+    for (const Format* format : formats) {
+        folders.insert(format->folders.begin(), format->folders.end());
+    }
+    return folders;
+}
+
+std::set<std::string> allFrameFolders() {
+    ModalitySet all_modalities;
+    for (const Modality& modality : modalities()) all_modalities.push_back(&modality);
+    FormatSet all_formats;
+    for (const Format& format : formats()) all_formats.push_back(&format);
+    return frameFolders(all_modalities, all_formats);
 }
 
 /// The files beside the images, dataset.json first: it says that the others are complete.
@@ -63,19 +84,37 @@ std::vector<std::string> namesIn(const fs::path& folder, std::error_code& error)
 /// which they are to be removed.
 std::vector<std::string> datasetFiles(const fs::path& folder, std::error_code& error) {
     std::vector<std::string> files;
-    const std::vector<std::string> names = namesIn(folder, error);
     for (const std::string& fixed : fixedFiles()) {
-        for (const std::string& name : names) {
-            if (name == fixed || name.starts_with(fixed + ".tmp.")) files.push_back(name);
+        if (error) break;
+        const fs::path within = fs::path(fixed).parent_path();
+        const std::string wanted = fs::path(fixed).filename().string();
+        for (const std::string& name : namesIn(folder / within, error)) {
+            if (name == wanted || name.starts_with(wanted + ".tmp.")) {
+                files.push_back((within / name).string());
+            }
         }
     }
-    for (const Modality& modality : modalities()) {
+    for (const std::string& name : namesIn(folder / kFoldFolder, error)) {
+        if (isFoldFile(name)) files.push_back(std::string(kFoldFolder) + "/" + name);
+    }
+    for (const std::string& subfolder : allFrameFolders()) {
         if (error) break;
-        for (const std::string& name : namesIn(folder / modality.name, error)) {
-            if (isFrameFile(name)) files.push_back(std::string(modality.name) + "/" + name);
+        for (const std::string& name : namesIn(folder / subfolder, error)) {
+            if (isFrameFile(name)) files.push_back(subfolder + "/" + name);
         }
     }
     return files;
+}
+
+/// The folders of files beside the images, the innermost first.
+std::set<fs::path, std::greater<>> fixedFolders() {
+    std::set<fs::path, std::greater<>> folders = {kFoldFolder};
+    for (const std::string& fixed : fixedFiles()) {
+        for (fs::path at = fs::path(fixed).parent_path(); !at.empty(); at = at.parent_path()) {
+            folders.insert(at);
+        }
+    }
+    return folders;
 }
 
 /// Many datasets have a dataset.json; ours says so in it.
@@ -211,7 +250,8 @@ Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string
                 folder_.string());
 }
 
-Status DatasetFolder::begin(const ModalitySet& wanted, const std::set<std::string>& keep) {
+Status DatasetFolder::begin(const ModalitySet& modalities, const FormatSet& formats,
+                            const std::set<std::string>& keep) {
     made_ = false;
     marked_ = false;
     std::error_code error;
@@ -221,13 +261,23 @@ Status DatasetFolder::begin(const ModalitySet& wanted, const std::set<std::strin
         if (error) return tl::unexpected<Error>(asError(error, folder_ / file));
     }
     if (error) return tl::unexpected<Error>(asError(error, folder_));
-    for (const Modality& modality : modalities()) {
-        const fs::path subfolder = folder_ / modality.name;
-        if (contains(wanted, modality.name)) {
-            if (Status status = makeFolder(subfolder); !status) return status;
-        } else {
-            ::rmdir(subfolder.c_str());  // only an empty one goes
+    std::set<std::string> wanted = frameFolders(modalities, formats);
+    // Only empty ones go, the innermost first; the formats' files make theirs.
+    for (const fs::path& subfolder : fixedFolders()) ::rmdir((folder_ / subfolder).c_str());
+    for (const std::string& subfolder : allFrameFolders()) {
+        if (wanted.contains(subfolder)) continue;
+        for (fs::path at = subfolder; !at.empty(); at = at.parent_path()) {
+            ::rmdir((folder_ / at).c_str());
         }
+    }
+    for (const Format* format : formats) {
+        for (const char* file : format->files) {
+            const fs::path within = fs::path(file).parent_path();
+            if (!within.empty()) wanted.insert(within.string());
+        }
+    }
+    for (const std::string& subfolder : wanted) {
+        if (Status status = makeFolder(folder_ / subfolder); !status) return status;
     }
     return {};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "render/formats/formats.h"
 #include "render/modalities.h"
 
 #include <cstdint>
@@ -36,7 +37,8 @@ class DatasetFolder {
     /// From here on the folder belongs to the new dataset: removes what an earlier one left,
     /// dataset.json first, but for the frames' files in `keep` (relative paths), and makes the
     /// subfolders. Only files named like a dataset's are removed.
-    [[nodiscard]] Status begin(const ModalitySet& modalities, const std::set<std::string>& keep);
+    [[nodiscard]] Status begin(const ModalitySet& modalities, const FormatSet& formats,
+                               const std::set<std::string>& keep);
 
     /// Removes the journal: the dataset is complete. Call last.
     [[nodiscard]] Status release();

@@ -3,6 +3,7 @@
 #include "engine/io/sha256.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace dollytrack::render {
 namespace {
@@ -51,6 +52,17 @@ std::string roomsText(const DatasetOrigin& origin) {
     return result;
 }
 
+std::string motionsText(const DatasetContents& contents) {
+    std::string result;
+    for (const ObjectMotion& motion : contents.motions) {
+        result += fmt::format("{}:", motion.object_id);
+        for (const Eigen::Isometry3d& one : motion.by_frame) {
+            result += text(one.translation()) + text(Eigen::Quaterniond(one.rotation()).coeffs());
+        }
+    }
+    return result;
+}
+
 template <class Row>
 std::string names(const std::vector<const Row*>& rows) {
     std::string result;
@@ -81,9 +93,14 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
                                           rules.min_visible_px, rules.min_box_share)},
         {"the rate of inertial measurements", fmt::format("{:a}", settings.imu_rate_hz)},
+        {"the distances of optical flow",
+         fmt::format("{}", fmt::join(settings.flow_distances, " "))},
+        {"the stereo baseline", fmt::format("{:a}", settings.stereo_baseline_m)},
+        {"the motions of objects", hash(motionsText(contents))},
         {"the weights of the image score", toText(settings.score)},
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},
+        {"the folds", fmt::format("{} {}", settings.folds.count, settings.folds.seed)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
         {"the edits", hash(origin.edits_json)},
         {"the planned metrics", hash(origin.planned_metrics_json)},

@@ -16,9 +16,25 @@
 namespace dollytrack::render {
 namespace {
 
-bool needMasks(const FormatSet& formats) {
-    return std::any_of(formats.begin(), formats.end(),
-                       [](const Format* format) { return format->needs_masks; });
+unsigned needsOf(const ModalitySet& modalities, const FormatSet& formats) {
+    unsigned needs = 0;
+    for (const Modality* modality : modalities) needs |= modality->needs;
+    for (const Format* format : formats) needs |= format->needs;
+    return needs;
+}
+
+/// The plan kept clear of things as they were at one time.
+void warnOfTouching(const DatasetContents& contents) {
+    const double radius = contents.camera.camera_radius_m;
+    const auto first = std::ranges::find_if(
+        contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
+    if (first == contents.frames.end()) return;
+    const auto count = std::ranges::count_if(
+        contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
+    log::warn("export", "things that move come nearer to the camera than its radius in " +
+                            std::to_string(count) + " frames, first in frame " +
+                            std::to_string(first->source_frame) +
+                            "; plan with them elsewhere (--time), or export with --still");
 }
 
 }  // namespace
@@ -31,6 +47,8 @@ struct DatasetJob::Impl {
 
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
+    std::optional<MovingObjects> moving;
+    std::optional<FrameContext> frame_context;
     std::optional<FramePipeline> pipeline;
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
@@ -68,18 +86,20 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
     const std::uint64_t bytes = estimateBytes(contents.modalities, pipeline->missingCount(),
                                               contents.camera.width_px, contents.camera.height_px);
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
-    if (Status status = folder->begin(contents.modalities, keep); !status) return status;
+    if (Status status = folder->begin(contents.modalities, order.card.formats, keep); !status)
+        return status;
     Result<DatasetJournal> journal =
         earlier.identity ? DatasetJournal::resume(folder->journal(), earlier)
                          : DatasetJournal::begin(folder->journal(), identity, gl::rendererName());
     if (!journal) return tl::unexpected(journal.error());
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
-    writer.emplace(
-        FrameWriter::Settings{folder->path(), contents.modalities, needMasks(order.card.formats)},
-        contents.scene, [this](WrittenFrame written) {
-            return ledger->addWritten(written.index, std::move(written.sha256s),
-                                      std::move(written.masks));
-        });
+    writer.emplace(FrameWriter::Settings{folder->path(), contents.modalities, order.card.formats,
+                                         needsOf(contents.modalities, order.card.formats)},
+                   *frame_context, [this](WrittenFrame written) {
+                       return ledger->addWritten(written.index, std::move(written.sha256s),
+                                                 std::move(written.masks),
+                                                 std::move(written.instances));
+                   });
     return {};
 }
 
@@ -106,6 +126,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         DatasetFrame& row = contents.frames[static_cast<std::size_t>(i)];
         row.well_shown = std::move(entry.well_shown);
         row.masks = std::move(entry.masks);
+        row.instances = std::move(entry.instances);
         card.sha256s.insert(entry.sha256s.begin(), entry.sha256s.end());
     }
     std::array<char, 160> title{};
@@ -149,13 +170,20 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         impl->already_counted = earlier.complete;
         return DatasetJob(std::move(impl));
     }
-    for (DatasetFrame& frame : impl->order.contents.frames) {
-        frame.clearance_m = clearanceAt(rays, frame.camera.pose.position);
+    DatasetContents& contents = impl->order.contents;
+    const MovingObjects& moving = impl->moving.emplace(contents.scene, rays, contents.motions);
+    impl->frame_context.emplace(FrameContext{contents, moving});
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        DatasetFrame& frame = contents.frames[i];
+        frame.clearance_m =
+            clearanceAt(*moving.raysAt(static_cast<int>(i)), frame.camera.pose.position);
     }
+    if (moving.any()) warnOfTouching(contents);
     std::map<int, std::vector<ObjectView>> restored;
     for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;
-    FramePipeline& pipeline =
-        impl->pipeline.emplace(impl->order.contents, impl->settings.rules, std::move(restored));
+    FramePipeline& pipeline = impl->pipeline.emplace(
+        *impl->frame_context, impl->settings.rules,
+        needsOf(contents.modalities, impl->order.card.formats), std::move(restored));
     Status status = pipeline.prepare(rays, origin.rooms, job.stage(0.3, 1.0, "light"));
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());
@@ -193,12 +221,11 @@ int DatasetJob::keep() {
 }
 
 Status checkSettings(const DatasetSettings& settings) {
-    if (const auto modalities = chooseModalities(settings.modalities); !modalities) {
-        return tl::unexpected(modalities.error());
-    }
-    if (const auto formats = chooseFormats(settings.formats); !formats) {
-        return tl::unexpected(formats.error());
-    }
+    const auto modalities = chooseModalities(settings.modalities);
+    if (!modalities) return tl::unexpected(modalities.error());
+    const auto formats = chooseFormats(settings.formats);
+    if (!formats) return tl::unexpected(formats.error());
+    if (Status status = checkNeeds(*formats, *modalities); !status) return status;
     const Result<DatasetFolder> folder = DatasetFolder::claim(settings.folder, settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     return {};

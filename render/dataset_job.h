@@ -8,8 +8,10 @@
 #include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
 #include "engine/scene/scene.h"
+#include "render/frame_folds.h"
 #include "render/frame_range.h"
 #include "render/gl/context.h"
+#include "render/object_motion.h"
 
 #include <Eigen/Geometry>
 
@@ -30,8 +32,11 @@ struct DatasetSettings {
     bool overwrite = false;               // allows a folder that holds other files; they stay
     bool resume = false;                  // continues what an export left in the folder
     CaptureRules rules;
-    double imu_rate_hz = 200.0;  // samples a second in imu.csv
-    ScoreWeights score;          // of the scores in frames.csv
+    double imu_rate_hz = 200.0;             // samples a second in imu.csv
+    std::vector<int> flow_distances = {1};  // in frames of the dataset
+    double stereo_baseline_m = 0.1;
+    ScoreWeights score;  // of the scores in frames.csv
+    FoldSettings folds;  // for cross-validation
 };
 
 /// Whether an export with these settings could begin, as far as can be said without the scene:
@@ -46,6 +51,9 @@ struct DatasetOrigin {
     std::string edits_json = "{}";              // made by hand, as projects keep them
     std::string planned_metrics_json = "null";  // as `plan --json` prints them
     std::vector<Eigen::AlignedBox3d> rooms;     // by free-space component; may be empty
+    /// Of the objects that move, by frame of the trajectory.
+    std::vector<ObjectMotion> motions;
+    std::vector<ObjectRelation> relations;
 };
 
 struct DatasetSummary {

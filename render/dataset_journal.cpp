@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr auto kSyncEvery = std::chrono::seconds(2);
 constexpr std::size_t kChecksum = 16;  // hexadecimal digits
 
@@ -39,16 +39,19 @@ json toJson(const JournalEntry& entry) {
     for (const ObjectMask& mask : entry.masks) {
         masks.push_back({mask.object_id, mask.area, mask.bbox, compressCounts(mask.counts)});
     }
+    json instances = json::array();
+    for (const InstanceInFrame& one : entry.instances) {
+        instances.push_back({one.object_id, one.visible_px, one.silhouette_px, one.whole_px,
+                             one.occluder, one.occluded_px, one.box, one.amodal_box});
+    }
     json views = json::array();
     for (const ObjectView& view : entry.views) {
         views.push_back({view.object_id, view.visible_fraction, view.visible_px, view.box_share,
                          view.mask_share});
     }
-    return {{"frame", entry.index},
-            {"files", entry.sha256s},
-            {"masks", std::move(masks)},
-            {"views", std::move(views)},
-            {"well_shown", entry.well_shown}};
+    return {{"frame", entry.index},      {"files", entry.sha256s},
+            {"masks", std::move(masks)}, {"instances", std::move(instances)},
+            {"views", std::move(views)}, {"well_shown", entry.well_shown}};
 }
 
 /// Throws nlohmann's exceptions.
@@ -63,6 +66,18 @@ JournalEntry entryFrom(const json& value) {
         mask.bbox = one.at(2).get<std::array<int, 4>>();
         mask.counts = decompressCounts(one.at(3).get_ref<const std::string&>());
         entry.masks.push_back(std::move(mask));
+    }
+    for (const json& one : value.at("instances")) {
+        InstanceInFrame instance;
+        instance.object_id = one.at(0).get<int>();
+        instance.visible_px = one.at(1).get<std::uint32_t>();
+        instance.silhouette_px = one.at(2).get<std::uint32_t>();
+        instance.whole_px = one.at(3).get<std::uint64_t>();
+        instance.occluder = one.at(4).get<int>();
+        instance.occluded_px = one.at(5).get<std::uint32_t>();
+        instance.box = one.at(6).get<std::array<int, 4>>();
+        instance.amodal_box = one.at(7).get<std::array<int, 4>>();
+        entry.instances.push_back(instance);
     }
     for (const json& one : value.at("views")) {
         ObjectView view;

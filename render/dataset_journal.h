@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/plan/capture.h"
 #include "render/formats/mask_rle.h"
+#include "render/instances.h"
 
 #include <chrono>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct JournalEntry {
     int index = 0;
     std::map<std::string, std::string> sha256s;  // by relative path
     std::vector<ObjectMask> masks;
+    std::vector<InstanceInFrame> instances;
     std::vector<ObjectView> views;  // those that decide about captures
     std::vector<int> well_shown;
 };

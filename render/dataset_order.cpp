@@ -27,6 +27,19 @@ std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const Fram
     return frames;
 }
 
+/// The motions in the frames of the dataset.
+std::vector<ObjectMotion> motionsOf(const std::vector<DatasetFrame>& frames,
+                                    const std::vector<ObjectMotion>& planned) {
+    std::vector<ObjectMotion> motions;
+    for (const ObjectMotion& motion : planned) {
+        ObjectMotion& kept = motions.emplace_back(ObjectMotion{motion.object_id, {}});
+        for (const DatasetFrame& frame : frames) {
+            kept.by_frame.push_back(motion.by_frame[static_cast<std::size_t>(frame.source_frame)]);
+        }
+    }
+    return motions;
+}
+
 }  // namespace
 
 Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
@@ -43,11 +56,26 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
     order.contents.imu_rate_hz = settings.imu_rate_hz;
+    for (const int distance : settings.flow_distances) {
+        if (distance >= 1) continue;
+        return fail(ErrorCode::Usage, "A distance of flow is a number of frames from 1 on.",
+                    "--flow-distances");
+    }
+    order.contents.flow_distances = settings.flow_distances;
+    order.contents.stereo_baseline_m = settings.stereo_baseline_m;
+    order.contents.motions = motionsOf(order.contents.frames, origin.motions);
     order.contents.score = settings.score;
+    order.contents.folder = settings.folder;
+    order.contents.folds = settings.folds;
+    const auto folds = splitFrames(order.contents.frames, settings.folds);
+    if (!folds) return tl::unexpected(folds.error());
     DatasetCard& card = order.card;
     Result<FormatSet> formats = chooseFormats(settings.formats);
     if (!formats) return tl::unexpected(formats.error());
     card.formats = std::move(*formats);
+    if (Status status = checkNeeds(card.formats, order.contents.modalities); !status) {
+        return tl::unexpected(status.error());
+    }
     Result<nlohmann::json> parameters = parseJson(origin.parameters_json, "the parameters");
     if (!parameters) return tl::unexpected(parameters.error());
     card.parameters = std::move(*parameters);
@@ -58,6 +86,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     if (!metrics) return tl::unexpected(metrics.error());
     card.planned_metrics = std::move(*metrics);
     card.product_version = origin.product_version;
+    card.relations = origin.relations;
     card.seed = origin.seed;
     card.geometry_sha256 = geometryHash(scene);
     card.appearance_sha256 = appearanceHash(scene);

@@ -52,20 +52,17 @@ tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& fi
                 (folder.path() / file).string());
 }
 
-/// Those of the journal's frames whose files of all modalities are there and whole. Fewer when
-/// cancelled.
+/// Those of the journal's frames whose files are all there and whole. Fewer when cancelled.
 std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
                                         std::map<int, JournalEntry> entries,
-                                        const ModalitySet& modalities, const JobContext& job) {
+                                        const JobContext& job) {
     std::vector<const JournalEntry*> list;
     for (const auto& [index, entry] : entries) list.push_back(&entry);
     std::vector<char> whole(list.size(), 0);
     checkAll(list.size(), job, [&](std::size_t i) {
         const auto& hashes = list[i]->sha256s;
-        whole[i] = std::all_of(modalities.begin(), modalities.end(), [&](const Modality* modality) {
-            const std::string file = frameFile(modality->name, list[i]->index);
-            const auto hash = hashes.find(file);
-            return hash != hashes.end() && isWhole(folder, file, hash->second);
+        whole[i] = std::all_of(hashes.begin(), hashes.end(), [&](const auto& file) {
+            return isWhole(folder, file.first, file.second);
         });
     });
     std::size_t i = 0;
@@ -157,8 +154,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
     std::erase_if(journal.entries,
                   [&](const auto& one) { return one.first < 0 || one.first >= count; });
     const std::size_t listed = journal.entries.size();
-    journal.entries =
-        wholeFrames(folder, std::move(journal.entries), order.contents.modalities, job);
+    journal.entries = wholeFrames(folder, std::move(journal.entries), job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     const std::size_t found = journal.entries.size();
     log::info("export", "continuing: " + std::to_string(found) + " of " + std::to_string(count) +

@@ -49,11 +49,13 @@ FrameLedger::FrameLedger(FrameLedger&&) noexcept = default;
 FrameLedger& FrameLedger::operator=(FrameLedger&&) noexcept = default;
 
 Status FrameLedger::addWritten(int index, std::map<std::string, std::string> sha256s,
-                               std::vector<ObjectMask> masks) {
+                               std::vector<ObjectMask> masks,
+                               std::vector<InstanceInFrame> instances) {
     const std::lock_guard lock(impl_->mutex);
     Row& row = impl_->row(index);
     row.entry.sha256s = std::move(sha256s);
     row.entry.masks = std::move(masks);
+    row.entry.instances = std::move(instances);
     row.written = true;
     return impl_->finishIfComplete(row);
 }

@@ -19,7 +19,8 @@ class FrameLedger {
 
     /// These two from any thread, once a frame each.
     [[nodiscard]] Status addWritten(int index, std::map<std::string, std::string> sha256s,
-                                    std::vector<ObjectMask> masks);
+                                    std::vector<ObjectMask> masks,
+                                    std::vector<InstanceInFrame> instances);
     [[nodiscard]] Status addCounted(int index, std::vector<ObjectView> views,
                                     std::vector<int> well_shown);
 

@@ -8,9 +8,13 @@
 
 namespace dollytrack::render {
 
-FramePipeline::FramePipeline(const DatasetContents& contents, const CaptureRules& rules,
+FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
                              std::map<int, std::vector<ObjectView>> restored)
-    : contents_(contents), counter_(contents.scene, rules), restored_(std::move(restored)) {
+    : context_(context),
+      contents_(context.contents),
+      needs_(needs),
+      counter_(context.contents.scene, rules),
+      restored_(std::move(restored)) {
     for (int i = 0; i < frameCount(); ++i) {
         if (restored_.count(i) == 0) missing_.push_back(i);
     }
@@ -32,6 +36,65 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         target.emplace(std::move(*created));
     }
+    if (needs(kNeedsRight)) {
+        Result<RenderTarget> created =
+            RenderTarget::create(contents_.camera.width_px, contents_.camera.height_px);
+        if (!created) return tl::unexpected(created.error());
+        right_.emplace(std::move(*created));
+    }
+    if (needs(kNeedsSurfaces)) {
+        Result<SurfaceTarget> created =
+            SurfaceTarget::create(contents_.camera.width_px, contents_.camera.height_px);
+        if (!created) return tl::unexpected(created.error());
+        surfaces_.emplace(std::move(*created));
+    }
+    return {};
+}
+
+void FramePipeline::placeObjects(int index) {
+    for (const ObjectMotion& motion : context_.moving.motions()) {
+        renderer_->place(motion.object_id, motion.by_frame[static_cast<std::size_t>(index)]);
+    }
+}
+
+Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
+    if (needs(kNeedsSurfaces)) {
+        if (Status status = renderer_->drawSurfaces(view, *surfaces_); !status) return status;
+        surfaces_->readNormals(record.normals_in_world);
+        surfaces_->readAlbedo(record.albedo);
+    }
+    if (needs(kNeedsRight)) {
+        View right = view;
+        right.pose = rightOf(view.pose, contents_.stereo_baseline_m);
+        if (Status status = renderer_->draw(right, *right_); !status) return status;
+        right_->readRgb(record.rgb_right);
+        right_->readDepth(record.depth_right_m);
+    }
+    return {};
+}
+
+/// Every thing's silhouette at once, of which the counter gets those it wants.
+Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
+                                    const std::vector<int>& wanted) {
+    const std::vector<int> things = thingsSeen(contents_.scene, record);
+    std::vector<int> all = things;
+    for (const int id : wanted) {
+        if (!std::ranges::binary_search(things, id)) all.push_back(id);
+    }
+    if (Status status = renderer_->startSilhouettes(view, all); !status) return status;
+    const std::vector<std::uint64_t> counts = renderer_->finishSilhouettes();
+    const auto countOf = [&](int id) {
+        return counts[static_cast<std::size_t>(std::ranges::find(all, id) - all.begin())];
+    };
+    Result<std::vector<WholeMask>> masks = renderer_->drawWhole(view, things);
+    if (!masks) return tl::unexpected(masks.error());
+    record.whole = std::move(*masks);
+    for (const WholeMask& mask : record.whole) {
+        record.whole_px.push_back(countOf(mask.object_id));
+    }
+    std::vector<std::uint64_t> for_counter;
+    for (const int id : wanted) for_counter.push_back(countOf(id));
+    counter_.addSilhouettes(for_counter);
     return {};
 }
 
@@ -54,6 +117,7 @@ FrameRecord FramePipeline::emptyRecord(int index) const {
 Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     while (started_ < std::min(drawn_ + targets_.size(), missing_.size())) {
         RenderTarget& target = *targets_[started_ % targets_.size()];
+        placeObjects(missing_[started_]);
         const View view = viewOf(missing_[started_++]);
         if (Status status = renderer_->draw(view, target); !status) return status;
     }
@@ -65,12 +129,23 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     // their order, wherever they come from.
     countRestored(record.index);
     const std::vector<int> wanted = counter_.addFrame(record);
-    if (Status status = renderer_->startSilhouettes(viewOf(record.index), wanted); !status) {
-        return status;
+    const View view = viewOf(record.index);
+    placeObjects(record.index);
+    if (needs(kNeedsWhole)) {
+        if (Status status = drawInstances(view, record, wanted); !status) return status;
+        const std::span<const ObjectView> views = counter_.lastViews();
+        if (Status status =
+                ledger.addCounted(record.index, {views.begin(), views.end()}, counter_.wellShown());
+            !status) {
+            return status;
+        }
+    } else {
+        if (Status status = renderer_->startSilhouettes(view, wanted); !status) return status;
+        silhouettes_of_ = record.index;
     }
-    silhouettes_of_ = record.index;
-    if (contains(contents_.modalities, "rgb")) target.readRgb(record.rgb);
-    if (contains(contents_.modalities, "depth")) target.readDepth(record.depth_m);
+    if (needs(kNeedsRgb)) target.readRgb(record.rgb);
+    if (needs(kNeedsDepth)) target.readDepth(record.depth_m);
+    if (Status status = drawMore(view, record); !status) return status;
     ++drawn_;
     return writer.write(std::move(record));
 }

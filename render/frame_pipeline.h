@@ -5,9 +5,11 @@
 #include "engine/jobs/job.h"
 #include "render/capture_counter.h"
 #include "render/dataset_contents.h"
+#include "render/frame_context.h"
 #include "render/frame_ledger.h"
 #include "render/frame_writer.h"
 #include "render/scene_renderer.h"
+#include "render/surface_target.h"
 
 #include <array>
 #include <map>
@@ -20,8 +22,9 @@ namespace dollytrack::render {
 /// hands the images to the writer. Needs its OpenGL context current, to the end.
 class FramePipeline {
   public:
-    /// `restored`: the views of the frames that need not be drawn. `contents` must outlive this.
-    FramePipeline(const DatasetContents& contents, const CaptureRules& rules,
+    /// `restored`: the views of the frames that need not be drawn. `needs`: bits of FrameNeeds.
+    /// `context` must outlive this.
+    FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
                   std::map<int, std::vector<ObjectView>> restored);
 
     /// Computes the light and loads the scene, where there is anything to draw.
@@ -48,11 +51,22 @@ class FramePipeline {
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);
+    /// Puts the things that move where they are in the frame.
+    void placeObjects(int index);
+    /// What is drawn for some files only.
+    [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
+    [[nodiscard]] Status drawInstances(const View& view, FrameRecord& record,
+                                       const std::vector<int>& wanted);
+    [[nodiscard]] bool needs(unsigned what) const { return (needs_ & what) != 0; }
 
+    const FrameContext& context_;
     const DatasetContents& contents_;
+    unsigned needs_;
     std::optional<SceneRenderer> renderer_;
     // Two, so that one frame's triangles are set up while the other's pixels are still computed.
     std::array<std::optional<RenderTarget>, 2> targets_;
+    std::optional<RenderTarget> right_;
+    std::optional<SurfaceTarget> surfaces_;
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
     std::vector<int> missing_;  // indices of frames

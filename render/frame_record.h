@@ -2,6 +2,7 @@
 
 #include "engine/math/pose.h"
 #include "engine/scene/scene.h"
+#include "render/whole_masks.h"
 
 #include <cstdint>
 #include <span>
@@ -21,6 +22,14 @@ struct FrameRecord {
     std::vector<float> depth_m;           // planar: along the viewing axis
     std::vector<std::uint16_t> instance;  // object ids
     std::vector<std::uint8_t> semantic;   // NYU40 class of the object
+
+    // What only some files need; empty where none of them is written.
+    std::vector<Eigen::Vector3f> normals_in_world;  // about unit length, on the camera's side
+    std::vector<std::uint8_t> albedo;               // 3 bytes a pixel, sRGB
+    std::vector<std::uint8_t> rgb_right;            // of the stereo pair
+    std::vector<float> depth_right_m;
+    std::vector<WholeMask> whole;         // of the things seen, by rising id
+    std::vector<std::uint64_t> whole_px;  // of the same, also beyond the image's borders
 
     /// Fills `semantic` from `instance`.
     void labelClasses(const Scene& scene);

@@ -13,14 +13,15 @@
 namespace dollytrack::render {
 namespace {
 
-// Enough to keep the threads busy over an expensive frame; each holds some 5 MB at 640 x 480.
+// Enough to keep the threads busy over an expensive frame; each holds some 5 MB at 640 x 480, and
+// four times as much with all modalities.
 constexpr std::size_t kMaxWaiting = 4;
 
 }  // namespace
 
 struct FrameWriter::Impl {
     Settings settings;
-    const Scene& scene;
+    const FrameContext& context;
     OnWritten on_written;
 
     std::mutex mutex;
@@ -31,8 +32,8 @@ struct FrameWriter::Impl {
     int error_frame = 0;
     std::vector<std::thread> threads;
 
-    Impl(Settings set, const Scene& of, OnWritten then)
-        : settings(std::move(set)), scene(of), on_written(std::move(then)) {
+    Impl(Settings set, const FrameContext& of, OnWritten then)
+        : settings(std::move(set)), context(of), on_written(std::move(then)) {
         const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
         try {
             for (unsigned i = 0; i < std::clamp(cores, 1U, 8U); ++i) {
@@ -105,27 +106,41 @@ struct FrameWriter::Impl {
         WrittenFrame result;
         result.index = frame.index;
         for (const Modality* modality : settings.modalities) {
-            const auto image = modality->encode(scene, frame);
-            if (!image) return tl::unexpected(image.error());
-            const std::string file = frameFile(modality->name, frame.index);
+            if (Status status = writeFiles(modality->encode(context, frame), result); !status) {
+                return status;
+            }
+        }
+        for (const Format* format : settings.formats) {
+            if (format->encode == nullptr) continue;
+            if (Status status = writeFiles(format->encode(context, frame), result); !status) {
+                return status;
+            }
+        }
+        if ((settings.needs & kNeedsMasks) != 0) {
+            result.masks = objectMasks(frame.width, frame.height, frame.instance);
+        }
+        if ((settings.needs & kNeedsWhole) != 0) result.instances = measureInstances(frame);
+        return on_written(std::move(result));
+    }
+
+    Status writeFiles(const Result<std::vector<FrameFile>>& files, WrittenFrame& result) const {
+        if (!files) return tl::unexpected(files.error());
+        for (const FrameFile& file : *files) {
             // All files are synced once, before dataset.json says that it is complete; a continued
             // export finds by their hashes those that a power cut took.
-            if (Status status =
-                    io::writeWhole(settings.folder / file, *image, io::Durability::Renamed);
+            if (Status status = io::writeWhole(settings.folder / file.path, file.bytes,
+                                               io::Durability::Renamed);
                 !status) {
                 return status;
             }
-            result.sha256s[file] = io::sha256Of(*image);
+            result.sha256s[file.path] = io::sha256Of(file.bytes);
         }
-        if (settings.masks) {
-            result.masks = objectMasks(frame.width, frame.height, frame.instance);
-        }
-        return on_written(std::move(result));
+        return {};
     }
 };
 
-FrameWriter::FrameWriter(Settings settings, const Scene& scene, OnWritten on_written)
-    : impl_(std::make_unique<Impl>(std::move(settings), scene, std::move(on_written))) {}
+FrameWriter::FrameWriter(Settings settings, const FrameContext& context, OnWritten on_written)
+    : impl_(std::make_unique<Impl>(std::move(settings), context, std::move(on_written))) {}
 FrameWriter::~FrameWriter() = default;
 FrameWriter::FrameWriter(FrameWriter&&) noexcept = default;
 FrameWriter& FrameWriter::operator=(FrameWriter&&) noexcept = default;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/scene/scene.h"
+#include "render/formats/formats.h"
 #include "render/formats/mask_rle.h"
+#include "render/frame_context.h"
 #include "render/frame_record.h"
 #include "render/modalities.h"
 
@@ -20,6 +21,7 @@ struct WrittenFrame {
     int index = 0;
     std::map<std::string, std::string> sha256s;  // by relative path
     std::vector<ObjectMask> masks;               // where they are wanted
+    std::vector<InstanceInFrame> instances;      // where they are wanted
 };
 
 /// Compresses and writes frames on threads of its own, while the next ones are drawn; in write()
@@ -27,14 +29,16 @@ struct WrittenFrame {
 class FrameWriter {
   public:
     struct Settings {
-        std::filesystem::path folder;  // has the modalities' subfolders
+        std::filesystem::path folder;  // has the subfolders
         ModalitySet modalities;
-        bool masks = true;
+        FormatSet formats;
+        unsigned needs = 0;  // bits of FrameNeeds
     };
     /// Called on any thread when a frame's files are complete; its error counts as the frame's.
     using OnWritten = std::function<Status(WrittenFrame)>;
 
-    FrameWriter(Settings settings, const Scene& scene, OnWritten on_written);
+    /// Keeps a reference to the context.
+    FrameWriter(Settings settings, const FrameContext& context, OnWritten on_written);
     /// Drops what waits, and waits for the files being written.
     ~FrameWriter();
     FrameWriter(FrameWriter&&) noexcept;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -36,21 +37,18 @@ bool isTextured(const Scene& scene, const Material& material) {
     return material.texture >= 0 && scene.textures[material.texture].width > 0;
 }
 
-/// Share of the texels that are holes. Compressed pictures often hold a few by accident.
-bool hasHoles(const Texture& texture) {
-    std::size_t holes = 0;
-    for (std::size_t i = 3; i < texture.rgba.size(); i += 4) holes += texture.rgba[i] < 128 ? 1 : 0;
-    return holes * 4 > texture.rgba.size() / 100;
+void setNormal(Vertex& vertex, const Eigen::Vector3f& normal) {
+    for (int c = 0; c < 3; ++c) {
+        vertex.normal[c] =
+            static_cast<std::int16_t>(std::lround(std::clamp(normal[c], -1.0F, 1.0F) * 32767.0F));
+    }
 }
 
 Vertex makeVertex(const Scene& scene, const Object& object, const Material& material,
                   std::uint32_t index) {
     Vertex vertex{};
     vertex.position = scene.positions[index];
-    for (int c = 0; c < 3; ++c) {
-        vertex.normal[c] = static_cast<std::int16_t>(
-            std::lround(std::clamp(scene.normals[index][c], -1.0F, 1.0F) * 32767.0F));
-    }
+    setNormal(vertex, scene.normals[index]);
     vertex.uv = index < scene.uvs.size() ? scene.uvs[index] : Eigen::Vector2f::Zero();
     // A thing that shines shows the colour it shines in; its strength is apart.
     const float emission = material.emission.maxCoeff();
@@ -153,11 +151,16 @@ class SceneSorter {
     }
 
     void sort() {
-        for (const Object& object : scene_.objects) addObject(object);
+        for (const Object& object : scene_.objects) {
+            first_vertices.push_back(static_cast<std::uint32_t>(vertices.size()));
+            addObject(object);
+        }
+        first_vertices.push_back(static_cast<std::uint32_t>(vertices.size()));
     }
 
     using Key = std::pair<Surface, int>;  // with the texture's index
     std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> first_vertices;
     std::map<Key, std::vector<std::pair<int, std::vector<std::uint32_t>>>> indices;
 
   private:
@@ -189,6 +192,12 @@ class SceneSorter {
 };
 
 }  // namespace
+
+bool hasHoles(const Texture& texture) {
+    std::size_t holes = 0;
+    for (std::size_t i = 3; i < texture.rgba.size(); i += 4) holes += texture.rgba[i] < 128 ? 1 : 0;
+    return holes * 4 > texture.rgba.size() / 100;
+}
 
 Result<GpuScene> uploadScene(const Scene& scene) {
     if (scene.objects.size() > 65535) {
@@ -251,15 +260,49 @@ Result<GpuScene> uploadScene(const Scene& scene) {
     if (indices.empty()) indices.resize(1);
     glNamedBufferStorage(result.vertices.get(),
                          static_cast<GLsizeiptr>(sorter.vertices.size() * sizeof(Vertex)),
-                         sorter.vertices.data(), 0);
+                         sorter.vertices.data(), GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(result.indices.get(),
                          static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                          indices.data(), 0);
+    result.first_vertices = std::move(sorter.first_vertices);
     describeLayout(result);
     if (Status status = gl::checkErrors("loading the scene"); !status) {
         return tl::unexpected(status.error());
     }
     return result;
+}
+
+RestingObject copyOf(const GpuScene& scene, int object_id) {
+    const auto index = static_cast<std::size_t>(object_id) - 1;
+    const std::uint32_t first = scene.first_vertices[index];
+    const std::uint32_t count = scene.first_vertices[index + 1] - first;
+    RestingObject object{object_id, std::vector<std::uint8_t>(count * sizeof(Vertex)),
+                         scene.bounds[index]};
+    if (count > 0) {
+        glGetNamedBufferSubData(scene.vertices.get(), static_cast<GLintptr>(first * sizeof(Vertex)),
+                                static_cast<GLsizeiptr>(object.vertices.size()),
+                                object.vertices.data());
+    }
+    return object;
+}
+
+void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d& motion) {
+    const auto index = static_cast<std::size_t>(object.object_id) - 1;
+    std::vector<Vertex> vertices(object.vertices.size() / sizeof(Vertex));
+    if (vertices.empty()) return;
+    std::memcpy(static_cast<void*>(vertices.data()), object.vertices.data(),
+                object.vertices.size());
+    Eigen::AlignedBox3f bounds;
+    for (Vertex& vertex : vertices) {
+        vertex.position = (motion * vertex.position.cast<double>()).cast<float>();
+        const Eigen::Vector3d normal(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
+        setNormal(vertex, (motion.linear() * normal / 32767.0).cast<float>());
+        bounds.extend(vertex.position);
+    }
+    scene.bounds[index] = bounds;
+    glNamedBufferSubData(scene.vertices.get(),
+                         static_cast<GLintptr>(scene.first_vertices[index] * sizeof(Vertex)),
+                         static_cast<GLsizeiptr>(object.vertices.size()), vertices.data());
 }
 
 }  // namespace dollytrack::render

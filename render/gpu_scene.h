@@ -40,10 +40,26 @@ struct GpuScene {
     gl::VertexArray layout;            // all attributes
     gl::VertexArray positions_layout;  // attribute 0 alone
     std::vector<gl::Texture> textures;
-    std::vector<Batch> batches;               // in drawing order
-    std::vector<Piece> whole_objects;         // by id - 1: every triangle of the object
-    std::vector<Eigen::AlignedBox3f> bounds;  // by id - 1, of the triangles themselves
+    std::vector<Batch> batches;                 // in drawing order
+    std::vector<Piece> whole_objects;           // by id - 1: every triangle of the object
+    std::vector<Eigen::AlignedBox3f> bounds;    // by id - 1, of the triangles themselves
+    std::vector<std::uint32_t> first_vertices;  // by id - 1, and one past the last of all
 };
+
+/// An object as uploadScene() put it there, to be placed elsewhere from.
+struct RestingObject {
+    int object_id = 0;
+    std::vector<std::uint8_t> vertices;  // as in the buffer
+    Eigen::AlignedBox3f bounds;
+};
+[[nodiscard]] RestingObject copyOf(const GpuScene& scene, int object_id);
+
+/// Draws the object elsewhere from now on: p = motion * p at rest, world.
+void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d& motion);
+
+/// Whether a texture cuts its surface out: more than 1 % of it are holes. Compressed pictures often
+/// hold a few by accident.
+[[nodiscard]] bool hasHoles(const Texture& texture);
 
 /// Uploads the scene. BadInput for more than 65535 objects, which 16-bit labels cannot tell apart.
 [[nodiscard]] Result<GpuScene> uploadScene(const Scene& scene);

@@ -9,6 +9,7 @@
 #include <GL/glew.h>
 
 #include <array>
+#include <map>
 
 namespace dollytrack::render {
 namespace {
@@ -52,6 +53,8 @@ struct SceneRenderer::Impl {
     gl::Program lighting;
     gl::Program edges;
     SilhouetteCounter silhouettes;
+    WholeMaskDrawer whole_masks;
+    std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
 
     std::vector<GLsizei> counts;  // kept between frames
     std::vector<const void*> offsets;
@@ -92,6 +95,27 @@ struct SceneRenderer::Impl {
         }
         glDisablei(GL_BLEND, 0);
         for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDisable(GL_DEPTH_TEST);
+    }
+
+    /// The same surfaces in the same order, so that of two at one depth the same one is on top.
+    void drawMaterials(const View& view, const gl::Framebuffer& frame, int width, int height) {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
+        glViewport(0, 0, width, height);
+        const std::array<float, 4> zero{};
+        for (int i = 0; i < 2; ++i) glClearBufferfv(GL_COLOR, i, zero.data());
+        glClearBufferfv(GL_DEPTH, 0, zero.data());
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GEQUAL);
+        glBindVertexArray(scene.layout.get());
+        const std::vector<bool> visible = objectsInView(scene, view);
+        for (const Batch& batch : scene.batches) {
+            if (batch.surface == Surface::Glass) continue;
+            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
+        }
+        for (const Batch& batch : scene.batches) {
+            if (batch.surface != Surface::Opaque) drawBatch(batch, view, visible, surface, 0);
+        }
         glDisable(GL_DEPTH_TEST);
     }
 
@@ -196,6 +220,9 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
     if (!silhouettes) return tl::unexpected(silhouettes.error());
     impl->silhouettes = std::move(*silhouettes);
+    Result<WholeMaskDrawer> whole_masks = WholeMaskDrawer::create();
+    if (!whole_masks) return tl::unexpected(whole_masks.error());
+    impl->whole_masks = std::move(*whole_masks);
     // Depth runs from 1 at the near plane to 0 at infinity.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     if (Status status = gl::checkErrors("preparing to draw"); !status) {
@@ -215,6 +242,25 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target) {
     impl_->drawOcclusion(view, target);
     impl_->drawLight(view, target);
     return gl::checkErrors("drawing");
+}
+
+Status SceneRenderer::drawSurfaces(const View& view, SurfaceTarget& target) {
+    glDisable(GL_CULL_FACE);
+    impl_->drawMaterials(view, target.frame_, target.width(), target.height());
+    return gl::checkErrors("drawing surfaces");
+}
+
+Result<std::vector<WholeMask>> SceneRenderer::drawWhole(const View& view,
+                                                        std::span<const int> object_ids) {
+    return impl_->whole_masks.draw(impl_->scene, view, object_ids);
+}
+
+void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
+    auto resting = impl_->resting.find(object_id);
+    if (resting == impl_->resting.end()) {
+        resting = impl_->resting.emplace(object_id, copyOf(impl_->scene, object_id)).first;
+    }
+    render::place(impl_->scene, resting->second, motion);
 }
 
 std::vector<bool> SceneRenderer::inView(const View& view) const {

@@ -4,7 +4,9 @@
 #include "engine/scene/scene.h"
 #include "render/light_volume.h"
 #include "render/render_target.h"
+#include "render/surface_target.h"
 #include "render/view.h"
+#include "render/whole_masks.h"
 
 #include <cstdint>
 #include <memory>
@@ -29,6 +31,17 @@ class SceneRenderer {
     /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
     /// of each triangle are drawn, and each pixel shows what its centre sees.
     [[nodiscard]] Status draw(const View& view, RenderTarget& target);
+
+    /// Draws normals and base colours of the same surfaces that draw() labels.
+    [[nodiscard]] Status drawSurfaces(const View& view, SurfaceTarget& target);
+
+    /// What each of these objects would cover of the image if nothing stood before it, of those
+    /// that reach into it; waits for the drawing.
+    [[nodiscard]] Result<std::vector<WholeMask>> drawWhole(const View& view,
+                                                           std::span<const int> object_ids);
+
+    /// From now on the object is drawn elsewhere: p = motion * p of the scene as given, world.
+    void place(int object_id, const Eigen::Isometry3d& motion);
 
     /// Which objects' boxes reach into the image, by id - 1.
     [[nodiscard]] std::vector<bool> inView(const View& view) const;

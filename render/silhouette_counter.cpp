@@ -2,46 +2,17 @@
 
 #include "render/gl/context.h"
 #include "render/gl/shader.h"
+#include "render/projected_box.h"
 #include "render/view_uniforms.h"
 
 #include <GL/glew.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace dollytrack::render {
 namespace {
 
 constexpr std::uint32_t kLevels = 1U << 20U;  // exact in a 32-bit float
-
-/// Pixels, first included, last not.
-struct PixelRect {
-    int x0 = 0;
-    int y0 = 0;
-    int x1 = 0;
-    int y1 = 0;
-    [[nodiscard]] int width() const { return x1 - x0; }
-    [[nodiscard]] int height() const { return y1 - y0; }
-};
-
-/// The pixels a box covers, cut at `limits`; all of them when it reaches behind the near plane.
-PixelRect projectBox(const Eigen::AlignedBox3f& box, const View& view, const PixelRect& limits) {
-    Eigen::AlignedBox2d covered;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d in_world =
-            box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)).cast<double>();
-        const Eigen::Vector3d in_camera = view.pose.toCamera(in_world);
-        if (in_camera.z() < view.near_m) return limits;
-        covered.extend(view.project(in_camera));
-    }
-    const auto clip = [](double value, int low, int high) {
-        return static_cast<int>(std::clamp(value, double(low), double(high)));
-    };
-    return {clip(std::floor(covered.min().x()) - 1, limits.x0, limits.x1),
-            clip(std::floor(covered.min().y()) - 1, limits.y0, limits.y1),
-            clip(std::ceil(covered.max().x()) + 1, limits.x0, limits.x1),
-            clip(std::ceil(covered.max().y()) + 1, limits.y0, limits.y1)};
-}
 
 }  // namespace
 
@@ -110,16 +81,7 @@ Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
         const double level = canvas.nextLevel();
         glDepthRange(level, level);
         glViewport(0, 0, rect.width(), rect.height());
-        View moved;
-        moved.pose = view.pose;
-        moved.near_m = view.near_m;
-        moved.orthographic = view.orthographic;
-        moved.intrinsics = view.intrinsics;
-        moved.intrinsics.width = rect.width();
-        moved.intrinsics.height = rect.height();
-        moved.intrinsics.cx -= rect.x0;
-        moved.intrinsics.cy -= rect.y0;
-        setCamera(program_.get(), moved);
+        setCamera(program_.get(), cutOut(view, rect));
         if (next_query == static_cast<int>(queries_.size())) {
             queries_.push_back(gl::createQuery(GL_SAMPLES_PASSED));
         }

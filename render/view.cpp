@@ -23,4 +23,8 @@ View makeView(const CameraParams& camera, const Pose& pose) {
     return view;
 }
 
+Pose rightOf(const Pose& left, double baseline_m) {
+    return {left.toWorld({baseline_m, 0.0, 0.0}), left.rotation};
+}
+
 }  // namespace dollytrack::render

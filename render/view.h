@@ -51,6 +51,9 @@ struct View {
     [[nodiscard]] ViewRay rayThrough(double x, double y) const;
 };
 
+/// Where the right camera of a stereo pair is.
+[[nodiscard]] Pose rightOf(const Pose& left, double baseline_m);
+
 /// What a camera at this pose takes a picture of.
 [[nodiscard]] View makeView(const CameraParams& camera, const Pose& pose);
 

@@ -13,8 +13,10 @@ struct ExportRequest {
     std::string name;  // of the project, for people
     std::filesystem::path folder;
     std::string range = "::";             // "a:b:s": frames a up to b (not included), every s-th
-    std::vector<std::string> modalities;  // empty: all
-    std::vector<std::string> formats;     // empty: all
+    std::vector<std::string> modalities;  // empty: the standard ones
+    std::vector<std::string> formats;     // empty: the standard ones
+    std::string flow_distances;           // "1,5": optical flow to the frames so far away; empty: 1
+    bool still = false;                   // things that have a track stay where the plan has them
     bool overwrite = false;
 };
 

@@ -33,6 +33,7 @@ struct Session {
     std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
     std::function<Result<ExitCode>()> action;
     bool quiet = false;
+    int threads = 0;  // as asked for; 0: one per core
     std::shared_ptr<ProgressLines> lines;  // where progress goes to a program, not to a person
 
     /// Progress on stderr (none when quiet, but for a program), stopped by Ctrl-C.
@@ -45,6 +46,9 @@ void addCompareCommand(CLI::App& app, Session& session);
 void addSweepCommand(CLI::App& app, Session& session);
 void addEditCommand(CLI::App& app, Session& session);
 void addExportCommand(CLI::App& app, Session& session);
+void addVerifyCommand(CLI::App& app, Session& session);
+void addEvaluateCommand(CLI::App& app, Session& session);
+void addBatchCommand(CLI::App& app, Session& session);
 void addParamsCommand(CLI::App& app, Session& session);
 
 }  // namespace dollytrack::cli

@@ -189,6 +189,20 @@ Status writeFiles(const CompareArguments& arguments, const std::vector<ComparedS
         arguments.picture);
 }
 
+/// The usual 300, unless the command line says otherwise. Without a limit planners would be
+/// compared that show whatever they like.
+SceneArguments withFrames(SceneArguments each) {
+    const auto sets = [](const std::string& text) { return text.starts_with("max_frames="); };
+    const bool set = std::ranges::any_of(each.assignments, sets);
+    if (!each.max_frames && !set) each.max_frames = 300;
+    const bool none = each.max_frames ? *each.max_frames == 0
+                                      : std::ranges::find(each.assignments, "max_frames=0") !=
+                                            each.assignments.end();
+    if (none)
+        log::warn("compare", "max_frames=0 is no limit here: all planners keep to 300 frames");
+    return each;
+}
+
 Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
     if (arguments.list) return listPlanners();
     if (Status status = checkUsage(arguments); !status) {
@@ -197,6 +211,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
     auto planners = planning::choosePlanners(arguments.planners);
     if (!planners) return tl::unexpected<Error>(std::move(planners.error()));
     const ComparisonOrder order{std::move(*planners), arguments.seeds, arguments.bound};
+    const SceneArguments each = withFrames(arguments.each);
     const JobContext job = session.job();
     std::vector<ComparedScene> compared;
     int failures = 0;
@@ -206,8 +221,9 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
         const std::string& path = arguments.scenes[i];
         const JobContext part =
             job.stage(static_cast<double>(i) / count, static_cast<double>(i + 1) / count, path);
-        SceneArguments one = arguments.each;
+        SceneArguments one = each;
         one.path = path;
+        one.one_of_several = arguments.scenes.size() > 1;
         Result<ComparedScene> scene =
             openScene(one, part.stage(0.0, 0.1, "loading")).and_then([&](const auto& opened) {
                 return loadGiven(arguments, opened).and_then([&](const auto& given) {
@@ -250,7 +266,6 @@ void addCompareCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
         "compare", "Plan with several published methods and judge all trajectories alike");
     auto arguments = std::make_shared<CompareArguments>();
-    arguments->each.max_frames = 300;
     command->add_option("scenes", arguments->scenes, "Scenes or .dolly projects")
         ->type_name("SCENE...");
     command

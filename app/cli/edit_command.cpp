@@ -53,6 +53,8 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& where) 
                     "This is not valid JSON; names and texts stand in double quotes, as in "
                     "{\"op\":\"exclude\",\"object\":\"lamp_3\"}.",
                     where + placeIn(text, e.byte));
+    } catch (const nlohmann::json::exception&) {
+        return fail(ErrorCode::Usage, "A number in this is too large.", where);
     }
 }
 

@@ -1,6 +1,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/metrics_table.h"
+#include "app/cli/object_motions.h"
+#include "app/cli/object_relations.h"
 #include "app/cli/planned_scene.h"
+#include "app/cli/rival_plan.h"
 #include "app/cli/room_exports.h"
 #include "app/cli/scene_arguments.h"
 #include "engine/document/edits_json.h"
@@ -26,8 +29,12 @@ struct ExportArguments {
     std::string range = "::";
     std::vector<std::string> modalities;
     std::vector<std::string> formats;
+    std::string planner = "dollytrack";
+    render::FoldSettings folds;
     bool overwrite = false;
     bool resume = false;
+    bool still = false;
+    std::vector<int> flow_distances = {1};
     bool as_json = false;
 };
 
@@ -49,7 +56,10 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
         fmt::print("  {:<22} {:>10} {:>10}\n", what, planned.value(name, 0), value);
     };
     const auto rate = [&](std::string_view what, const char* name, double value) {
-        fmt::print("  {:<22} {:>8.1f} % {:>8.1f} %\n", what, 100.0 * planned.value(name, 0.0),
+        const auto found = planned.find(name);
+        const bool known = found != planned.end() && found->is_number();
+        fmt::print("  {:<22} {:>10} {:>8.1f} %\n", what,
+                   known ? fmt::format("{:.1f} %", 100.0 * found->get<double>()) : "-",
                    100.0 * value);
     };
     row("objects", "objects", counted.objects);
@@ -75,13 +85,16 @@ void printRoom(const std::string& room, const render::DatasetSummary& summary,
 template <class Row>
 void printTable(const char* title, std::span<const Row> rows) {
     fmt::print("{}\n", title);
-    for (const Row& row : rows) fmt::print("  {:<14} {}\n", row.name, row.text);
+    for (const Row& row : rows) {
+        fmt::print("  {:<18} {} {}\n", row.name, row.standard ? '*' : ' ', row.text);
+    }
 }
 
 /// What --modalities and --formats can name.
 void printChoices() {
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
+    fmt::print("*: written where none is named; the name 'all' stands for all.\n");
     fmt::print("dataset.json, which describes the dataset, and a contact sheet come with each.\n");
 }
 
@@ -92,13 +105,23 @@ std::string names(std::span<const Row> rows) {
     return all;
 }
 
+template <class Row>
+std::string standardNames(std::span<const Row> rows) {
+    std::string all;
+    for (const Row& row : rows) {
+        if (row.standard) all += (all.empty() ? "" : ",") + std::string(row.name);
+    }
+    return all;
+}
+
 /// Renders one trajectory into a folder.
 Result<render::DatasetSummary> renderTrajectory(
     const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
-    const std::string& folder, render::DatasetSettings settings, const OpenedScene& opened,
-    const PlannedScene& planned, const JobContext& job) {
+    const std::string& folder, render::DatasetSettings settings, bool still,
+    const OpenedScene& opened, const PlannedScene& planned, const JobContext& job) {
     settings.folder = folder;
     settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
+    settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
     settings.score = planned.params.repair.score;
     render::DatasetOrigin origin;
     origin.product_version = DOLLYTRACK_VERSION;
@@ -108,6 +131,10 @@ Result<render::DatasetSummary> renderTrajectory(
     origin.parameters_json = toJson(planning::listFields(params)).dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
     origin.rooms = planned.rooms;
+    if (!still) {
+        origin.motions = objectMotions(*planned.scene, opened.edits.scene, trajectory);
+    }
+    origin.relations = relationsOf(*planned.scene, rays, planned.params.targets);
     return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
                                  planned.params.camera, std::move(settings), std::move(origin),
                                  job);
@@ -121,6 +148,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.range = *range;
     settings.modalities = arguments.modalities;
     settings.formats = arguments.formats;
+    settings.flow_distances = arguments.flow_distances;
+    settings.folds = arguments.folds;
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
     // Said before the work, not after it.
@@ -130,6 +159,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (Status status = render::checkSettings(checked); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    const Result<bool> rival = namesRival(arguments.planner);
+    if (!rival) return tl::unexpected<Error>(rival.error());
 
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
@@ -137,12 +168,16 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     // A context early: a machine that cannot draw should say so before minutes of planning.
     Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
-    const Result<PlannedScene> planned = planOrReuse(*opened, job.stage(0.03, 0.06, "planning"));
+    const JobContext planning = job.stage(0.03, 0.06, "planning");
+    const Result<PlannedScene> planned =
+        *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
     if (planned->trajectory.frames.empty()) {
         return fail(ErrorCode::Failed,
-                    "The trajectory is empty: nothing in the scene can be captured; "
-                    "'dollytrack info' lists the objects.",
+                    planned->nothing_free.empty()
+                        ? "The trajectory is empty: nothing in the scene can be captured; "
+                          "'dollytrack info' lists the objects."
+                        : "The trajectory is empty: " + planned->nothing_free + ".",
                     arguments.scene.path);
     }
 
@@ -157,8 +192,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                             const JobContext& part) -> Result<render::DatasetSummary> {
         if (!*context) context = gl::createOsMesaContext();  // the dataset before took it
         if (!context) return tl::unexpected<Error>(std::move(context.error()));
-        return renderTrajectory(trajectory, std::move(*context), rays, folder, settings, *opened,
-                                *planned, part);
+        return renderTrajectory(trajectory, std::move(*context), rays, folder, settings,
+                                arguments.still, *opened, *planned, part);
     };
     const JobContext rendering = job.stage(0.06, 1.0, "");
     if (exports->empty()) {
@@ -202,6 +237,7 @@ void addExportCommand(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<ExportArguments>();
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
+    addPlannerArgument(*command, arguments->planner);
     command->add_option("--out", arguments->out, "Folder for the dataset; made if missing")
         ->required()
         ->type_name("DIR");
@@ -211,13 +247,15 @@ void addExportCommand(CLI::App& app, Session& session) {
         ->type_name("a:b:s");
     command
         ->add_option("--modalities", arguments->modalities,
-                     "Images to write: " + names(render::modalities()) + " (default: all)")
+                     "Images to write: " + names(render::modalities()) +
+                         "; or all (default: " + standardNames(render::modalities()) + ")")
         ->type_name("NAME,...")
         ->allow_extra_args(false)
         ->delimiter(',');
     command
         ->add_option("--formats", arguments->formats,
-                     "Annotations to write: " + names(render::formats()) + " (default: all)")
+                     "Annotations to write: " + names(render::formats()) +
+                         "; or all (default: " + standardNames(render::formats()) + ")")
         ->type_name("NAME,...")
         ->allow_extra_args(false)
         ->delimiter(',');
@@ -228,6 +266,22 @@ void addExportCommand(CLI::App& app, Session& session) {
             throw CLI::Success();
         },
         "Say what --modalities and --formats can name, and nothing else");
+    command
+        ->add_option("--flow-distances", arguments->flow_distances,
+                     "Optical flow to the frames this many later and earlier (default: 1)")
+        ->type_name("N,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command->add_flag("--still", arguments->still,
+                      "Things that have a track stay where the plan has them");
+    command
+        ->add_option("--folds", arguments->folds.count,
+                     "Lists for cross-validation with so many parts, in folds/")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100));
+    command->add_option("--fold-seed", arguments->folds.seed, "Another way to split the frames")
+        ->type_name("N")
+        ->capture_default_str();
     command->add_flag("--resume", arguments->resume,
                       "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,

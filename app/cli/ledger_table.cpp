@@ -56,7 +56,16 @@ std::string ledgerTable(const Scene& scene, std::vector<LedgerRow> ledger, std::
         text += wrapped(row.reason, width, kIndent, "    why");
         if (row.remedy) text += wrapped(row.remedy->text, width, kIndent, "    fix");
     }
-    return text + "  *: a key frame\n";
+    text += "  *: a key frame\n";
+    const bool pins = std::ranges::any_of(
+        ledger, [](const LedgerRow& row) { return row.remedy && row.remedy->pin.has_value(); });
+    if (pins) {
+        text +=
+            "  to pin a point: dollytrack edit PROJECT --plan --op '{\"op\":\"pin\","
+            "\"objects\":[\"NAME\"],\"position\":[x,y,z],\"yaw_deg\":A,\"pitch_deg\":B}'; "
+            "--json lists each fix as such operations\n";
+    }
+    return text;
 }
 
 }  // namespace dollytrack::cli

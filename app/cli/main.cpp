@@ -110,11 +110,10 @@ int main(int argc, char** argv) {
         "\nExit codes: 0 done, 1 failed, 2 usage, 3 partial or a --require not met, 4 bad input,\n"
         "5 no OpenGL, 6 cannot write, 130/143 interrupted.");
     bool verbose = false;
-    int threads = 0;
     app.add_flag("-q,--quiet", session.quiet,
                  "No progress and no notes on stderr, only warnings and errors");
     app.add_flag("-v,--verbose", verbose, "Say more on stderr");
-    app.add_option("--threads", threads, "Worker threads; 0: one per core")
+    app.add_option("--threads", session.threads, "Worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
     std::string progress = "bar";
     app.add_option("--progress", progress,
@@ -127,8 +126,11 @@ int main(int argc, char** argv) {
     cli::addPlanCommand(app, session);
     cli::addEditCommand(app, session);
     cli::addExportCommand(app, session);
+    cli::addVerifyCommand(app, session);
+    cli::addEvaluateCommand(app, session);
     cli::addCompareCommand(app, session);
     cli::addSweepCommand(app, session);
+    cli::addBatchCommand(app, session);
     cli::addParamsCommand(app, session);
 
     try {
@@ -146,7 +148,7 @@ int main(int argc, char** argv) {
     log::setLevel(session.quiet ? log::Level::Warning
                   : verbose     ? log::Level::Debug
                                 : log::Level::Info);
-    setThreadCount(threads);
+    setThreadCount(session.threads);
     try {
         return runAction(session);
     } catch (const std::bad_alloc&) {

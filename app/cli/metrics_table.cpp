@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t kListed = 12;  // uncaptured objects listed before "and n more"
 
 std::string percent(const nlohmann::json& metrics, const char* name) {
-    return fmt::format("{:.1f} %", 100.0 * metrics.value(name, 0.0));
+    const auto found = metrics.find(name);
+    if (found == metrics.end() || !found->is_number()) return "-";
+    return fmt::format("{:.1f} %", 100.0 * found->get<double>());
 }
 
 std::string row(std::string_view what, const std::string& value) {
@@ -69,7 +71,15 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("collisions",
                 fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
                             percent(m, "frame_collision_rate")));
-    std::string tightest = fmt::format("{:.3f} m", m.value("min_clearance_m", 0.0));
+    if (const int lines = m.value("straight_lines_that_hit", 0); lines > 0) {
+        text +=
+            row("  between frames",
+                fmt::format("none on its way; on straight lines from frame to frame {}", lines));
+    }
+    std::string tightest = "-";
+    if (const auto least = m.find("min_clearance_m"); least != m.end() && least->is_number()) {
+        tightest = fmt::format("{:.3f} m", least->get<double>());
+    }
     if (m.contains("min_clearance_at")) {
         const nlohmann::json& at = m["min_clearance_at"];
         tightest += fmt::format(" to {}, near frame {} at ({:.2f}, {:.2f}, {:.2f})",

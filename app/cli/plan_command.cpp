@@ -4,6 +4,7 @@
 #include "app/cli/metrics_table.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/requirement.h"
+#include "app/cli/rival_plan.h"
 #include "app/cli/scene_arguments.h"
 #include "app/cli/terminal_text.h"
 #include "engine/core/log.h"
@@ -40,6 +41,7 @@ struct PlanArguments {
     std::string picture;
     std::vector<std::string> coverage;
     std::vector<std::string> requirements;
+    std::string planner = "dollytrack";
     bool as_json = false;
     bool bound = false;
     bool explain = false;
@@ -115,14 +117,58 @@ Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts)
 
 /// Told before the work, not after it: a misspelt metric must not cost minutes.
 Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
-    nlohmann::json metrics = metricsJson(Scene{}, Plan{});
+    nlohmann::json metrics = metricsOf("dollytrack");
     if (with_bound) addBound(metrics, {}, 0.0);
     return checkNames(requirements, metrics);
+}
+
+/// What only our own plans have, or only our own planner can do.
+Status checkRivalUsage(const PlanArguments& arguments) {
+    const std::vector<std::pair<bool, const char*>> ours = {
+        {!arguments.out.empty(), "--out"},
+        {!arguments.picture.empty(), "--picture"},
+        {!arguments.coverage.empty(), "--coverage"},
+        {arguments.bound, "--bound"},
+        {arguments.explain, "--explain"},
+    };
+    for (const auto& [given, option] : ours) {
+        if (!given) continue;
+        return fail(ErrorCode::Usage,
+                    "This needs a plan of dollytrack's own; leave out --planner, or use 'export "
+                    "--planner' for a dataset of the other planner's trajectory.",
+                    option);
+    }
+    return {};
+}
+
+/// The metrics of another planner's trajectory.
+Result<ExitCode> runRival(const PlanArguments& arguments,
+                          const std::vector<Requirement>& requirements, const Session& session) {
+    if (Status status = checkRivalUsage(arguments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (Status status = checkNames(requirements, metricsOf(arguments.planner)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const JobContext job = session.job();
+    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    const auto planned = planAsRival(arguments.planner, *opened, job.stage(0.3, 1.0, "planning"));
+    if (!planned) return tl::unexpected<Error>(planned.error());
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(planned->metrics));
+    } else {
+        fmt::print("{}", judgedTable(planned->metrics));
+    }
+    return areMet(requirements, planned->metrics) ? kDone : kPartial;
 }
 
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
     const auto requirements = parseAll(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
+    const Result<bool> rival = namesRival(arguments.planner);
+    if (!rival) return tl::unexpected<Error>(rival.error());
+    if (*rival) return runRival(arguments, *requirements, session);
     // Said before the work: a file that cannot be opened again is of no use.
     if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
         return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
@@ -200,6 +246,7 @@ void addPlanCommand(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<PlanArguments>();
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
+    addPlannerArgument(*command, arguments->planner);
     command->add_option("-o,--out", arguments->out, "Write a project with the plan")
         ->type_name("FILE.dolly");
     command

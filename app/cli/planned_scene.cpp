@@ -2,10 +2,13 @@
 
 #include "engine/core/log.h"
 #include "engine/plan/plan_json.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/free_space/free_space.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack::cli {
 
@@ -32,17 +35,84 @@ void warnOfAnchors(const Plan& plan) {
     }
 }
 
+/// Who joins frames by straight lines would fly through things. A budget of frames is a choice.
+void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
+    const int lines = plan.trajectory_metrics.straight_lines_that_hit;
+    if (lines == 0 || timing.max_frames > 0) return;
+    log::warn("planning",
+              fmt::format("frame_rate is low for this speed: between frames the camera goes around "
+                          "things that straight lines from frame to frame would hit ({}); raise "
+                          "frame_rate from {:g}, or set max_speed_mps",
+                          lines, timing.frame_rate));
+}
+
+/// What keeps the camera from everywhere, of what a person may set; empty where something is free.
+std::string whyNothingIsFree(const planning::Pipeline& pipeline,
+                             const planning::FreeSpaceParams& band) {
+    const auto region = pipeline.region();
+    const auto free_space = pipeline.freeSpace();
+    if (!region->restricts()) return {};
+    bool in_band = false;
+    bool any = false;
+    for (std::size_t room = 0; room < free_space->rooms().size(); ++room) {
+        const int component = static_cast<int>(room);
+        if (!region->cells(component).empty()) return {};
+        for (const Eigen::Vector3f& cell : free_space->cells(component)) {
+            any = true;
+            if (!region->hasBand()) break;
+            const double height = region->heightOf(cell.cast<double>());
+            in_band |= height >= band.min_height_m && height <= band.max_height_m;
+        }
+    }
+    if (!any) return {};
+    if (region->hasBand() && !in_band) {
+        return fmt::format(
+            "min_height_m={:g} and max_height_m={:g} leave the camera no free place "
+            "above the floor; widen the band",
+            band.min_height_m, band.max_height_m);
+    }
+    return region->hasBand()
+               ? "the no-go boxes leave the camera no free place between "
+                 "min_height_m and max_height_m; move or shrink them"
+               : "the no-go boxes leave the camera no free place; move or shrink them";
+}
+
+/// A begin or end that the command line asks for is no wish to be dropped.
+Status checkEnds(const OpenedScene& opened, const Plan& plan) {
+    for (const auto& [option, name] :
+         {std::pair("--start", opened.asked_start), std::pair("--end", opened.asked_end)}) {
+        if (name.empty()) continue;
+        const auto refused = std::ranges::find_if(plan.refused_pins, [&](const RefusedPin& pin) {
+            return pin.name == name && pin.verdict != Verdict::Legal;
+        });
+        if (refused == plan.refused_pins.end()) continue;
+        const Eigen::Vector3d& at =
+            opened.plan_edits.pinned[static_cast<std::size_t>(refused->pin)].pose.position;
+        return fail(ErrorCode::Usage,
+                    fmt::format("The camera cannot be at ({:.2f}, {:.2f}, {:.2f}): {}.", at.x(),
+                                at.y(), at.z(), refused->reason),
+                    option);
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job) {
     const auto plan = pipeline.run(opened.params, opened.plan_edits, job);
     if (!plan) return tl::unexpected<Error>(plan.error());
+    if (Status status = checkEnds(opened, **plan); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     for (const RefusedPin& pin : (*plan)->refused_pins) {
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
     }
     warnOfAnchors(**plan);
+    warnOfFewFrames(**plan, opened.params.timing);
     PlannedScene planned;
+    planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);
+    if (!planned.nothing_free.empty()) log::warn("planning", planned.nothing_free);
     planned.scene = opened.scene;
     planned.params = opened.params;
     planned.plan = *plan;
@@ -67,6 +137,10 @@ Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& jo
         trajectoryFromJson(opened.stored_result.value("trajectory", nlohmann::json::object()));
     if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
     planned.trajectory = std::move(*trajectory);
+    if (planned.trajectory.frames.empty()) {  // planned again for the reason
+        planning::Pipeline pipeline(opened.scene);
+        return planScene(opened, pipeline, job);
+    }
     Result<std::vector<Eigen::AlignedBox3d>> rooms = roomsFromJson(opened.stored_result);
     if (!rooms) return tl::unexpected<Error>(std::move(rooms.error()));
     planned.rooms = std::move(*rooms);

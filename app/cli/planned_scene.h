@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <string>
 
 namespace dollytrack::cli {
 
@@ -19,9 +20,11 @@ struct PlannedScene {
     std::vector<Eigen::AlignedBox3d> rooms;  // by component of free space
     nlohmann::json metrics;                  // see metricsJson()
     nlohmann::json result;                   // for a project file
+    std::string nothing_free;  // why what a person forbids leaves no place; empty: there is one
 };
 
-/// Plans, on a pipeline that the caller may ask further. `plan` is set. Errors as Pipeline::run().
+/// Plans, on a pipeline that the caller may ask further. `plan` is set. Errors as Pipeline::run(),
+/// and Usage where the camera cannot be where the command line wants it to begin or to end.
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job);
 

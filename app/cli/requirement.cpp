@@ -1,7 +1,7 @@
 #include "app/cli/requirement.h"
 
-#include "engine/core/field_list.h"
 #include "engine/core/log.h"
+#include "engine/core/name_hint.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +9,14 @@
 #include <charconv>
 
 namespace dollytrack::cli {
+namespace {
+
+/// Rates and counts, those without a value, and lists, which are counted.
+bool isMeasured(const nlohmann::json& metric) {
+    return metric.is_number() || metric.is_null() || metric.is_array();
+}
+
+}  // namespace
 
 bool Requirement::holds(double measured) const {
     if (comparison == ">=") return measured >= value;
@@ -43,15 +51,14 @@ Result<Requirement> parseRequirement(std::string_view text) {
 Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
     for (const Requirement& requirement : requirements) {
         const auto found = metrics.find(requirement.metric);
-        if (found != metrics.end() && found->is_number()) continue;
+        if (found != metrics.end() && isMeasured(*found)) continue;
         std::vector<std::string> names;
         for (const auto& [name, value] : metrics.items()) {
-            if (value.is_number()) names.push_back(name);  // rates and counts alike
+            if (isMeasured(value)) names.push_back(name);
         }
-        const std::string close = closestName(requirement.metric, names);
         return fail(ErrorCode::Usage,
                     fmt::format("There is no metric '{}'{}", requirement.metric,
-                                close.empty() ? "." : "; did you mean '" + close + "'?"),
+                                nameHint(requirement.metric, names)),
                     "--require");
     }
     return {};
@@ -60,7 +67,16 @@ Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::
 bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
     bool all = true;
     for (const Requirement& requirement : requirements) {
-        const double measured = metrics.at(requirement.metric).get<double>();
+        const nlohmann::json& value = metrics.at(requirement.metric);
+        if (!value.is_number() && !value.is_array()) {
+            all = false;
+            log::warn("require", fmt::format("not met: {} has no value, for there is nothing to "
+                                             "measure it on",
+                                             requirement.metric));
+            continue;
+        }
+        const double measured =
+            value.is_array() ? static_cast<double>(value.size()) : value.get<double>();
         if (requirement.holds(measured)) continue;
         all = false;
         log::warn("require",

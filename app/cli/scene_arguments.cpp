@@ -2,15 +2,18 @@
 
 #include "app/project/read_project.h"
 #include "engine/core/log.h"
+#include "engine/core/name_hint.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
+#include "engine/document/target_filter.h"
+#include "engine/scene/labels.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 
 namespace dollytrack::cli {
 namespace {
@@ -46,14 +49,18 @@ std::string changedNames(planning::PlanParams a, planning::PlanParams b) {
 Result<nlohmann::json> endOperation(const std::string& option, const std::string& text) {
     nlohmann::json operation = {{"op", option == "--start" ? "set_start" : "set_end"}};
     std::vector<double> numbers;
-    const char* at = text.c_str();
-    while (*at != 0) {
-        char* after = nullptr;
-        numbers.push_back(std::strtod(at, &after));
-        if (after == at || (*after != ',' && *after != 0)) break;
-        at = *after == ',' && after[1] != 0 ? after + 1 : after;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    while (at != end) {
+        // Not strtod(), which reads another point in another locale.
+        while (at != end && (*at == ' ' || *at == '+')) ++at;
+        double number = 0.0;
+        const auto [after, error] = std::from_chars(at, end, number);
+        if (error != std::errc() || (after != end && *after != ',')) break;
+        numbers.push_back(number);
+        at = after != end && after + 1 != end ? after + 1 : after;
     }
-    if (*at != 0 || text.empty()) {
+    if (at != end || text.empty()) {
         operation["point"] = text;
         return operation;
     }
@@ -68,6 +75,33 @@ Result<nlohmann::json> endOperation(const std::string& option, const std::string
     return operation;
 }
 
+/// A list on the command line that names nothing was meant to name something. That a scene happens
+/// to lack a class which is to be ignored is no slip; that it lacks all of what alone counts is.
+Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
+    const auto isAny = [&](const std::string& pattern) {
+        return std::ranges::any_of(
+            scene.objects, [&](const Object& object) { return isNamedBy(object, pattern); });
+    };
+    const bool only_names_some = std::ranges::any_of(arguments.only, isAny);
+    std::vector<std::string> names;
+    for (const Object& object : scene.objects) names.push_back(object.name);
+    for (int i = 1; i <= kNyu40Count; ++i) {
+        if (std::string name(nyu40Name(i)); isAny(name)) names.push_back(std::move(name));
+    }
+    for (const auto& [option, patterns, may_lack_class] :
+         {std::tuple("--ignore", &arguments.ignore, true),
+          std::tuple("--only", &arguments.only, only_names_some)}) {
+        for (const std::string& pattern : *patterns) {
+            if (isAny(pattern) || (may_lack_class && nyu40FromName(pattern) != 0)) continue;
+            return fail(ErrorCode::Usage,
+                        fmt::format("'{}' names no class and no object of this scene{}", pattern,
+                                    nameHint(pattern, names)),
+                        option);
+        }
+    }
+    return {};
+}
+
 void addNew(std::vector<std::string>& list, const std::vector<std::string>& more) {
     for (const std::string& one : more) {
         if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
@@ -77,6 +111,13 @@ void addNew(std::vector<std::string>& list, const std::vector<std::string>& more
 /// What the command line asks of the trajectory, over the project's edits.
 Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const Scene& imported) {
     ProjectState state{nlohmann::json::object(), std::move(edits)};
+    if (!arguments.one_of_several && !(arguments.ignore.empty() && arguments.only.empty())) {
+        const Result<Scene> edited = applySceneEdits(imported, state.edits.scene);
+        if (!edited) return tl::unexpected<Error>(edited.error());
+        if (Status status = checkPatterns(arguments, *edited); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     addNew(state.edits.scene.ignore, arguments.ignore);
     addNew(state.edits.scene.only, arguments.only);
     for (const auto& [option, text] :
@@ -213,6 +254,8 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     Result<Edits> edits = withArguments(read->edits, arguments, *opened.imported);
     if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
     const bool other_edits = *edits != read->edits;
+    if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
+    if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
     if (Status status = applyEdits(opened, std::move(*edits)); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }

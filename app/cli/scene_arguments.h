@@ -37,6 +37,7 @@ struct SceneArguments {
     std::string end;
     bool loop = false;
     std::optional<double> time_s;  // of the objects' tracks
+    bool one_of_several = false;   // scenes; what one of them lacks another one may have
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
@@ -53,6 +54,8 @@ struct OpenedScene {
     Edits edits;           // as the project has them
     PlanEdits plan_edits;  // with the numbers that their objects have in the scene
     nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, where given
+    std::string asked_start;  // the pinned point that --start names or made; empty without one
+    std::string asked_end;
     nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds
     nlohmann::json edits_section = nlohmann::json::object();   // as it was read
     nlohmann::json project_others = nlohmann::json::object();  // what else the project holds

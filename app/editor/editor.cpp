@@ -132,6 +132,7 @@ bool Editor::frame() {
         setTheme();
         window_.requestFonts(window_.contentScale() * settings_.zoom);
     }
+    drawing_.takeNews();
     workspace_.poll();
     layers_.poll();
     refreshScene();

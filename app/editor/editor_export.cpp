@@ -17,13 +17,14 @@ namespace {
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities())
-        choices.push_back({one.name, one.text});
+        choices.push_back({one.name, one.text, one.standard});
     return choices;
 }
 
 std::vector<ui::ExportChoice> formatChoices() {
     std::vector<ui::ExportChoice> choices;
-    for (const render::Format& one : render::formats()) choices.push_back({one.name, one.text});
+    for (const render::Format& one : render::formats())
+        choices.push_back({one.name, one.text, one.standard});
     return choices;
 }
 
@@ -111,14 +112,14 @@ ui::ExportView Editor::exportView() {
     view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
     for (const render::Modality& one : render::modalities()) {
-        const bool left_out =
-            std::ranges::find(panels_.export_draft.left_out_modalities, one.name) !=
-            panels_.export_draft.left_out_modalities.end();
-        if (!left_out) {
+        const bool turned = std::ranges::find(panels_.export_draft.turned_modalities, one.name) !=
+                            panels_.export_draft.turned_modalities.end();
+        if (one.standard != turned) {
             view.bytes_per_frame +=
                 one.bytes_per_pixel * view.camera.width_px * view.camera.height_px;
         }
     }
+    view.has_tracks = hasTracks();
     view.modalities = modalityChoices();
     view.formats = formatChoices();
     if (exports_) {

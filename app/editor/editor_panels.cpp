@@ -45,6 +45,7 @@ void Editor::drawLeft() {
         if (actions.go_to) workspace_.goTo(*actions.go_to);
         ImGui::EndTabItem();
     }
+    left_tabs_.end();
     ImGui::EndTabBar();
 }
 
@@ -199,6 +200,7 @@ void Editor::drawRight() {
         drawMetrics();
         ImGui::EndTabItem();
     }
+    right_tabs_.end();
     ImGui::EndTabBar();
 }
 
@@ -271,6 +273,7 @@ void Editor::drawBottom() {
         ui::drawLogPanel(log_, panels_.log);
         ImGui::EndTabItem();
     }
+    bottom_tabs_.end();
     ImGui::EndTabBar();
 }
 

@@ -42,6 +42,8 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
                        {"range", request.range},
                        {"modalities", request.modalities},
                        {"formats", request.formats},
+                       {"flow_distances", request.flow_distances},
+                       {"still", request.still},
                        {"overwrite", request.overwrite},
                        {"project", note.project_file.string()},
                        {"snapshot", note.snapshot},
@@ -67,6 +69,8 @@ Result<ExportNote> readNote(const fs::path& file) {
         note.request.range = read.at("range").get<std::string>();
         note.request.modalities = read.at("modalities").get<std::vector<std::string>>();
         note.request.formats = read.at("formats").get<std::vector<std::string>>();
+        note.request.flow_distances = read.at("flow_distances").get<std::string>();
+        note.request.still = read.at("still").get<bool>();
         note.request.overwrite = read.at("overwrite").get<bool>();
         note.project_file = read.at("project").get<std::string>();
         note.snapshot = read.at("snapshot").get<bool>();

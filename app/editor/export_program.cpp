@@ -46,6 +46,10 @@ std::vector<std::string> exportCommand(const fs::path& program, const fs::path& 
     if (!request.formats.empty()) {
         command.insert(command.end(), {"--formats", joined(request.formats)});
     }
+    if (!request.flow_distances.empty()) {
+        command.insert(command.end(), {"--flow-distances", request.flow_distances});
+    }
+    if (request.still) command.emplace_back("--still");
     if (request.overwrite) command.emplace_back("--overwrite");
     if (job.resumes) command.emplace_back("--resume");
     return command;

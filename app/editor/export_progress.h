@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/child_process.h"
+#include "app/process/child_process.h"
 #include "ui/export_job.h"
 
 #include <string>

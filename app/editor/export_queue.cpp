@@ -1,6 +1,6 @@
 #include "app/editor/export_queue.h"
 
-#include "app/editor/child_process.h"
+#include "app/process/child_process.h"
 #include "app/editor/export_note.h"
 #include "app/editor/export_places.h"
 #include "app/editor/export_program.h"

@@ -16,9 +16,12 @@
 #include <thread>
 #include <vector>
 
+namespace dollytrack {
+class ChildProcess;
+}
+
 namespace dollytrack::editor {
 
-class ChildProcess;
 struct ExportNote;
 
 /// Exports one dataset after another, each by a `dollytrack export` of its own on a snapshot of the

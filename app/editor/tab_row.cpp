@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -13,6 +14,7 @@ bool TabRow::begin(const char* name, std::string& focus) {
     const bool focused = focus == name;
     if (focused) focus.clear();
     const bool restored = wanted_ == name;
+    met_wanted_ |= restored;
     const bool shown =
         ImGui::BeginTabItem(name, nullptr, focused || restored ? ImGuiTabItemFlags_SetSelected : 0);
     // The one that is asked for comes to the front in the next frame; until then another is there.
@@ -26,6 +28,10 @@ bool TabRow::begin(const char* name, std::string& focus) {
     std::ranges::transform(item, item.begin(), [](unsigned char c) { return std::tolower(c); });
     ui::nameItem(item);
     return shown;
+}
+
+void TabRow::end() {
+    if (!std::exchange(met_wanted_, false)) wanted_.clear();
 }
 
 }  // namespace dollytrack::editor

@@ -9,6 +9,8 @@ class TabRow {
   public:
     /// Opens this one when the row is drawn next; empty: the first.
     void restore(const std::string& tab) { open_ = wanted_ = tab; }
+    /// After the last tab: one that is wanted and not among them is wanted no more.
+    void end();
     /// The one in front, or that will be.
     [[nodiscard]] const std::string& open() const { return open_; }
 
@@ -19,6 +21,7 @@ class TabRow {
   private:
     std::string open_;
     std::string wanted_;
+    bool met_wanted_ = false;  // in this row
 };
 
 }  // namespace dollytrack::editor

@@ -173,7 +173,11 @@ Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
     // Mesa's software driver keeps one list of contexts for all windows, and walks through another
     // thread's work without asking: only a context that is none of a window's is safe from that.
     if (gl::rendererName().find("llvmpipe") != std::string::npos) {
-        if (auto apart = gl::createEglContext()) return apart;
+        auto apart = gl::createEglContext();
+        if (apart) return apart;
+        log::warn("editor",
+                  "Drawing shares the window's driver, which may crash it now and then: " +
+                      apart.error().message);
     }
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);

@@ -1,5 +1,7 @@
 #include "engine/core/field_list.h"
 
+#include "engine/core/name_hint.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -90,10 +92,7 @@ const Field* find(const FieldList& fields, std::string_view name) {
 std::string unknownField(const FieldList& fields, std::string_view name) {
     std::vector<std::string> names;
     for (const Field& field : fields) names.push_back(field.name);
-    const std::string close = closestName(name, names);
-    return close.empty()
-               ? fmt::format("There is no parameter '{}'.", name)
-               : fmt::format("There is no parameter '{}'; did you mean '{}'?", name, close);
+    return fmt::format("There is no parameter '{}'{}", name, nameHint(name, names));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "engine/document/operation_reader.h"
 
-#include "engine/core/field_list.h"
+#include "engine/core/name_hint.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -15,11 +15,6 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kSteepest_deg = 89.9;  // straight up a camera without roll has no heading
 constexpr double kLargestBox_m = 1e4;
-
-std::string didYouMean(std::string_view wrong, const std::vector<std::string>& names) {
-    const std::string close = closestName(wrong, names);
-    return close.empty() ? "." : fmt::format("; did you mean '{}'?", close);
-}
 
 Eigen::Vector3d direction(double yaw_deg, double pitch_deg) {
     const double yaw = yaw_deg * kRadians;
@@ -64,7 +59,7 @@ ObjectRef OperationReader::readObject(const JsonReader& from) const {
         if (object.name == name) found.push_back(object.id);
     }
     if (found.empty()) {
-        from.refuse(fmt::format("There is no object '{}'{}", name, didYouMean(name, names)));
+        from.refuse(fmt::format("There is no object '{}'{}", name, nameHint(name, names)));
         return {};
     }
     if (found.size() > 1) {
@@ -104,7 +99,7 @@ int OperationReader::nyu40(const std::string& name) const {
     if (found != 0) return found;
     std::vector<std::string> names;
     for (int i = 1; i <= kNyu40Count; ++i) names.emplace_back(nyu40Name(i));
-    from.refuse(fmt::format("There is no NYU40 class '{}'{}", text, didYouMean(text, names)));
+    from.refuse(fmt::format("There is no NYU40 class '{}'{}", text, nameHint(text, names)));
     return 0;
 }
 

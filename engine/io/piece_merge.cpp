@@ -24,6 +24,7 @@ struct Piece {
     std::vector<SurfaceView> surfaces;
     bool structure = false;
     bool loose = false;    // its name says nothing of its own
+    bool named = false;    // somebody named it
     bool is_part = false;  // its name says that it is a part
     std::size_t triangles = 0;
 
@@ -154,7 +155,8 @@ std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& 
         }
         piece.structure = structure[i];
         piece.is_part = drafts[i].label.kind == LabelKind::Part;
-        piece.loose = drafts[i].loose || piece.is_part || isProgramName(drafts[i].name);
+        piece.named = !drafts[i].loose && !isProgramName(drafts[i].name);
+        piece.loose = !piece.named || piece.is_part;
         pieces.push_back(std::move(piece));
     }
     return pieces;
@@ -190,6 +192,12 @@ void preferOwnSize(const std::vector<Piece>& pieces, std::vector<Candidate>& can
     }
 }
 
+/// Whether a piece that nothing holds may be a part of the other one. Between surfaces
+/// where it has a name: boxes know nothing of the air in a crate.
+bool floatsBeside(const Piece& piece, const Piece& other) {
+    return !piece.named || !findContact(piece.surfaces, other.surfaces, kNearGap).empty();
+}
+
 /// Nothing floats in a room: a loose piece that nothing touches but things lying on it is a part
 /// of the nearest other one (a table top on hidden brackets, a leaf beside its stem).
 void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraft>& drafts,
@@ -213,7 +221,7 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
         for (std::size_t j = 0; j < pieces.size(); ++j) {
             if (groups.find(j) == i || !mayJoin(piece, drafts[i], pieces[j], drafts[j])) continue;
             const auto distance = static_cast<float>(piece.box.exteriorDistance(pieces[j].box));
-            if (distance < best) {
+            if (distance < best && floatsBeside(piece, pieces[j])) {
                 best = distance;
                 nearest = j;
             }
@@ -223,26 +231,26 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
 }
 
 /// How well a draft's name serves as the name of the whole.
-int nameRank(const ObjectDraft& draft) {
+int nameRank(const ObjectDraft& draft, bool named) {
     switch (draft.label.kind) {
-        case LabelKind::Target:
-            return 4;
         case LabelKind::Structure:
+            return 6;
+        case LabelKind::Target:
             return 5;
         case LabelKind::Part:
-            return draft.label.nyu40 != 0 ? 3 : 1;
+            return draft.label.nyu40 != 0 ? 4 : 1;
         case LabelKind::Weak:
-            return 2;
+            return 3;
         case LabelKind::None:
-            return 0;
+            return named ? 2 : 0;
     }
     return 0;
 }
 
 }  // namespace
 
-std::size_t mergePieces(const RawScene& raw, const std::vector<bool>& structure,
-                        std::vector<ObjectDraft>& drafts) {
+std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
+                                     std::vector<ObjectDraft>& drafts) {
     const std::vector<Piece> pieces = describePieces(raw, structure, drafts);
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -286,16 +294,20 @@ std::size_t mergePieces(const RawScene& raw, const std::vector<bool>& structure,
     std::vector<std::vector<std::size_t>> members(drafts.size());
     for (std::size_t i = 0; i < drafts.size(); ++i) members[groups.find(i)].push_back(i);
     std::vector<ObjectDraft> result;
+    std::vector<MergedPiece> merges;
     for (const auto& group : members) {
         if (group.empty()) continue;
         const auto better = [&](std::size_t a, std::size_t b) {
-            return std::tuple(nameRank(drafts[a]), pieces[a].box.diagonal().norm()) <
-                   std::tuple(nameRank(drafts[b]), pieces[b].box.diagonal().norm());
+            return std::tuple(nameRank(drafts[a], pieces[a].named),
+                              pieces[a].box.diagonal().norm()) <
+                   std::tuple(nameRank(drafts[b], pieces[b].named),
+                              pieces[b].box.diagonal().norm());
         };
         const std::size_t best = *std::max_element(group.begin(), group.end(), better);
         ObjectDraft merged = drafts[best];
         merged.parts.clear();
         for (const std::size_t i : group) {
+            if (i != best) merges.push_back({pieces[i].named ? drafts[i].name : "", result.size()});
             merged.parts.insert(merged.parts.end(), drafts[i].parts.begin(), drafts[i].parts.end());
         }
         if (group.size() > 1 && merged.label.kind == LabelKind::Part && merged.label.nyu40 != 0) {
@@ -303,9 +315,8 @@ std::size_t mergePieces(const RawScene& raw, const std::vector<bool>& structure,
         }
         result.push_back(std::move(merged));
     }
-    const std::size_t gone = drafts.size() - result.size();
     drafts = std::move(result);
-    return gone;
+    return merges;
 }
 
 }  // namespace dollytrack

@@ -25,6 +25,10 @@ PngLook lookOf(PngFormat format) {
     switch (format) {
         case PngFormat::Rgb8:
             return {PNG_COLOR_TYPE_RGB, 8, 3, PNG_FILTER_SUB, Z_RLE};
+        case PngFormat::Rgb16:
+            return {PNG_COLOR_TYPE_RGB, 16, 6, PNG_FILTER_SUB, Z_DEFAULT_STRATEGY};
+        case PngFormat::Rgba8:
+            return {PNG_COLOR_TYPE_RGB_ALPHA, 8, 4, PNG_FILTER_SUB, Z_DEFAULT_STRATEGY};
         case PngFormat::Gray16:
             return {PNG_COLOR_TYPE_GRAY, 16, 2, PNG_FILTER_SUB, Z_DEFAULT_STRATEGY};
         case PngFormat::Gray8:

@@ -10,6 +10,8 @@ namespace dollytrack::io {
 
 enum class PngFormat {
     Rgb8,    // 3 bytes a pixel, sRGB
+    Rgb16,   // 6 bytes a pixel, in the machine's byte order
+    Rgba8,   // 4 bytes a pixel, sRGB; the last is opacity
     Gray8,   // 1 byte a pixel
     Gray16,  // 2 bytes a pixel, in the machine's byte order
 };

@@ -81,6 +81,33 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
     }
 }
 
+/// What the file names and is no object any more is told by its name, with what it went into.
+void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
+                ImportReport& report) {
+    if (merges.empty()) return;
+    std::map<std::size_t, std::string> named;  // by what they went into
+    std::size_t nameless = 0;
+    for (const MergedPiece& piece : merges) {
+        if (piece.name.empty()) {
+            ++nameless;
+            continue;
+        }
+        std::string& names = named[piece.whole];
+        names += (names.empty() ? "" : ", ") + piece.name;
+    }
+    std::string list;
+    for (const auto& [whole, names] : named) {
+        list += (list.empty() ? "" : "; ") + names + " with " + drafts[whole].name;
+    }
+    if (nameless > 0 && !named.empty()) {
+        list += "; " + std::to_string(nameless) + " without a name of their own";
+    }
+    report.notes.push_back(counted(merges.size(),
+                                   "piece was put together with what it is attached to",
+                                   "pieces were put together with what they are attached to") +
+                           (list.empty() ? "" : ": " + list));
+}
+
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
                  ImportReport& report) {
@@ -97,12 +124,9 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
             "whether they are right");
     }
     const std::vector<bool> structure = findStructure(raw, drafts);
-    const std::size_t merged = mergePieces(raw, structure, drafts);
-    if (merged > 0) {
-        report.notes.push_back(counted(merged, "piece was put together with what it is attached to",
-                                       "pieces were put together with what they are attached to"));
-    }
+    const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);
+    noteMerges(merges, drafts, report);
 }
 
 Result<LabelTable> labelTable(const ImportOptions& options) {

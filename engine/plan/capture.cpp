@@ -49,13 +49,17 @@ std::vector<ObjectCapture> bestCaptures(const Scene& scene, const std::vector<Ob
     return all;
 }
 
+bool isSmallTarget(const Object& object) {
+    return object.box.volume() < kSmallVolume;
+}
+
 CaptureMetrics summarize(const Scene& scene, const std::vector<ObjectCapture>& captures) {
     CaptureMetrics metrics;
     int small = 0;
     int small_captured = 0;
     for (const ObjectCapture& row : captures) {
         ++metrics.objects;
-        const bool is_small = scene.object(row.object_id).box.volume() < kSmallVolume;
+        const bool is_small = isSmallTarget(scene.object(row.object_id));
         small += is_small;
         if (row.well_captured) ++metrics.well_captured;
         if (!row.captured) continue;

@@ -55,6 +55,9 @@ struct ObjectCapture {
 std::vector<ObjectCapture> bestCaptures(const Scene& scene, const std::vector<ObjectView>& views,
                                         const CaptureRules& rules = {});
 
+/// Whether it counts in small_capture_rate.
+[[nodiscard]] bool isSmallTarget(const Object& object);
+
 CaptureMetrics summarize(const Scene& scene, const std::vector<ObjectCapture>& captures);
 
 }  // namespace dollytrack

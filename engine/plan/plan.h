@@ -47,6 +47,9 @@ struct TrajectoryMetrics {
     double object_pixels = 0.0;  // mean share of the image on targets
     double corner_collision_rate = 0.0;
     double frame_collision_rate = 0.0;
+    /// Moves from one frame to the next that the camera makes around something, while the straight
+    /// line between the two frames is not free.
+    int straight_lines_that_hit = 0;
     TightestPlace tightest;
     MotionMetrics motion;
 };

@@ -87,13 +87,22 @@ void visitMetrics(Metrics& m, Visitor&& visit) {
 json captureMetricsJson(const CaptureMetrics& metrics) {
     json result;
     visitMetrics(metrics, [&](const char* name, const auto& value) { result[name] = value; });
+    // Of nothing there is no share.
+    if (metrics.objects == 0) {
+        for (const char* name : {"capture_rate", "well_captured_rate", "small_capture_rate",
+                                 "area_share_box", "area_share_mask"}) {
+            result[name] = nullptr;
+        }
+    }
     return result;
 }
 
 Result<CaptureMetrics> captureMetricsFromJson(const json& value) {
     CaptureMetrics metrics;
     try {
-        visitMetrics(metrics, [&](const char* name, auto& field) { value.at(name).get_to(field); });
+        visitMetrics(metrics, [&](const char* name, auto& field) {
+            if (const json& one = value.at(name); !one.is_null()) one.get_to(field);
+        });
     } catch (const json::exception& e) {
         return fail(ErrorCode::BadInput,
                     fmt::format("A field is missing or of the wrong type ({}).", e.what()),
@@ -124,6 +133,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"object_pixels", motion.object_pixels},
         {"corner_collision_rate", motion.corner_collision_rate},
         {"frame_collision_rate", motion.frame_collision_rate},
+        {"straight_lines_that_hit", motion.straight_lines_that_hit},
         {"min_clearance_m", motion.tightest.clearance_m},
         {"path_length_m", motion.path_length_m},
         {"frames", plan.trajectory.frames.size()},
@@ -138,6 +148,17 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"refused_pins", json::array()},
         {"ledger", ledgerJson(scene, plan.ledger)},
     });
+    const bool has_small = std::ranges::any_of(plan.captures, [&](const ObjectCapture& row) {
+        return isSmallTarget(scene.object(row.object_id));
+    });
+    if (plan.trajectory.frames.empty()) {
+        for (const char* name :
+             {"repeat_rate", "object_pixels", "corner_collision_rate", "frame_collision_rate"}) {
+            result[name] = nullptr;
+        }
+    }
+    if (!has_small) result["small_capture_rate"] = nullptr;
+    if (motion.tightest.object_id == 0) result["min_clearance_m"] = nullptr;
     if (motion.tightest.object_id != 0) {
         result["min_clearance_at"] = {{"position", vectorJson(motion.tightest.position)},
                                       {"object", scene.object(motion.tightest.object_id).name},

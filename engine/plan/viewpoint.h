@@ -32,6 +32,13 @@ struct Candidate {
     int occluder = 0;  // object id, with OccludedBy
 };
 
+/// An object that a view captures well, with a margin.
+struct ShownObject {
+    int object_id = 0;
+    double box_share = 0.0;  // of the image
+    bool operator==(const ShownObject&) const = default;
+};
+
 /// Where a key frame stands: P in the paper.
 struct PositionPoint {
     int observation_point = 0;  // index
@@ -41,6 +48,7 @@ struct PositionPoint {
     double fill = 0.0;
     std::vector<int> well_captured;  // ids of every object this frame captures well
     std::vector<int> captured;       // ids of every object it captures, the above included
+    std::vector<ShownObject> own;    // of well_captured, what its search has looked at closely
     int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
     /// A key frame at this very pose, whatever it captures: pinned, or asked for.
     bool fixed = false;

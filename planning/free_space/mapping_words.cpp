@@ -1,7 +1,6 @@
 #include "planning/free_space/mapping_words.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace dollytrack::planning {
 
@@ -10,9 +9,7 @@ tl::unexpected<Error> mappingCancelled() {
 }
 
 std::string inMetres(double value) {
-    std::array<char, 32> text = {};
-    std::snprintf(text.data(), text.size(), "%.3g m", value);
-    return text.data();
+    return fmt::format("{:.3g} m", value);
 }
 
 }  // namespace dollytrack::planning

@@ -8,11 +8,10 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kReach = 1.5;  // longest single move, m
-constexpr int kSmallTree = 64;  // points
-constexpr int kShorterMoves = 2;
-constexpr double kShorter = 0.3;  // of a move that is blocked
-constexpr double kRewire = 2.0;   // factor of the shrinking rewiring radius, m
+constexpr double kReach = 1.5;     // longest single move, m
+constexpr int kSmallTree = 64;     // points
+constexpr double kShorter = 0.15;  // of a move that is blocked
+constexpr double kRewire = 2.0;    // factor of the shrinking rewiring radius, m
 
 struct Node {
     Eigen::Vector3d position;
@@ -141,14 +140,12 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         if (distance < 1e-6) continue;
         const Eigen::Vector3d whole = (wish - from) * std::min(1.0, kReach / distance);
         // In a nook nearly all long moves are blocked, and a tree of short ones finds its way out.
-        const int tries = tree.last() < kSmallTree ? kShorterMoves + 1 : 1;
-        bool added = false;
-        double share = 1.0;
-        for (int k = 0; k < tries && !added; ++k, share *= kShorter) {
+        const auto addAt = [&](double share) {
             const Eigen::Vector3d point = from + share * whole;
-            added = problem.is_free(point) && tree.add(point);
-        }
-        if (!added) continue;
+            return problem.is_free(point) && tree.add(point);
+        };
+        const bool small = tree.last() < kSmallTree;
+        if (!addAt(1.0) && !(small && addAt(kShorter))) continue;
         const bool was_found = best_end >= 0;
         tryGoal(tree.last());
         if (!was_found && best_end >= 0) {

@@ -47,8 +47,9 @@ double movedBySmoothing(const Plan& plan, int point) {
 
 class RowMaker {
   public:
-    RowMaker(const Scene& scene, const Plan& plan, const ObjectCapture& capture)
-        : scene_(scene), plan_(plan), capture_(capture) {}
+    RowMaker(const Scene& scene, const Plan& plan, const ObjectCapture& capture,
+             const std::string& left_out_for)
+        : scene_(scene), plan_(plan), capture_(capture), left_out_for_(left_out_for) {}
 
     LedgerRow make() {
         row_.object_id = capture_.object_id;
@@ -113,7 +114,7 @@ class RowMaker {
                         [&](const SmoothPath& path) { return path.component == part; });
         if (visited) {
             lose(Loss::DroppedByPath,
-                 "Its key frame is not on the path that was taken, for path_mode or max_length_m.");
+                 fmt::format("Its key frame was left off the path, {}.", left_out_for_));
         } else {
             lose(Loss::OtherComponent,
                  fmt::format("Its key frame is in room {}, which no path goes through.", part + 1));
@@ -204,15 +205,17 @@ class RowMaker {
     const Scene& scene_;
     const Plan& plan_;
     const ObjectCapture& capture_;
+    const std::string& left_out_for_;
     LedgerRow row_;
 };
 
 }  // namespace
 
-std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan) {
+std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
+                                     const std::string& left_out_for) {
     std::vector<LedgerRow> ledger;
     for (const ObjectCapture& capture : plan.captures) {
-        ledger.push_back(RowMaker(scene, plan, capture).make());
+        ledger.push_back(RowMaker(scene, plan, capture, left_out_for).make());
     }
     return ledger;
 }

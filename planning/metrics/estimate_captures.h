@@ -25,8 +25,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
 /// The metrics about the motion itself. Error: Cancelled.
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const std::vector<SmoothPath>& paths,
-                                            const Trajectory& trajectory, bool shaken,
-                                            const SweptSphere& sphere, const RayCaster& rays,
-                                            const JobContext& job);
+                                            const Trajectory& trajectory, const SweptSphere& sphere,
+                                            const RayCaster& rays, const JobContext& job);
 
 }  // namespace dollytrack::planning

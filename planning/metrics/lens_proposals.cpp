@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace dollytrack::planning {
 namespace {
@@ -15,19 +16,11 @@ constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their ri
 constexpr double kWhole = 0.92;    // share of the image's length that an object may take
 constexpr int kCoarseGrid = 14;
 
-/// The camera's sphere has to hold the near plane.
-double nearAt(const CameraParams& camera) {
-    const double farthest = camera.camera_radius_m / cornerOf(camera);
-    if (farthest >= camera.near_m) return camera.near_m;
-    return std::floor(farthest * 1000.0) / 1000.0;
-}
-
-Proposal withLens(const WhatIf& what, double hfov_deg) {
+/// Nothing where no near plane fits into the camera's sphere.
+std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
     Proposal made = proposal(what, std::nullopt);
-    CameraParams& camera = made.change.params.camera;
-    set(made, "hfov_deg", camera.hfov_deg, hfov_deg);
-    const double near = nearAt(camera);
-    if (near < camera.near_m) set(made, "near_m", camera.near_m, near);
+    set(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
+    if (!keepNearInSphere(made)) return std::nullopt;
     return made;
 }
 
@@ -36,22 +29,27 @@ class Lenses {
   public:
     explicit Lenses(const WhatIf& what) : what_(what) {}
 
-    [[nodiscard]] const ViewEstimator& at(double hfov_deg) {
-        CameraParams camera = what_.params.camera;
-        camera.hfov_deg = hfov_deg;
-        camera.near_m = nearAt(camera);
+    /// Null where no camera has this lens.
+    [[nodiscard]] const ViewEstimator* at(double hfov_deg) {
+        const auto known = made_.find(hfov_deg);
+        if (known != made_.end()) return &known->second;
+        const auto lens = withLens(what_, hfov_deg);
+        if (!lens) return nullptr;
         const ViewEstimator& views = what_.around.views;
-        return made_.try_emplace(hfov_deg, views.scene(), views.rays(), camera).first->second;
+        return &made_.try_emplace(hfov_deg, views.scene(), views.rays(), lens->change.params.camera)
+                    .first->second;
     }
 
     [[nodiscard]] bool show(double hfov_deg, const Pose& view) {
-        return showsEnough(at(hfov_deg), view, what_.object_id, what_.well);
+        const ViewEstimator* views = at(hfov_deg);
+        return views != nullptr && showsEnough(*views, view, what_.object_id, what_.well);
     }
 
     [[nodiscard]] std::size_t count() const { return made_.size(); }
 
+    /// Only of a lens by which it was shown.
     [[nodiscard]] Proposal propose(double hfov_deg, const Pose& view) const {
-        Proposal made = withLens(what_, hfov_deg);
+        Proposal made = *withLens(what_, hfov_deg);
         made.view = view;
         return made;
     }
@@ -114,10 +112,11 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
         [](const WhatIfPlace& p) { return -p.fill; });
     if (cropped.empty() || before >= kWidest) return {};
     // The widest lens tells where something hides it: what is cropped now says little of that.
-    const ViewEstimator& widest = lenses.at(kWidest);
+    const ViewEstimator* widest = lenses.at(kWidest);
+    if (widest == nullptr) return {};
     std::vector<double> promises(cropped.size());
     parallelFor(cropped.size(), [&](std::size_t i) {
-        const auto seen = widest.estimate(poseAt(what, *cropped[i]), what.object_id, kCoarseGrid);
+        const auto seen = widest->estimate(poseAt(what, *cropped[i]), what.object_id, kCoarseGrid);
         promises[i] = promise(seen, what.well);
     });
     double least = kWidest + 1.0;
@@ -168,7 +167,7 @@ std::vector<Proposal> proposeWiderUnseen(const WhatIf& what) {
     const double before = what.params.camera.hfov_deg;
     std::vector<Proposal> proposals;
     for (double hfov = std::floor(before / kStep + 1.0) * kStep; hfov <= kWidest; hfov += kStep) {
-        proposals.push_back(withLens(what, hfov));
+        if (auto made = withLens(what, hfov)) proposals.push_back(std::move(*made));
     }
     return proposals;
 }

@@ -11,9 +11,8 @@ namespace dollytrack::planning {
 
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const std::vector<SmoothPath>& paths,
-                                            const Trajectory& trajectory, bool shaken,
-                                            const SweptSphere& sphere, const RayCaster& rays,
-                                            const JobContext& job) {
+                                            const Trajectory& trajectory, const SweptSphere& sphere,
+                                            const RayCaster& rays, const JobContext& job) {
     TrajectoryMetrics metrics;
     int corners = 0;
     int collisions = 0;
@@ -33,7 +32,16 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
         const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
         collides[i] = sphere.clearance(position, sphere.radius()) < sphere.radius();
     });
-    metrics.tightest = findTightestPlace(paths, trajectory, shaken, rays);
+    std::vector<char> cuts(count, 0);
+    parallelFor(count, [&](std::size_t i) {
+        if (!followsOn(trajectory, i)) return;
+        cuts[i] = !sphere
+                       .segment(trajectory.frames[i - 1].pose.position,
+                                trajectory.frames[i].pose.position)
+                       .free;
+    });
+    metrics.straight_lines_that_hit = static_cast<int>(std::count(cuts.begin(), cuts.end(), 1));
+    metrics.tightest = findTightestPlace(paths, trajectory, rays);
     metrics.motion = measureMotion(trajectory);
     metrics.frame_collision_rate =
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /

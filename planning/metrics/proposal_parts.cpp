@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dollytrack::planning {
 
@@ -57,8 +58,17 @@ void set(Proposal& made, const std::string& name, double& field, double value) {
     field = value;
 }
 
-double cornerOf(const CameraParams& camera) {
-    return makeIntrinsics(camera).unproject(0.0, 0.0).norm();
+bool keepNearInSphere(Proposal& made) {
+    constexpr double kLeast_m = 0.001;
+    CameraParams& camera = made.change.params.camera;
+    // Distance of the near plane's corners for a near distance of 1.
+    const double corner = makeIntrinsics(camera).unproject(0.0, 0.0).norm();
+    const double farthest = camera.camera_radius_m / corner;
+    if (farthest >= camera.near_m) return true;
+    const double near = std::floor(farthest * 1000.0) / 1000.0;
+    if (near < kLeast_m) return false;
+    set(made, "near_m", camera.near_m, near);
+    return true;
 }
 
 }  // namespace dollytrack::planning

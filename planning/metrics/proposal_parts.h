@@ -33,7 +33,8 @@ Proposal proposal(const WhatIf& what, const std::optional<Pose>& view);
 /// Gives a parameter another value, and says so.
 void set(Proposal& made, const std::string& name, double& field, double value);
 
-/// Distance of the near plane's corners for a near distance of 1.
-double cornerOf(const CameraParams& camera);
+/// Brings the near plane into the proposed camera's sphere; false where it would be nearer than
+/// near_m can be.
+[[nodiscard]] bool keepNearInSphere(Proposal& made);
 
 }  // namespace dollytrack::planning

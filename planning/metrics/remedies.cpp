@@ -1,9 +1,11 @@
 #include "planning/metrics/remedies.h"
 
 #include "planning/collision/swept_sphere.h"
+#include "planning/coverage/region_weights.h"
 #include "planning/metrics/candidate_tally.h"
 #include "planning/metrics/plan_trials.h"
 #include "planning/metrics/remedy_proposals.h"
+#include "planning/path/frame_budget.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/viewpoints/viewpoint_search.h"
 
@@ -113,38 +115,98 @@ class Finder {
                 [&](const ObjectCapture& capture) { return capture.object_id == row.object_id; });
             if (now == plan->captures.end()) return false;
             made.remedy.well = now->well_captured;
+            weigh(*plan, row.object_id, made);
             return row.captured ? now->well_captured : now->captured;
         };
         if (!made.needs_pin && keeps(trials_.run(made.change, job_))) return true;
         if (!made.view) return false;
         PinnedPoint pin;
         pin.name = "remedy";
-        pin.pose = asWritten(*made.view);
-        // Where everything hangs on a pixel, to the last bit.
-        if (!showsEnough(around_.views, pin.pose, row.object_id, row.captured)) {
-            pin.pose = *made.view;
-        }
         pin.objects = {{row.object_id, scene_.object(row.object_id).name}};
-        std::erase_if(made.change.edits.pinned,
+        std::vector<PinnedPoint>& pinned = made.change.edits.pinned;
+        std::erase_if(pinned,
                       [&](const PinnedPoint& other) { return other.objects == pin.objects; });
-        made.change.edits.pinned.push_back(pin);
-        if (!keeps(trials_.run(made.change, job_))) return false;
-        made.remedy.pin = pin.pose;
-        made.remedy.text += (made.remedy.text.empty() ? "" : ", and ") + pinText(pin.pose);
-        return true;
+        pinned.push_back(pin);
+        // Where everything hangs on a pixel, to the last bit.
+        for (const Pose& pose : {asWritten(*made.view), *made.view}) {
+            pinned.back().pose = pose;
+            if (!keeps(trials_.run(made.change, job_))) continue;
+            made.remedy.pin = pose;
+            made.remedy.text += (made.remedy.text.empty() ? "" : ", and ") + pinText(pose);
+            return true;
+        }
+        return false;
     }
 
+    /// What the proposal costs and brings beside what it is for.
+    void weigh(const Plan& with_it, int object_id, Proposal& made) const {
+        made.lost = made.gained = 0;
+        for (const ObjectCapture& before : plan_.captures) {
+            const auto now =
+                std::ranges::find(with_it.captures, before.object_id, &ObjectCapture::object_id);
+            // What is put elsewhere is not there to be captured in the trial.
+            if (before.object_id == object_id || now == with_it.captures.end()) continue;
+            made.lost += before.captured && !now->captured ? 1 : 0;
+            made.gained += !before.captured && now->captured ? 1 : 0;
+        }
+    }
+
+    void keep(Proposal made, LedgerRow& row) {
+        if (!row.captured && !made.remedy.well) {
+            made.remedy.text += "; it is then captured, but not well";
+        }
+        if (made.lost > 0) {
+            made.remedy.text += fmt::format("; {} other {} then not captured", made.lost,
+                                            made.lost == 1 ? "object is" : "objects are");
+        }
+        row.remedy = std::move(made.remedy);
+        kept_balance_ = made.gained - made.lost;
+    }
+
+    /// True with a remedy that costs no other object. One that does is kept, the one that brings
+    /// most, while the search for a better one goes on.
     bool takeFirst(std::vector<Proposal> proposals, LedgerRow& row) {
         for (Proposal& made : proposals) {
             if (job_.cancelled()) return false;
             if (!works(made, row)) continue;
-            if (!row.captured && !made.remedy.well) {
-                made.remedy.text += "; it is then captured, but not well";
-            }
-            row.remedy = std::move(made.remedy);
-            return true;
+            const bool costs_nothing = made.lost == 0;
+            if (!costs_nothing && row.remedy && made.gained - made.lost <= kept_balance_) continue;
+            keep(std::move(made), row);
+            if (costs_nothing) return true;
         }
         return false;
+    }
+
+    /// The least length that works, to 0.1 m, between one that does not and one that does.
+    void takeLeastLength(LedgerRow& row) {
+        const double limit = params_.path.max_length_m;
+        const auto tenths = [](double metres) { return std::ceil(metres * 10.0 - 1e-6) / 10.0; };
+        const auto longer = [&](double metres) {
+            return setting(fmt::format("max_length_m={:.6g}", metres),
+                           fmt::format("max_length_m {:.6g} instead of {:.6g}", metres, limit));
+        };
+        double fails = limit;
+        for (const double times : {1.25, 1.5, 2.0, 4.0, 8.0}) {
+            double works_at = tenths(times * limit);
+            Proposal best = longer(works_at);
+            if (job_.cancelled()) return;
+            if (!works(best, row)) {
+                fails = works_at;
+                continue;
+            }
+            while (works_at - fails > 0.15 && !job_.cancelled()) {
+                const double middle = tenths(0.5 * (fails + works_at));
+                if (middle >= works_at) break;
+                Proposal shorter = longer(middle);
+                if (works(shorter, row)) {
+                    best = std::move(shorter);
+                    works_at = middle;
+                } else {
+                    fails = middle;
+                }
+            }
+            return keep(std::move(best), row);
+        }
     }
 
     /// No view of it was found: is there one, or would there be?
@@ -152,7 +214,7 @@ class Finder {
         const Subject subject = makeSubject(around_.views, {row.object_id});
         const auto places = whatIfPlaces(around_, subject, row.object_id, params_.seed, job_);
         const WhatIf what{around_, params_, edits_, subject, places, row.object_id, row.captured};
-        if (takeFirst(proposePins(what), row)) {
+        if (takeFirst(proposePins(what), row) || row.remedy) {
             row.loss = Loss::SearchMissed;
             row.occluder = 0;
             row.reason = "There is a legal view of it that the search did not find.";
@@ -160,13 +222,14 @@ class Finder {
         }
         lookDenser(places, row);
         std::vector<Proposal> pitches = proposePitches(what);
-        if (!pitches.empty()) blamePitchBand(row);
-        if (takeFirst(std::move(pitches), row) || takeFirst(proposeRegions(what), row) ||
-            takeFirst(proposeSmallerCameras(what), row) || takeFirst(proposeLenses(what), row)) {
+        const bool held_by_pitch = !pitches.empty();
+        if (takeFirst(std::move(pitches), row)) return blamePitchBand(row);
+        if (takeFirst(proposeRegions(what), row) || takeFirst(proposeSmallerCameras(what), row) ||
+            takeFirst(proposeLenses(what), row)) {
             return;
         }
         if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(what), row)) return;
-        takeFirst(proposeMoves(what, trials_), row);
+        if (!takeFirst(proposeMoves(what, trials_), row) && held_by_pitch) blamePitchBand(row);
     }
 
     /// The dense look knows better than the few places of the search.
@@ -204,6 +267,10 @@ class Finder {
                 break;
             case Loss::OtherComponent:
             case Loss::DroppedByPath:
+                if (isHeldByLength()) {
+                    takeLeastLength(row);
+                    if (row.remedy) return;
+                }
                 proposals = proposeTour();
                 break;
             case Loss::LostInSmoothing:
@@ -215,7 +282,7 @@ class Finder {
             default:
                 break;
         }
-        if (takeFirst(std::move(proposals), row)) return;
+        if (takeFirst(std::move(proposals), row) || row.remedy) return;
         // A pinned point is gone through at its very pose.
         std::vector<Proposal> pins;
         for (const PositionPoint& point : plan_.position_points) {
@@ -237,11 +304,23 @@ class Finder {
         return made;
     }
 
+    /// Frames that leave the first so many of these key frames in the plan.
+    [[nodiscard]] int framesFor(std::size_t count, const std::vector<int>& keys) const {
+        PathEnds ends;
+        ends.loop =
+            params_.constraints.loop || (!edits_.start.empty() && edits_.start == edits_.end);
+        ends.visits = static_cast<int>(count);
+        while (withinBudget(keys, plan_.position_points, ends).size() < count) ++ends.visits;
+        return ends.visits;
+    }
+
     /// Key frames come in order of what they add; up to this object's first, and all of them.
     [[nodiscard]] std::vector<Proposal> proposeBudgets(const LedgerRow& row) const {
-        const std::vector<int> keys = chooseKeyFrames(plan_.position_points);
+        const std::vector<int> keys =
+            chooseKeyFrames(plan_.position_points, objectWeights(scene_, edits_.regions));
         std::vector<Proposal> proposals;
-        const auto propose = [&](std::size_t frames) {
+        const auto propose = [&](std::size_t count) {
+            const int frames = framesFor(count, keys);
             proposals.push_back(setting(
                 fmt::format("max_frames={}", frames),
                 fmt::format("max_frames {} instead of {}", frames, params_.timing.max_frames)));
@@ -256,20 +335,23 @@ class Finder {
         return proposals;
     }
 
+    [[nodiscard]] bool isHeldByLength() const {
+        return params_.path.path_mode == PathMode::Tour && params_.path.max_length_m > 0.0;
+    }
+
+    /// The other limits that leave key frames off a path.
     [[nodiscard]] std::vector<Proposal> proposeTour() const {
         if (params_.path.path_mode == PathMode::LongestBranch) {
             return {setting("path_mode=tour", "path_mode tour instead of longest_branch")};
         }
-        std::vector<Proposal> proposals;
-        const double limit = params_.path.max_length_m;
-        for (const double times : {1.25, 1.5, 2.0, 4.0}) {
-            if (limit <= 0.0) break;
-            const double longer = std::ceil(times * limit);
-            proposals.push_back(
-                setting(fmt::format("max_length_m={}", longer),
-                        fmt::format("max_length_m {} instead of {}", longer, limit)));
+        const auto keys = static_cast<int>(plan_.key_frames.size());
+        if (!isHeldByLength() || params_.timing.max_frames <= 0 ||
+            params_.timing.max_frames >= keys) {
+            return {};
         }
-        return proposals;
+        return {
+            setting(fmt::format("max_frames={}", keys),
+                    fmt::format("max_frames {} instead of {}", keys, params_.timing.max_frames))};
     }
 
     [[nodiscard]] std::vector<Proposal> proposeCorners() const {
@@ -316,6 +398,7 @@ class Finder {
     const Surroundings& around_;
     PlanTrials& trials_;
     const JobContext& job_;
+    int kept_balance_ = 0;  // objects that the remedy kept brings, less those that it costs
 };
 
 }  // namespace

@@ -112,11 +112,7 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
         Proposal made = proposal(what, view);
         CameraParams& smaller = made.change.params.camera;
         set(made, "camera_radius_m", smaller.camera_radius_m, radius);
-        // The sphere has to hold the near plane.
-        const double near = radius / cornerOf(camera);
-        if (near < smaller.near_m) {
-            set(made, "near_m", smaller.near_m, std::floor(near * 1000.0) / 1000.0);
-        }
+        if (!keepNearInSphere(made)) continue;
         proposals.push_back(std::move(made));
     }
     return proposals;
@@ -143,7 +139,8 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
     for (const WhatIfPlace* place : places) {
         const int gone = place->seen.occluder;
         if (proposals.size() >= kMost || done.contains(gone)) continue;
-        if (++looked[gone] > kLookedAt || looked.size() > 2 * kMost) continue;
+        if (!looked.contains(gone) && looked.size() == 2 * kMost) continue;
+        if (++looked[gone] > kLookedAt) continue;
         // What it hides may be hidden by something else behind it: look without it.
         const auto scene_without = trials.scene(gone);
         const RayCaster& rays_without = rays.try_emplace(gone, *scene_without).first->second;

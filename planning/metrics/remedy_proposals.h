@@ -15,6 +15,8 @@ struct Proposal {
     std::optional<Pose> view;  // that should capture the object then; to be pinned where planning
                                // does not find it by itself
     bool needs_pin = false;
+    int lost = 0;    // other objects that are captured without it, and not with it
+    int gained = 0;  // and the other way round
 };
 
 /// What proposals are made from. Keeps references.

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
+#include "planning/timing/frame_moves.h"
 
 #include <algorithm>
 #include <limits>
@@ -50,14 +51,6 @@ class PieceSearch {
     double speed_;
 };
 
-SmoothPath::Piece straight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    SmoothPath::Piece piece;
-    piece.start = from;
-    piece.control = 0.5 * (from + to);
-    piece.end = to;
-    return piece;
-}
-
 int nearestFrame(const Trajectory& trajectory, const Eigen::Vector3d& position) {
     const auto nearest =
         std::ranges::min_element(trajectory.frames, {}, [&](const TrajectoryFrame& frame) {
@@ -69,7 +62,7 @@ int nearestFrame(const Trajectory& trajectory, const Eigen::Vector3d& position) 
 }  // namespace
 
 TightestPlace findTightestPlace(const std::vector<SmoothPath>& paths, const Trajectory& trajectory,
-                                bool shaken, const RayCaster& rays) {
+                                const RayCaster& rays) {
     TightestPlace tightest;
     if (trajectory.frames.empty()) return tightest;
     std::vector<Near> at_frames(trajectory.frames.size());
@@ -83,10 +76,15 @@ TightestPlace findTightestPlace(const std::vector<SmoothPath>& paths, const Traj
     for (const SmoothPath& path : paths) {
         pieces.insert(pieces.end(), path.pieces.begin(), path.pieces.end());
     }
-    for (std::size_t i = 0; shaken && i + 1 < trajectory.frames.size(); ++i) {
-        if (!followsOn(trajectory, i + 1)) continue;
-        pieces.push_back(
-            straight(trajectory.frames[i].pose.position, trajectory.frames[i + 1].pose.position));
+    for (std::size_t i = 0; i + 1 < trajectory.frames.size(); ++i) {
+        const TrajectoryFrame& from = trajectory.frames[i];
+        const TrajectoryFrame& to = trajectory.frames[i + 1];
+        const SmoothPath& path = paths[static_cast<std::size_t>(from.path)];
+        if (!followsOn(trajectory, i + 1) || (!isOffPath(path, from) && !isOffPath(path, to))) {
+            continue;
+        }
+        const std::vector<SmoothPath::Piece> move = moveBetween(path, from, to);
+        pieces.insert(pieces.end(), move.begin(), move.end());
     }
     // All pieces start from the same bound, so the result is the same for any number of threads.
     std::vector<Near> on_pieces(pieces.size());

@@ -1,5 +1,7 @@
 #include "planning/path/frame_budget.h"
 
+#include "planning/plan_params.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -22,6 +24,22 @@ std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionP
     };
     while (ends.visits > 0 && visits() > static_cast<std::size_t>(ends.visits)) keys.pop_back();
     return keys;
+}
+
+bool isChosenByTour(const PathParams& path, const std::vector<PositionPoint>& position_points,
+                    const PathEnds& ends) {
+    if (ends.visits <= 0 || path.max_length_m <= 0.0 || path.path_mode != PathMode::Tour) {
+        return false;
+    }
+    std::set<int> rooms;
+    int stay = 0;
+    for (const PositionPoint& point : position_points) {
+        stay += point.pin >= 0 ? 1 : 0;
+        rooms.insert(point.component);
+        rooms.insert(-1 - point.room);
+    }
+    // A loop stays with two stops in each room.
+    return stay + (ends.loop ? 2 * static_cast<int>(rooms.size()) : 0) <= ends.visits;
 }
 
 void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,10 @@ constexpr int kRounds = 4;          // of shortening and taking in again
 constexpr double kLeast = 1e-9;     // metres below are rounding
 constexpr std::size_t kSeeds = 16;  // stops to grow from, besides none
 constexpr std::array<double, 2> kAppetites = {1.0, 2.0};  // exponents of worth over metres
+constexpr double kWorthOnly = 8.0;  // the same where it is stops that are few, not metres
+constexpr int kRungs = 32;          // of lengths that tours are made for, up to the whole
+constexpr double kRungShape = 1.5;  // exponent: more of them where lengths are short
+constexpr double kBeyond = 1.5;     // of the length asked for: walks skip corners of the ways
 
 double lengthOf(const BudgetedTour& tour) {
     return tourCost(tour.metres, tour.order);
@@ -62,7 +67,8 @@ class Budget {
 
     /// From the stops that have to stay, and one more, up to the length. `seed` counts the stops of
     /// all tours in their order; beyond the last there is none more.
-    void grow(std::size_t seed) {
+    void grow(std::size_t seed, std::vector<TourChoice>* on_the_way = nullptr) {
+        on_the_way_ = on_the_way;
         std::size_t number = 0;
         length_ = 0.0;
         for (BudgetedTour& tour : tours_) {
@@ -74,6 +80,39 @@ class Budget {
             length_ += lengthOf(tour);
         }
         fill();
+    }
+
+    /// From here down to what has to stay, a stop at a time: what only this stop shows is least.
+    void leaveOutOneByOne(std::vector<TourChoice>& on_the_way) {
+        while (dropOne(
+            [this](const BudgetedTour& tour, int stop) { return worthOf(tour, stop, 1); })) {
+            on_the_way.push_back(choice());
+        }
+    }
+
+    /// The same by rank, the last first.
+    void leaveOutByRank(std::vector<TourChoice>& on_the_way) {
+        while (dropOne([](const BudgetedTour& tour, int stop) {
+            return -static_cast<double>(tour.rank[static_cast<std::size_t>(stop)]);
+        })) {
+            on_the_way.push_back(choice());
+        }
+    }
+
+    /// From here up by the shortest detours, as long as they stay within the length.
+    void takeInNearest(std::vector<TourChoice>& on_the_way) {
+        on_the_way_ = &on_the_way;
+        appetite_ = 0.0;
+        takeIn();
+    }
+
+    [[nodiscard]] TourChoice choice() const {
+        TourChoice made{{}, length_, 0, worth()};
+        for (const BudgetedTour& tour : tours_) {
+            made.orders.push_back(tour.order);
+            made.stops += static_cast<int>(tour.order.size());
+        }
+        return made;
     }
 
     [[nodiscard]] bool fits() const { return length_ <= max_; }
@@ -137,6 +176,33 @@ class Budget {
                stop == tour.ends.last;
     }
 
+    /// Leaves out the stop of the least value that need not stay; of equals the longest detour.
+    template <class Value>
+    bool dropOne(const Value& value) {
+        Choice least;
+        for (std::size_t t = 0; t < tours_.size(); ++t) {
+            const BudgetedTour& tour = tours_[t];
+            for (std::size_t i = 0; i < tour.order.size(); ++i) {
+                const int stop = tour.order[i];
+                if (stays(tour, stop)) continue;
+                const double metres =
+                    detour(tour, i > 0 ? tour.order[i - 1] : -1, stop, stopAt(tour, i + 1));
+                const double worth = value(tour, stop);
+                if (least.stop >= 0 &&
+                    std::pair(worth, -metres) >= std::pair(least.worth, -least.metres)) {
+                    continue;
+                }
+                least = {t, i, stop, metres, worth};
+            }
+        }
+        if (least.stop < 0) return false;
+        BudgetedTour& tour = tours_[least.tour];
+        tour.order.erase(tour.order.begin() + static_cast<std::ptrdiff_t>(least.at));
+        count(tour, least.stop, -1);
+        length_ -= least.metres;
+        return true;
+    }
+
     void leaveOut() {
         while (length_ > max_) {
             Choice least;
@@ -180,6 +246,7 @@ class Budget {
             count(tour, best.stop, 1);
             length_ += best.metres;
             any = true;
+            if (on_the_way_) on_the_way_->push_back(choice());
         }
     }
 
@@ -217,7 +284,8 @@ class Budget {
     const std::vector<double>& weights_;  // by object, id - 1
     double appetite_;                     // for worth rather than for short detours
     double length_ = 0.0;
-    std::map<int, int> well_;  // by object, how many stops show it
+    std::vector<TourChoice>* on_the_way_ = nullptr;  // told of every stop that is taken in
+    std::map<int, int> well_;                        // by object, how many stops show it
     std::map<int, int> captured_;
 };
 
@@ -232,44 +300,95 @@ int addCopyOfStop(BudgetedTour& tour, int stop) {
     tour.shows.emplace_back();
     tour.shows_less.emplace_back();
     tour.fixed.push_back(true);
+    if (!tour.rank.empty()) tour.rank.push_back(tour.rank[of]);
     return static_cast<int>(tour.fixed.size()) - 1;
 }
 
-double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
-                        const std::vector<double>& weights) {
-    const Budget all(tours, max_length_m, weights);
-    if (all.fits()) return all.worth();
+namespace {
+
+/// How long tours are made for: not what is asked for, but rungs that all budgets share.
+std::vector<double> rungsUpTo(double max_length_m, double whole_m) {
+    std::vector<double> rungs;
+    for (int i = 0; i <= kRungs; ++i) {
+        const double rung = whole_m * std::pow(static_cast<double>(i) / kRungs, kRungShape);
+        if (rung > kBeyond * max_length_m) break;
+        rungs.push_back(rung);
+    }
+    return rungs;
+}
+
+/// All ways that are tried for one rung.
+std::vector<TourChoice> choicesAt(const std::vector<BudgetedTour>& tours, double rung,
+                                  double next_rung, const std::vector<double>& weights) {
     std::size_t stops = 0;
     for (const BudgetedTour& tour : tours) stops += tour.order.size();
     const std::size_t seeds = std::min(kSeeds, stops);
     // For each appetite: from all down, from none up, and from single stops along the tour up.
     const std::size_t ways = 2 + seeds;
-    struct Try {
-        std::vector<BudgetedTour> tours;
-        bool fits = false;
-        double worth = 0.0;
-    };
-    std::vector<Try> tries(kAppetites.size() * ways);
+    std::vector<std::vector<TourChoice>> tries(kAppetites.size() * ways + 1);
     parallelFor(tries.size(), [&](std::size_t i) {
-        Try& one = tries[i];
-        one.tours = tours;
-        Budget budget(one.tours, max_length_m, weights, kAppetites[i / ways]);
-        const std::size_t way = i % ways;
+        std::vector<BudgetedTour> tried = tours;
+        const bool worth_only = i + 1 == tries.size();
+        Budget budget(tried, rung, weights, worth_only ? kWorthOnly : kAppetites[i / ways]);
+        const std::size_t way = worth_only ? 1 : i % ways;
         if (way == 0) {
             budget.shrink();
+        } else if (way == 1) {
+            budget.grow(stops, &tries[i]);
         } else {
-            budget.grow(way == 1 ? stops : (way - 2) * stops / seeds);
+            budget.grow((way - 2) * stops / seeds);
         }
-        one.fits = budget.fits();
-        one.worth = budget.worth();
+        tries[i].push_back(budget.choice());
     });
-    // What has to stay may be too long whatever is done: then from all down.
+    std::vector<TourChoice> all;
     std::size_t best = 0;
-    for (std::size_t i = 1; i < tries.size(); ++i) {
-        if (tries[i].fits && (!tries[best].fits || tries[i].worth > tries[best].worth)) best = i;
+    for (auto& tried : tries) {
+        for (TourChoice& one : tried) {
+            all.push_back(std::move(one));
+            if (all.back().worth > all[best].worth) best = all.size() - 1;
+        }
     }
-    tours = std::move(tries[best].tours);
-    return tries[best].worth;
+    // Fewer stops, and what a few metres more would bring.
+    std::vector<BudgetedTour> from = tours;
+    for (std::size_t t = 0; t < from.size(); ++t) from[t].order = all[best].orders[t];
+    std::vector<BudgetedTour> up = from;
+    Budget(from, rung, weights).leaveOutOneByOne(all);
+    Budget(up, next_rung, weights).takeInNearest(all);
+    return all;
+}
+
+}  // namespace
+
+std::vector<TourChoice> tourChoices(const std::vector<BudgetedTour>& tours, double max_length_m,
+                                    const std::vector<double>& weights) {
+    std::vector<BudgetedTour> all = tours;
+    Budget whole(all, max_length_m, weights);
+    std::vector<TourChoice> choices = {whole.choice()};
+    const bool ranked =
+        std::ranges::none_of(tours, [](const BudgetedTour& tour) { return tour.rank.empty(); });
+    const double whole_m = choices.front().metres;
+    if (ranked) whole.leaveOutByRank(choices);
+    const std::vector<double> rungs = rungsUpTo(max_length_m, whole_m);
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+        const double next = whole_m * std::pow(static_cast<double>(i + 1) / kRungs, kRungShape);
+        auto more = choicesAt(tours, rungs[i], next, weights);
+        std::ranges::move(more, std::back_inserter(choices));
+    }
+    std::ranges::stable_sort(choices, [](const TourChoice& a, const TourChoice& b) {
+        return std::pair(-a.worth, a.metres) < std::pair(-b.worth, b.metres);
+    });
+    return choices;
+}
+
+double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
+                        const std::vector<double>& weights) {
+    const std::vector<TourChoice> choices = tourChoices(tours, max_length_m, weights);
+    auto best = std::ranges::find_if(
+        choices, [&](const TourChoice& one) { return one.metres <= max_length_m; });
+    // What has to stay may be too long whatever is done.
+    if (best == choices.end()) best = std::ranges::min_element(choices, {}, &TourChoice::metres);
+    for (std::size_t t = 0; t < tours.size(); ++t) tours[t].order = best->orders[t];
+    return best->worth;
 }
 
 }  // namespace dollytrack::planning

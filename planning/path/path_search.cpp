@@ -49,7 +49,7 @@ void addPruneSteps(const RoadmapPart& part, AlgorithmSteps& steps) {
 /// Where the way of each part begins and ends.
 std::vector<WayEnds> endsOf(const std::vector<RoadmapPart>& parts, const PathEnds& ends) {
     int spare = std::numeric_limits<int>::max();
-    if (ends.visits > 0) {
+    if (ends.visits > 0 && !ends.chosen_by_tour) {
         spare = ends.visits;
         for (const RoadmapPart& part : parts) spare -= part.size();
     }
@@ -112,8 +112,10 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
             walks.push_back(walkBranch(parts[i], ends.weights, ways[i]));
         }
     } else {
-        walks = walkTours(parts, ways, sphere, {params.max_length_m, ends.object_weights}, weights,
-                          job);
+        const TourBudget budget{params.max_length_m, ends.chosen_by_tour ? ends.visits : 0,
+                                ends.object_weights, ends.rank,
+                                ends.flown_m,        ends.corner_distance_m};
+        walks = walkTours(parts, ways, sphere, budget, weights, job);
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     std::vector<CameraPath> paths;

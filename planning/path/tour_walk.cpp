@@ -7,6 +7,8 @@
 #include "planning/plan_params.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
@@ -15,8 +17,7 @@ double metres(const RoadmapEdge& edge) {
     return edge.length_m;
 }
 
-constexpr int kLengthAttempts = 6;
-constexpr double kLengthUsed = 0.97;  // of the length allowed: near enough
+constexpr double kMostCut = 1.4;  // times the length allowed: what smoothing might make shorter
 
 /// A tour of one part in the making: the shortest ways between its key frames, and their order.
 struct TourOfPart {
@@ -26,7 +27,7 @@ struct TourOfPart {
 };
 
 TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, const WayEnds& ends,
-                     const JobContext& job) {
+                     const std::vector<int>& rank, const JobContext& job) {
     const auto count = part.keys.size();
     TourOfPart tour;
     tour.ways.resize(count);
@@ -54,6 +55,7 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         }
         plan.fixed.push_back(point.pin >= 0);
         tour.vertices.push_back(static_cast<int>(i));
+        if (!rank.empty()) plan.rank.push_back(rank[static_cast<std::size_t>(part.keys[i])]);
     }
     plan.ends = {ends.first, ends.last};
     if (ends.closed) {
@@ -65,94 +67,187 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
     return tour;
 }
 
-std::vector<PathVertex> walk(const RoadmapPart& part, const TourOfPart& tour,
-                             const SweptSphere& sphere) {
-    std::vector<int> order;
-    for (const int stop : tour.plan.order) {
-        order.push_back(tour.vertices[static_cast<std::size_t>(stop)]);
-    }
-    std::vector<std::vector<Eigen::Vector3d>> legs(order.size());
-    parallelFor(order.size(), [&](std::size_t i) {
-        if (i == 0) return;
-        const int from = order[i - 1];
-        const int to = order[i];
-        std::vector<Eigen::Vector3d> corners;
-        for (const auto& [vertex, e] : trace(part, tour.ways[static_cast<std::size_t>(from)], to)) {
-            if (e < 0) continue;
-            for (const auto& corner : cornersAlong(part, e, vertex)) corners.push_back(corner);
-            if (vertex != to) corners.push_back(part.point(vertex).pose.position);
-        }
-        legs[i] = shortened(corners, part.point(from).pose.position, part.point(to).pose.position,
-                            sphere);
-    });
-    std::vector<PathVertex> path;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        for (const auto& corner : legs[i]) path.push_back({corner, -1});
-        path.push_back(keyVertex(part, order[i]));
-    }
-    return path;
-}
+/// What is walked from stop to stop, without the corners of the roadmap that can be skipped. Tours
+/// that are weighed against each other share most of their legs, so each is made once.
+class Legs {
+  public:
+    Legs(const RoadmapPart& part, const TourOfPart& tour, const SweptSphere& sphere)
+        : part_(part), tour_(tour), sphere_(sphere) {}
 
-/// Metres that the camera goes, without the jumps between parts; smoothing cuts corners off it.
-double lengthOf(const std::vector<std::vector<PathVertex>>& walks) {
-    double sum = 0.0;
-    for (const auto& walk : walks) {
-        for (std::size_t i = 1; i < walk.size(); ++i) {
-            sum += (walk[i].position - walk[i - 1].position).norm();
+    /// Metres of the walk through these stops; smoothing cuts corners off it.
+    double lengthOf(const std::vector<int>& order) {
+        make(order);
+        double sum = 0.0;
+        for (std::size_t i = 1; i < order.size(); ++i) sum += leg(order[i - 1], order[i]).metres;
+        return sum;
+    }
+
+    /// Of the straight lines between them, which no walk is shorter than.
+    [[nodiscard]] double leastLengthOf(const std::vector<int>& order) const {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            sum += (position(order[i]) - position(order[i - 1])).norm();
         }
+        return sum;
+    }
+
+    std::vector<PathVertex> walk(const std::vector<int>& order) {
+        make(order);
+        std::vector<PathVertex> path;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (i > 0) {
+                for (const auto& corner : leg(order[i - 1], order[i]).corners) {
+                    path.push_back({corner, -1});
+                }
+            }
+            path.push_back(keyVertex(part_, vertex(order[i])));
+        }
+        return path;
+    }
+
+  private:
+    struct Leg {
+        std::vector<Eigen::Vector3d> corners;
+        double metres = 0.0;
+    };
+
+    [[nodiscard]] int vertex(int stop) const {
+        return tour_.vertices[static_cast<std::size_t>(stop)];
+    }
+    [[nodiscard]] const Eigen::Vector3d& position(int stop) const {
+        return part_.point(vertex(stop)).pose.position;
+    }
+    [[nodiscard]] const Leg& leg(int from, int to) const { return legs_.at({from, to}); }
+
+    void make(const std::vector<int>& order) {
+        std::vector<std::pair<int, int>> missing;
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            const std::pair between(order[i - 1], order[i]);
+            if (!legs_.contains(between)) missing.push_back(between);
+        }
+        std::vector<Leg> made(missing.size());
+        parallelFor(missing.size(), [&](std::size_t i) {
+            made[i] = makeLeg(vertex(missing[i].first), vertex(missing[i].second));
+        });
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            legs_.emplace(missing[i], std::move(made[i]));
+        }
+    }
+
+    [[nodiscard]] Leg makeLeg(int from, int to) const {
+        const Eigen::Vector3d& start = part_.point(from).pose.position;
+        const Eigen::Vector3d& end = part_.point(to).pose.position;
+        std::vector<Eigen::Vector3d> corners;
+        for (const auto& [vertex, e] :
+             trace(part_, tour_.ways[static_cast<std::size_t>(from)], to)) {
+            if (e < 0) continue;
+            for (const auto& corner : cornersAlong(part_, e, vertex)) corners.push_back(corner);
+            if (vertex != to) corners.push_back(part_.point(vertex).pose.position);
+        }
+        Leg leg;
+        leg.corners = shortened(corners, start, end, sphere_);
+        const Eigen::Vector3d* last = &start;
+        for (const Eigen::Vector3d& corner : leg.corners) {
+            leg.metres += (corner - *last).norm();
+            last = &corner;
+        }
+        leg.metres += (end - *last).norm();
+        return leg;
+    }
+
+    const RoadmapPart& part_;
+    const TourOfPart& tour_;
+    const SweptSphere& sphere_;
+    std::map<std::pair<int, int>, Leg> legs_;
+};
+
+/// Metres that no smoothing of the walk can be shorter than: every corner cut as far back as it
+/// may.
+double leastFlown(const std::vector<PathVertex>& walk, double corner_distance_m) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < walk.size(); ++i) {
+        const Eigen::Vector3d in = walk[i].position - walk[i - 1].position;
+        sum += in.norm();
+        if (i + 1 == walk.size()) break;
+        const Eigen::Vector3d out = walk[i + 1].position - walk[i].position;
+        const double back = std::min({corner_distance_m, 0.5 * in.norm(), 0.5 * out.norm()});
+        if (back <= 0.0) continue;
+        SmoothPath curve;
+        curve.append(-back * in.normalized(), Eigen::Vector3d::Zero(), back * out.normalized(),
+                     true);
+        sum -= 2.0 * back - curve.length_m;
     }
     return sum;
 }
 
-std::vector<std::vector<PathVertex>> walkAll(const std::vector<RoadmapPart>& parts,
-                                             const std::vector<TourOfPart>& tours,
-                                             const SweptSphere& sphere) {
-    std::vector<std::vector<PathVertex>> walks;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        walks.push_back(walk(parts[i], tours[i], sphere));
-    return walks;
+template <class Measure>
+double sumOver(std::vector<Legs>& legs, const TourChoice& choice, const Measure& measure) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < legs.size(); ++i) sum += measure(legs[i], choice.orders[i]);
+    return sum;
+}
+
+/// The worthiest tours that keep to the budget as they will be flown.
+TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
+                  const TourBudget& budget, const JobContext& job) {
+    TourChoice all;
+    for (const TourOfPart& tour : tours) {
+        all.orders.push_back(tour.plan.order);
+        all.stops += static_cast<int>(tour.plan.order.size());
+    }
+    const auto length = [](Legs& one, const std::vector<int>& order) {
+        return one.lengthOf(order);
+    };
+    const auto fits = [&](const TourChoice& choice) {
+        if (budget.max_stops > 0 && choice.stops > budget.max_stops) return false;
+        const double least = sumOver(legs, choice, [](Legs& one, const std::vector<int>& order) {
+            return one.leastLengthOf(order);
+        });
+        if (least > kMostCut * budget.max_length_m) return false;
+        const double walked = sumOver(legs, choice, length);
+        if (walked <= budget.max_length_m) return true;
+        if (!budget.flown_m || walked > kMostCut * budget.max_length_m) return false;
+        const double at_least =
+            sumOver(legs, choice, [&](Legs& one, const std::vector<int>& order) {
+                return leastFlown(one.walk(order), budget.corner_distance_m);
+            });
+        return at_least <= budget.max_length_m &&
+               sumOver(legs, choice, [&](Legs& one, const std::vector<int>& order) {
+                   CameraPath path;
+                   path.vertices = one.walk(order);
+                   return path.vertices.empty() ? 0.0 : budget.flown_m(path);
+               }) <= budget.max_length_m;
+    };
+    if (budget.max_length_m <= 0.0 || fits(all)) return all;
+    std::vector<BudgetedTour> plans;
+    for (const TourOfPart& tour : tours) plans.push_back(tour.plan);
+    std::vector<TourChoice> choices =
+        tourChoices(plans, budget.max_length_m, budget.object_weights);
+    for (TourChoice& choice : choices) {
+        if (job.cancelled() || fits(choice)) return std::move(choice);
+    }
+    // What has to stay is too long.
+    return std::move(*std::ranges::min_element(choices, [](const auto& a, const auto& b) {
+        return std::pair(a.stops, a.metres) < std::pair(b.stops, b.metres);
+    }));
 }
 
 }  // namespace
 
 std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& parts,
                                                const std::vector<WayEnds>& ends,
-                                               const SweptSphere& sphere,
-                                               const LengthBudget& budget,
+                                               const SweptSphere& sphere, const TourBudget& budget,
                                                const RoadmapParams& weights,
                                                const JobContext& job) {
     std::vector<TourOfPart> tours;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        tours.push_back(startTour(parts[i], weights, ends[i], job));
+        tours.push_back(startTour(parts[i], weights, ends[i], budget.rank, job));
     }
-    auto walks = walkAll(parts, tours, sphere);
-    double length = lengthOf(walks);
-    if (budget.max_length_m <= 0.0 || length <= budget.max_length_m) return walks;
-    // Ways along the roadmap are longer than what is walked, which skips corners: what they may
-    // take is raised until the walk is about as long as allowed.
-    const std::vector<TourOfPart> all = tours;
-    double allowed = budget.max_length_m;
-    double enough = allowed;
-    double too_much = 0.0;  // 0: not known yet
-    double most = -1.0;     // worth of what fits
-    for (int attempt = 0; attempt < kLengthAttempts && !job.cancelled(); ++attempt) {
-        std::vector<BudgetedTour> plans;
-        for (const TourOfPart& tour : all) plans.push_back(tour.plan);
-        const double worth = keepWithinLength(plans, allowed, budget.object_weights);
-        for (std::size_t i = 0; i < tours.size(); ++i) tours[i].plan = std::move(plans[i]);
-        auto next = walkAll(parts, tours, sphere);
-        const double walked = lengthOf(next);
-        const bool fits = walked <= budget.max_length_m;
-        if (attempt == 0 || (fits && worth >= most)) {
-            walks = std::move(next);
-            most = worth;
-        }
-        if (fits && (walked <= 0.0 || walked > kLengthUsed * budget.max_length_m)) break;
-        if (!fits && attempt == 0) break;  // what has to stay is too long
-        (fits ? enough : too_much) = allowed;
-        allowed =
-            too_much > 0.0 ? 0.5 * (enough + too_much) : allowed * budget.max_length_m / walked;
-    }
+    std::vector<Legs> legs;
+    for (std::size_t i = 0; i < parts.size(); ++i) legs.emplace_back(parts[i], tours[i], sphere);
+    const TourChoice chosen = choose(tours, legs, budget, job);
+    std::vector<std::vector<PathVertex>> walks;
+    for (std::size_t i = 0; i < parts.size(); ++i) walks.push_back(legs[i].walk(chosen.orders[i]));
     return walks;
 }
 

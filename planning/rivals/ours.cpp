@@ -5,6 +5,7 @@
 #include "planning/free_space/free_space.h"
 #include "planning/pipeline.h"
 #include "planning/smoothing/smooth_path.h"
+#include "planning/timing/frame_moves.h"
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
@@ -17,26 +18,25 @@ namespace {
 
 constexpr double kFineStep = 0.01;  // m; chords this short stay within 0.1 mm of the curves
 
-/// The way along each smoothed path from frame to frame. A shaken camera leaves its path, and then
-/// goes straight.
+/// The way from frame to frame, along each smoothed path and beside it where the camera sways.
 std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
                                                     const Trajectory& trajectory) {
     const auto& frames = trajectory.frames;
     std::vector<std::vector<Eigen::Vector3d>> between(frames.size());
-    const auto on_path = [&](const TrajectoryFrame& frame) {
-        const SmoothPath& path = paths[static_cast<std::size_t>(frame.path)];
-        return (path.at(frame.arc_m) - frame.pose.position).norm() < 1e-6;
-    };
     for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
         const TrajectoryFrame& from = frames[i];
         const TrajectoryFrame& to = frames[i + 1];
-        if (from.path != to.path || !on_path(from) || !on_path(to)) continue;
-        const double step = to.arc_m - from.arc_m;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(step / kFineStep)));
-        const SmoothPath& path = paths[static_cast<std::size_t>(from.path)];
-        for (int j = 1; j < pieces; ++j) {
-            between[i].push_back(path.at(from.arc_m + step * j / pieces));
+        if (from.path != to.path) continue;
+        for (const auto& piece :
+             moveBetween(paths[static_cast<std::size_t>(from.path)], from, to)) {
+            const double longest =
+                (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
+            const int steps = std::max(1, static_cast<int>(std::ceil(longest / kFineStep)));
+            for (int j = 1; j <= steps; ++j) {
+                between[i].push_back(piece.at(static_cast<double>(j) / steps));
+            }
         }
+        if (!between[i].empty()) between[i].pop_back();  // the next frame itself
     }
     return between;
 }

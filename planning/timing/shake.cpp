@@ -4,6 +4,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/plan_params.h"
+#include "planning/timing/frame_moves.h"
 #include "planning/viewpoints/candidate_judge.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -24,10 +25,11 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 class Shaker {
   public:
-    Shaker(const Trajectory& steady, const std::vector<PositionPoint>& points,
-           const ViewEstimator& views, const SweptSphere& sphere, const ShakeParams& params,
-           const PitchBand& pitch, int seed)
-        : steady_(steady.frames),
+    Shaker(const std::vector<SmoothPath>& paths, const Trajectory& steady,
+           const std::vector<PositionPoint>& points, const ViewEstimator& views,
+           const SweptSphere& sphere, const ShakeParams& params, const PitchBand& pitch, int seed)
+        : paths_(paths),
+          steady_(steady.frames),
           interval_s_(steady.frame_interval_s),
           points_(points),
           views_(views),
@@ -64,7 +66,7 @@ class Shaker {
         parallelFor(steady_.size(), [&](std::size_t i) {
             // Without any sway the camera keeps to its path, which smoothing has proven.
             if (!joined(i) || (moved_[i - 1] <= 0.0 && moved_[i] <= 0.0)) return;
-            touches[i] = !sphere_.segment(position(i - 1), position(i)).free;
+            touches[i] = !isFree(i);
         });
         bool any = false;
         std::vector<double> shares = moved_;
@@ -122,8 +124,19 @@ class Shaker {
         return (Eigen::AngleAxisd(back, across.normalized()) * rotation).normalized();
     }
 
-    [[nodiscard]] Eigen::Vector3d position(std::size_t i) const {
-        return shaken(i, moved_[i], 0.0).position;
+    [[nodiscard]] TrajectoryFrame swayed(std::size_t i) const {
+        TrajectoryFrame frame = steady_[i];
+        frame.pose = shaken(i, moved_[i], 0.0);
+        return frame;
+    }
+
+    /// The move to this frame.
+    [[nodiscard]] bool isFree(std::size_t i) const {
+        const auto path = static_cast<std::size_t>(steady_[i].path);
+        const auto move = moveBetween(paths_[path], swayed(i - 1), swayed(i));
+        return std::ranges::all_of(move, [&](const SmoothPath::Piece& piece) {
+            return sphere_.bezier(piece.start, piece.control, piece.end).free;
+        });
     }
 
     [[nodiscard]] bool keepsCaptures(std::size_t i, const Pose& pose) const {
@@ -150,6 +163,7 @@ class Shaker {
         }
     }
 
+    const std::vector<SmoothPath>& paths_;
     const std::vector<TrajectoryFrame>& steady_;
     double interval_s_;
     const std::vector<PositionPoint>& points_;
@@ -198,13 +212,13 @@ Vector6 Sway::at(double time_s) const {
     return sway;
 }
 
-Result<Trajectory> shakeTrajectory(Trajectory trajectory,
+Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Trajectory trajectory,
                                    const std::vector<PositionPoint>& position_points,
                                    const ViewEstimator& views, const SweptSphere& sphere,
                                    const ShakeParams& params, const PitchBand& pitch, int seed,
                                    const JobContext& job) {
     if (params.shake == ShakeKind::None || trajectory.frames.empty()) return trajectory;
-    Shaker shaker(trajectory, position_points, views, sphere, params, pitch, seed);
+    Shaker shaker(paths, trajectory, position_points, views, sphere, params, pitch, seed);
     shaker.fadeAtKeys();
     // Ends: each round lowers some share, and one below the least is none.
     while (!job.cancelled() && shaker.shrinkAtCollisions()) {

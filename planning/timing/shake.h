@@ -3,6 +3,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
+#include "engine/plan/camera_path.h"
 #include "engine/plan/viewpoint.h"
 #include "planning/visibility/pitch_band.h"
 
@@ -30,12 +31,13 @@ class Sway {
     std::array<std::vector<Wave>, 6> waves_;
 };
 
-/// Shakes a timed trajectory. Every move from frame to frame is proven free again: where it would
-/// touch something the sway shrinks, down to none, and there the camera keeps to its path. It fades
+/// Shakes a trajectory timed on `paths`. Every move from frame to frame (moveBetween()) is proven
+/// free again: where it would touch something the sway shrinks, down to none, and there the camera
+/// keeps to its path. It fades
 /// out towards both ends of a path, pinned points, and key frames that it would cost a capture.
 /// Where the sway would look steeper than the band allows the camera is tilted back to its edge.
 /// Error: Cancelled.
-Result<Trajectory> shakeTrajectory(Trajectory trajectory,
+Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Trajectory trajectory,
                                    const std::vector<PositionPoint>& position_points,
                                    const ViewEstimator& views, const SweptSphere& sphere,
                                    const ShakeParams& params, const PitchBand& pitch, int seed,

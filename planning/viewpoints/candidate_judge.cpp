@@ -134,6 +134,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);
         judged.all_well &= well;
+        if (well && look == Look::Fine) judged.shown.push_back({id, estimate.box_share});
         all_captured &= captured;
         judged.nearness =
             std::min(judged.nearness, nearnessOf(estimate, kFractionMargin, kAreaMargin));

@@ -16,6 +16,7 @@ struct Judged {
     double at_most = 0.0;   // no finer look values the place higher; 0: nor captures anything
     int order = 0;          // among candidates of equal quality the first is taken
     bool all_well = false;  // every object is captured well, with a margin
+    std::vector<ShownObject> shown;  // by a fine look: those captured well, with a margin
     double nearness = 0.0;  // 0..2, of the worst object: how much of what capturing it well asks
                             // for is reached, by its visible fraction and by its box
 };

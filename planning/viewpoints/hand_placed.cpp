@@ -9,10 +9,10 @@
 #include "planning/viewpoints/key_frames.h"
 #include "planning/visibility/framing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -38,18 +38,13 @@ std::vector<int> sorted(std::vector<int> ids) {
 }
 
 std::string metres(double value) {
-    std::array<char, 32> text = {};
-    std::snprintf(text.data(), text.size(), "%.2f m", value);
-    return text.data();
+    return fmt::format("{:.2f} m", value);
 }
 
 /// "35.0 degrees down"
 std::string upOrDown(const Eigen::Vector3d& forward) {
     const double degrees = elevationOf(forward) * 180.0 / std::numbers::pi;
-    std::array<char, 32> text = {};
-    std::snprintf(text.data(), text.size(), "%.1f degrees %s", std::abs(degrees),
-                  degrees < 0.0 ? "down" : "up");
-    return text.data();
+    return fmt::format("{:.1f} degrees {}", std::abs(degrees), degrees < 0.0 ? "down" : "up");
 }
 
 /// The object that a place is inside of: its surface is met in five of six directions at least

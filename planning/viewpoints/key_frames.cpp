@@ -30,11 +30,15 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 
-ShownMemo::Entry lookFrom(const ViewEstimator& views, const Pose& pose) {
-    ShownMemo::Entry entry;
+ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point) {
+    ShownMemo::Entry entry{point.own, point.own, {}};
+    const Pose& pose = point.pose;
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
         entry.looked_at.push_back(object.id);
+        if (std::ranges::find(point.own, object.id, &ShownObject::object_id) != point.own.end()) {
+            continue;
+        }
         // A coarse look spares the closer one where it is clear that little shows.
         const auto glance = views.estimate(pose, object.id, kGlance);
         if (glance.tells() && glance.visible_fraction < kWorthALook) continue;
@@ -46,9 +50,9 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const Pose& pose) {
 
 }  // namespace
 
-const ShownMemo::Entry* ShownMemo::find(const Pose& pose) const {
-    const auto found = entries_.find(keyOf(pose));
-    return found == entries_.end() ? nullptr : &found->second;
+const ShownMemo::Entry* ShownMemo::find(const PositionPoint& point) const {
+    const auto found = entries_.find(keyOf(point.pose));
+    return found != entries_.end() && found->second.known == point.own ? &found->second : nullptr;
 }
 
 void ShownMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
@@ -76,9 +80,8 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
                   ShownMemo* memo) {
     std::vector<ShownMemo::Entry> looks(position_points.size());
     parallelFor(position_points.size(), [&](std::size_t i) {
-        const Pose& pose = position_points[i].pose;
-        const auto* known = memo ? memo->find(pose) : nullptr;
-        looks[i] = known ? *known : lookFrom(views, pose);
+        const auto* known = memo ? memo->find(position_points[i]) : nullptr;
+        looks[i] = known ? *known : lookFrom(views, position_points[i]);
     });
     for (std::size_t i = 0; memo && i < looks.size(); ++i) {
         memo->keep(position_points[i].pose, looks[i]);

@@ -11,21 +11,16 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// An object that a view captures well, with a margin.
-struct ShownObject {
-    int object_id = 0;
-    double box_share = 0.0;
-};
-
 /// Remembers what poses show, so that moving one point by hand does not look from all others again.
 /// Whoever keeps one clears it when the views change: the scene, its targets, or the camera.
 class ShownMemo {
   public:
     struct Entry {
-        std::vector<ShownObject> shown;
-        std::vector<int> looked_at;  // ids that rays went to
+        std::vector<ShownObject> known;  // beforehand: nothing was looked at for these
+        std::vector<ShownObject> shown;  // those included
+        std::vector<int> looked_at;      // ids that it rests on
     };
-    [[nodiscard]] const Entry* find(const Pose& pose) const;
+    [[nodiscard]] const Entry* find(const PositionPoint& point) const;
     void keep(const Pose& pose, Entry entry);
     void clear() { entries_.clear(); }
     /// Forgets what might show otherwise in the views that are now.

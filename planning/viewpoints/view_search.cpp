@@ -23,6 +23,8 @@ constexpr int kAroundDirections = 64;
 constexpr int kHardPlaces = 400;
 constexpr int kRandomPlaces = 160;
 constexpr double kLeastRandomFill = 0.08;
+// What reaches beyond the image may still show enough of itself: a wardrobe in a narrow room.
+constexpr double kMostRandomFill = 2.0;
 constexpr int kHardDirections = 200;
 constexpr int kEnoughGood = 12;
 // Where sampling found nothing, places breed: the best few, and others beside them.
@@ -72,7 +74,7 @@ class Search {
                 looked_.sampled_around = judge_.subject().center;
                 looked_.sampled_within_m =
                     furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
-                tryRandomPlaces(kLeastRandomFill, 1.3, kRandomPlaces);
+                tryRandomPlaces(kLeastRandomFill, kMostRandomFill, kRandomPlaces);
                 if (!refineBest()) searchHard();
             }
         }
@@ -277,6 +279,7 @@ class Search {
         p.fill = best_->candidate.fill;
         if (best_->all_well) {
             p.well_captured = p.captured = point_.objects;
+            p.own = std::move(best_->shown);
             found.best = std::move(p);
             return found;
         }

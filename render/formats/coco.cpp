@@ -1,8 +1,11 @@
 #include "render/formats/coco.h"
 
 #include "engine/scene/labels.h"
+#include "render/formats/mask_outline.h"
 
 #include <nlohmann/json.hpp>
+
+#include <numeric>
 
 namespace dollytrack::render {
 namespace {
@@ -23,9 +26,38 @@ std::string superCategory(int nyu40) {
     }
 }
 
-}  // namespace
+enum class Segmentation { RunLengths, Polygons };
 
-std::string cocoText(const DatasetContents& contents) {
+Json segmentation(const ObjectMask& mask, int width, int height, Segmentation kind) {
+    if (kind == Segmentation::RunLengths) {
+        return {{"size", {height, width}}, {"counts", compressCounts(mask.counts)}};
+    }
+    Json polygons = Json::array();
+    for (const Outline& outline : outlinesOfCounts(width, height, mask.counts)) {
+        if (outline.hole) continue;
+        Json corners = Json::array();
+        for (const Eigen::Vector2i& corner : outline.corners) {
+            corners.push_back(corner.x());
+            corners.push_back(corner.y());
+        }
+        polygons.push_back(std::move(corners));
+    }
+    return polygons;
+}
+
+/// How much of the object is in sight, where that was measured.
+void addAttributes(const DatasetFrame& frame, int object_id, Json& annotation) {
+    for (const InstanceInFrame& seen : frame.instances) {
+        if (seen.object_id != object_id) continue;
+        annotation["attributes"] = {{"visible_fraction", seen.visibleFraction()},
+                                    {"truncation", seen.truncation()},
+                                    {"occluder", seen.occluder},
+                                    {"occluder_fraction", seen.occluderFraction()}};
+    }
+}
+
+std::string textOf(const DatasetContents& contents, std::span<const int> frames,
+                   Segmentation kind) {
     const Scene& scene = contents.scene;
     const int width = contents.camera.width_px;
     const int height = contents.camera.height_px;
@@ -40,13 +72,13 @@ std::string cocoText(const DatasetContents& contents) {
     }
     Json images = Json::array();
     Json annotations = Json::array();
-    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        const int index = static_cast<int>(i);
+    for (const int index : frames) {
+        const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
         images.push_back({{"id", index + 1},
                           {"file_name", contents.pictureFile(index)},
                           {"width", width},
                           {"height", height}});
-        for (const ObjectMask& mask : contents.frames[i].masks) {
+        for (const ObjectMask& mask : frame.masks) {
             const Object& object = scene.object(mask.object_id);
             if (object.role != Role::Target || mask.area == 0) continue;
             annotations.push_back(
@@ -56,9 +88,9 @@ std::string cocoText(const DatasetContents& contents) {
                  {"iscrowd", 0},
                  {"area", mask.area},
                  {"bbox", mask.bbox},
-                 {"segmentation",
-                  {{"size", {height, width}}, {"counts", compressCounts(mask.counts)}}},
+                 {"segmentation", segmentation(mask, width, height, kind)},
                  {"object_id", object.id}});
+            addAttributes(frame, object.id, annotations.back());
         }
     }
     root["categories"] = std::move(categories);
@@ -66,6 +98,26 @@ std::string cocoText(const DatasetContents& contents) {
     root["annotations"] = std::move(annotations);
     // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
     return root.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<int> allOf(const DatasetContents& contents) {
+    std::vector<int> all(contents.frames.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+}  // namespace
+
+std::string cocoText(const DatasetContents& contents) {
+    return cocoText(contents, allOf(contents));
+}
+
+std::string cocoText(const DatasetContents& contents, std::span<const int> frames) {
+    return textOf(contents, frames, Segmentation::RunLengths);
+}
+
+std::string cocoPolygonsText(const DatasetContents& contents) {
+    return textOf(contents, allOf(contents), Segmentation::Polygons);
 }
 
 }  // namespace dollytrack::render

@@ -2,6 +2,7 @@
 
 #include "render/dataset_contents.h"
 
+#include <span>
 #include <string>
 
 namespace dollytrack::render {
@@ -12,5 +13,11 @@ namespace dollytrack::render {
 /// NYU40 under their own numbers; a target of unknown class counts as "otherprop". An
 /// image id is index + 1: readers take 0 for "none".
 [[nodiscard]] std::string cocoText(const DatasetContents& contents);
+/// Of some frames alone; image ids stay theirs.
+[[nodiscard]] std::string cocoText(const DatasetContents& contents, std::span<const int> frames);
+
+/// The same with outlines instead of run lengths, for readers that know no others. COCO's outlines
+/// have no holes: where a mask has some they are filled, `area` and `bbox` stay the mask's.
+[[nodiscard]] std::string cocoPolygonsText(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

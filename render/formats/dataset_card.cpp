@@ -6,6 +6,7 @@
 #include "engine/plan/plan_json.h"
 #include "engine/scene/labels.h"
 #include "render/formats/camera_json.h"
+#include "render/formats/fold_files.h"
 
 namespace dollytrack::render {
 namespace {
@@ -63,13 +64,21 @@ Json conventions(const DatasetContents& contents, const DatasetCard& card) {
         {"labels", "of what the pixel's centre sees, never blended; glass counts as opaque"},
     };
     for (const Modality* modality : contents.modalities) {
-        result[modality->name] = modality->convention();
+        result[modality->name] = modality->convention(contents);
     }
-    for (const Format* format : card.formats) result[format->name] = format->convention();
+    for (const Format* format : card.formats) result[format->name] = format->convention(contents);
     return result;
 }
 
-Json objectTable(const Scene& scene) {
+Json relationsOf(int object_id, const std::vector<ObjectRelation>& relations) {
+    Json list = Json::array();
+    for (const ObjectRelation& one : relations) {
+        if (one.object_id == object_id) list.push_back({{"kind", one.kind}, {"id", one.other_id}});
+    }
+    return list;
+}
+
+Json objectTable(const Scene& scene, const std::vector<ObjectRelation>& relations) {
     Json table = Json::array();
     for (const Object& object : scene.objects) {
         table.push_back({{"id", object.id},
@@ -79,7 +88,8 @@ Json objectTable(const Scene& scene) {
                          {"box",
                           {{"center", toJson(object.box.center)},
                            {"size", toJson(2.0 * object.box.half_size)},
-                           {"yaw_rad", object.box.yaw}}}});
+                           {"yaw_rad", object.box.yaw}}},
+                         {"relations", relationsOf(object.id, relations)}});
     }
     return table;
 }
@@ -101,7 +111,21 @@ Json namesOf(const std::vector<const Row*>& rows) {
     return names;
 }
 
-Json frameTable(const std::vector<DatasetFrame>& frames) {
+/// Where the things that move are: p = rotation * p_as_given + position, world.
+Json movingTable(const std::vector<ObjectMotion>& motions, std::size_t frame) {
+    Json table = Json::array();
+    for (const ObjectMotion& motion : motions) {
+        const Eigen::Isometry3d& now = motion.by_frame[frame];
+        const Eigen::Quaterniond q(now.rotation());
+        table.push_back({{"object_id", motion.object_id},
+                         {"position", toJson(Eigen::Vector3d(now.translation()))},
+                         {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}});
+    }
+    return table;
+}
+
+Json frameTable(const DatasetContents& contents) {
+    const std::vector<DatasetFrame>& frames = contents.frames;
     Json table = Json::array();
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const TrajectoryFrame& frame = frames[i].camera;
@@ -112,6 +136,9 @@ Json frameTable(const std::vector<DatasetFrame>& frames) {
                          {"position", toJson(frame.pose.position)},
                          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}},
                          {"component", frame.component}});
+        if (!contents.motions.empty()) {
+            table.back()["moving"] = movingTable(contents.motions, i);
+        }
     }
     return table;
 }
@@ -136,7 +163,7 @@ Json countedMetrics(const DatasetCard& card) {
 
 Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     const Scene& scene = contents.scene;
-    const Json frames = frameTable(contents.frames);
+    const Json frames = frameTable(contents);
     Json root;
     root["format"] = kDatasetFormat;
     root["format_version"] = 1;
@@ -144,6 +171,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["modalities"] = namesOf(contents.modalities);
     root["formats"] = namesOf(card.formats);
     root["conventions"] = conventions(contents, card);
+    if (contents.folds.count > 0) root["folds"] = foldConvention(contents);
     root["scene"] = {{"name", scene.name},
                      {"file", cleanText(scene.source.filename().string())},
                      {"sha256", scene.source_sha256},
@@ -156,7 +184,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["parameters"] = card.parameters;
     if (!card.edits.empty()) root["edits"] = card.edits;
     root["metrics"] = {{"planned", card.planned_metrics}, {"counted", countedMetrics(card)}};
-    root["objects"] = objectTable(scene);
+    root["objects"] = objectTable(scene, card.relations);
     root["classes"] = classTable();
     root["frames"] = frames;
     root["files"] = card.sha256s;

@@ -26,6 +26,7 @@ struct DatasetCard {
     CaptureMetrics counted;          // from the pixels
     std::vector<ObjectCapture> captures;
     FormatSet formats;
+    std::vector<ObjectRelation> relations;
     std::string geometry_sha256;  // see scene_hash.h
     std::string appearance_sha256;
     std::map<std::string, std::string> sha256s;  // of every other file, by relative path

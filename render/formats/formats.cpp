@@ -1,10 +1,24 @@
 #include "render/formats/formats.h"
 
 #include "render/choice.h"
+#include "render/formats/bop.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/coco.h"
+#include "render/formats/colmap.h"
 #include "render/formats/frames_csv.h"
+#include "render/formats/gltf.h"
+#include "render/formats/hdf5_frames.h"
 #include "render/formats/imu_csv.h"
+#include "render/formats/instances_csv.h"
+#include "render/formats/instant_ngp.h"
+#include "render/formats/kitti.h"
+#include "render/formats/kitti_objects.h"
+#include "render/formats/nerfstudio.h"
+#include "render/formats/tartan_air.h"
+#include "render/formats/tum.h"
+#include "render/formats/video.h"
+#include "render/formats/yolo.h"
+#include "render/frame_context.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,19 +32,32 @@ using Json = nlohmann::ordered_json;
 using Files = Result<std::vector<DatasetFile>>;
 
 constexpr std::array<const char*, 1> kCocoFiles = {"annotations.json"};
+constexpr std::array<const char*, 1> kCocoPolygonFiles = {"annotations_polygons.json"};
 constexpr std::array<const char*, 1> kCameraJsonFiles = {"camera.json"};
 constexpr std::array<const char*, 1> kFramesFiles = {"frames.csv"};
 constexpr std::array<const char*, 1> kImuFiles = {"imu.csv"};
+constexpr std::array<const char*, 1> kInstancesFiles = {"instances.csv"};
 
 Files writeCoco(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kCocoFiles[0], cocoText(contents)}};
 }
 
-Json cocoConvention() {
+Json cocoConvention(const DatasetContents& /*contents*/) {
     return {{"file", kCocoFiles[0]},
             {"format",
              "COCO instances, compressed run lengths; targets only; category_id is the "
              "NYU40 class (40 for targets of unknown class); image_id is the frame + 1"}};
+}
+
+Files writeCocoPolygons(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kCocoPolygonFiles[0], cocoPolygonsText(contents)}};
+}
+
+Json cocoPolygonsConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kCocoPolygonFiles[0]},
+            {"format",
+             "as annotations.json, with outlines along the borders of pixels, holes filled; "
+             "attributes as in instances.csv"}};
 }
 
 /// The farthest a camera can see of the building; there is no far plane in the drawing.
@@ -60,7 +87,7 @@ Files writeCameraJson(const DatasetContents& contents) {
                                              std::ceil(farthestSight(contents) + 1.0), entries)}};
 }
 
-Json cameraJsonConvention() {
+Json cameraJsonConvention(const DatasetContents& /*contents*/) {
     return {{"file", kCameraJsonFiles[0]},
             {"format", "3D-FRONT: y up, metres, fov horizontal degrees"}};
 }
@@ -69,7 +96,7 @@ Files writeFrames(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kFramesFiles[0], framesCsvText(contents)}};
 }
 
-Json framesConvention() {
+Json framesConvention(const DatasetContents& /*contents*/) {
     return {{"file", kFramesFiles[0]},
             {"format",
              "a row a frame: clearance (m), mean speed (m/s) and turning (deg/s) since the frame "
@@ -81,7 +108,7 @@ Files writeImu(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kImuFiles[0], imuCsvText(contents)}};
 }
 
-Json imuConvention() {
+Json imuConvention(const DatasetContents& /*contents*/) {
     return {{"file", kImuFiles[0]},
             {"format",
              "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2, at rest "
@@ -89,25 +116,117 @@ Json imuConvention() {
              "each continuous motion joined by a twice continuously differentiable spline"}};
 }
 
-constexpr std::array<Format, 4> kFormats = {{
-    {"coco", "COCO instances: boxes and masks of the targets, in annotations.json", true,
-     kCocoFiles, writeCoco, cocoConvention},
-    {"camera_json", "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
-     false, kCameraJsonFiles, writeCameraJson, cameraJsonConvention},
-    {"frames", "what can be measured about each frame, its image score too, in frames.csv", true,
-     kFramesFiles, writeFrames, framesConvention},
-    {"imu", "inertial measurements along the motion, in imu.csv", false, kImuFiles, writeImu,
-     imuConvention},
-}};
+Files writeInstances(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kInstancesFiles[0], instancesCsvText(contents)}};
+}
+
+Json instancesConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kInstancesFiles[0]},
+            {"format",
+             "a row a frame and thing seen, structure has none: visible_px; silhouette_px, with "
+             "nothing before it, inside the image; whole_px, also beyond its borders; "
+             "visible_fraction of the whole; truncation, the share outside the image; what hides "
+             "most of the silhouette, and which share; box of the visible pixels and of the "
+             "silhouette (px); the oriented box in the camera's axes: center, size along its own "
+             "axes (m), quaternion camera_from_box"}};
+}
+
+const std::vector<Format>& table() {
+    // Built when first asked for: the rows that are objects of other files exist by then.
+    static const std::vector<Format> rows = {
+        {"coco",
+         "COCO instances: boxes and masks of the targets, in annotations.json",
+         true,
+         kNeedsMasks,
+         kCocoFiles,
+         {},
+         writeCoco,
+         nullptr,
+         cocoConvention},
+        {"camera_json",
+         "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
+         true,
+         0,
+         kCameraJsonFiles,
+         {},
+         writeCameraJson,
+         nullptr,
+         cameraJsonConvention},
+        {"frames",
+         "what can be measured about each frame, its image score too, in frames.csv",
+         true,
+         kNeedsMasks,
+         kFramesFiles,
+         {},
+         writeFrames,
+         nullptr,
+         framesConvention},
+        {"imu",
+         "inertial measurements along the motion, in imu.csv",
+         true,
+         0,
+         kImuFiles,
+         {},
+         writeImu,
+         nullptr,
+         imuConvention},
+        {"instances",
+         "how each frame shows each thing: visible part, truncation, what hides it, boxes in the "
+         "image "
+         "and in space, in instances.csv",
+         false,
+         kNeedsWhole,
+         kInstancesFiles,
+         {},
+         writeInstances,
+         nullptr,
+         instancesConvention},
+        {"coco_polygons",
+         "COCO instances with outlines and attributes, in annotations_polygons.json",
+         false,
+         kNeedsMasks | kNeedsWhole,
+         kCocoPolygonFiles,
+         {},
+         writeCocoPolygons,
+         nullptr,
+         cocoPolygonsConvention},
+        kYoloFormat,
+        kBopFormat,
+        kTumFormat,
+        kKittiFormat,
+        kColmapFormat,
+        kNerfstudioFormat,
+        kInstantNgpFormat,
+        kKittiObjectsFormat,
+        kTartanAirFormat,
+        kHdf5FramesFormat,
+        kGltfFormat,
+        kVideoFormat,
+    };
+    return rows;
+}
 
 }  // namespace
 
 std::span<const Format> formats() {
-    return kFormats;
+    return table();
 }
 
 Result<FormatSet> chooseFormats(const std::vector<std::string>& names) {
     return chooseRows(formats(), names, "format", "--formats");
+}
+
+Status checkNeeds(const FormatSet& formats, const ModalitySet& modalities) {
+    for (const Format* format : formats) {
+        if (!format->modality || contains(modalities, format->modality)) continue;
+        return fail(ErrorCode::Usage,
+                    std::string("The format '") + format->name + "' needs the modality '" +
+                        format->modality +
+                        "', which --modalities leaves out; add it, or name other "
+                        "formats.",
+                    "--formats");
+    }
+    return {};
 }
 
 }  // namespace dollytrack::render

@@ -23,12 +23,20 @@ struct DatasetFile {
 struct Format {
     const char* name;  // as one asks for it, and its key in dataset.json
     const char* text;  // what it is, for people
-    bool needs_masks;
-    std::span<const char* const> files;  // what it writes, so that it can be removed again
+    bool standard;     // written where none is named
+    unsigned needs;    // bits of FrameNeeds
+    // What it writes, so that it can be removed again: files beside the images, and folders of
+    // files whose names begin with the frame's six digits.
+    std::span<const char* const> files;
+    std::span<const char* const> folders;
 
+    /// When all frames are written. Null: there is nothing more to say then.
     Result<std::vector<DatasetFile>> (*write)(const DatasetContents& contents);
+    /// A frame's own files, made on many threads, once. Null: there are none.
+    Result<std::vector<FrameFile>> (*encode)(const FrameContext& context, const FrameRecord& frame);
     /// What dataset.json says of the files.
-    nlohmann::ordered_json (*convention)();
+    nlohmann::ordered_json (*convention)(const DatasetContents& contents);
+    const char* modality = nullptr;  // the one without which there is nothing to write
 };
 
 /// All there are. dataset.json is not among them: it is always written.
@@ -37,7 +45,10 @@ struct Format {
 /// Some of the table's rows, in its order.
 using FormatSet = std::vector<const Format*>;
 
-/// Those named; all when none is. Error: Usage, with the closest name.
+/// Those named, all for "all", the standard ones when none is. Error: Usage, with the closest name.
 [[nodiscard]] Result<FormatSet> chooseFormats(const std::vector<std::string>& names);
+
+/// Whether the modalities are there that the formats need. Error: Usage, naming the first.
+[[nodiscard]] Status checkNeeds(const FormatSet& formats, const ModalitySet& modalities);
 
 }  // namespace dollytrack::render

@@ -49,8 +49,8 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
     if (canvas.width() != target.width() || canvas.height() != target.height()) {
         return fail(ErrorCode::Failed, "the overlays' canvas must have the picture's size");
     }
-    glCopyImageSubData(target.picture(), GL_TEXTURE_2D, 0, 0, 0, 0, canvas.picture_.get(), GL_TEXTURE_2D,
-                       0, 0, 0, 0, canvas.width(), canvas.height(), 1);
+    glCopyImageSubData(target.picture(), GL_TEXTURE_2D, 0, 0, 0, 0, canvas.picture_.get(),
+                       GL_TEXTURE_2D, 0, 0, 0, 0, canvas.width(), canvas.height(), 1);
     glViewport(0, 0, canvas.width(), canvas.height());
     glDisable(GL_SCISSOR_TEST);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);

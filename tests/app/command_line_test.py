@@ -82,6 +82,28 @@ class CommandLine(FolderCase):
         self.assertEqual(unmet.returncode, 3)
         self.assertIn("objects is 5", unmet.stderr)
 
+    def test_another_planner_can_be_named(self):
+        asked = ("--planner", "uniform", "--max-frames", 12, "--set", "width_px=96",
+                 "--set", "height_px=72")
+        planned = json.loads(run("plan", self.room, *asked, "--json").stdout)
+        judged = json.loads(run("compare", self.room, "--planners", "uniform", "--json",
+                                *asked[2:]).stdout)["scenes"][0]["rows"][0]
+        for name in ["capture_rate", "well_captured_rate", "area_share_box", "path_length_m"]:
+            self.assertEqual(planned[name], judged[name], name)
+        out = self.folder / "uniform"
+        exported = run("export", self.room, *asked, "--out", out)
+        self.assertEqual(exported.returncode, 0, exported.stderr)
+        card = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(card["metrics"]["planned"]["planner"], "uniform")
+        self.assertEqual(len(list(out.glob("rgb/*.png"))), 12)
+        # Our own plan is another dataset.
+        self.assertFails(run("export", self.room, *asked[2:], "--out", out, "--resume"), 2)
+        self.assertFails(run("plan", self.room, "--planner", "unifrm"), 2, "uniform")
+        self.assertFails(run("plan", self.room, *asked, "-o", self.folder / "u.dolly"), 2, "--out")
+        unmet = run("plan", self.room, *asked, "--require", "path_length_m<=3")
+        self.assertEqual(unmet.returncode, 3)
+        self.assertIn("has no value", unmet.stderr)
+
     def test_longest_branch_is_another_way(self):
         branch = run("plan", self.room, "--json", "--set", "path_mode=longest_branch")
         self.assertEqual(branch.returncode, 0)
@@ -112,7 +134,7 @@ class CommandLine(FolderCase):
             (["--thread", 2, "plan", self.room], ["option '--thread'", "'--threads'"]),
             (["--threads", 2, "export", self.room, "--oot", "x"], ["'--oot'", "'--out'"]),
             (["zzzzzzzz"], ["no subcommand 'zzzzzzzz'."]),
-            (["plan", self.room, "--set", "foo=1"], ["no parameter 'foo'."]),
+            (["plan", self.room, "--set", "foo=1"], ["no parameter 'foo'; there are"]),
             (["plan", self.room, "--max-frames", "x"],
              ["'x' is not a whole number, which --max-frames takes."]),
             (["plan", self.room, "--max-length", "x"], ["'x' is not a number", "--max-length"]),
@@ -135,11 +157,33 @@ class CommandLine(FolderCase):
             self.assertFails(run(*arguments), 4, "no such file", "nowhere.txt")
 
     def test_lists_that_leave_no_target_are_warned_of(self):
-        for arguments in (["--only", "floor"], ["--only", "sofa", "--ignore", "sofa"],
-                          ["--only", "nosuch"]):
+        for arguments in (["--only", "floor"], ["--only", "sofa", "--ignore", "sofa"]):
             result = run("plan", self.room, "-q", *arguments)
             self.assertEqual(result.returncode, 0)
             self.assertEqual(result.stderr.count("warning: edits: "), 1, result.stderr)
+
+    def test_nothing_has_no_rates(self):
+        result = run("plan", self.room, "-q", "--ignore", "*", "--json")
+        metrics = json.loads(result.stdout)
+        for name in ("capture_rate", "small_capture_rate", "frame_collision_rate",
+                     "min_clearance_m"):
+            self.assertIsNone(metrics[name], name)
+        self.assertIn("smallest clearance     -", run("plan", self.room, "--ignore", "*").stdout)
+        result = run("plan", self.room, "--ignore", "*", "--require", "capture_rate>=0")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("nothing to measure", result.stderr)
+
+    def test_a_band_without_a_free_place_is_named(self):
+        band = ("--set", "min_height_m=90", "--set", "max_height_m=95")
+        result = run("plan", self.room, *band)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("min_height_m=90 and max_height_m=95 leave", result.stderr)
+        self.assertFails(run("export", self.room, *band, "--out", self.folder / "nowhere"), 1,
+                         "is empty: min_height_m=90")
+
+    def test_lists_are_required_by_their_length(self):
+        self.assertEqual(run("plan", self.room, "--require", "refused_pins<=0").returncode, 0)
+        self.assertFails(run("plan", self.room, "--require", "zzz>=1"), 2, "there are '")
 
     def test_anchors_are_counted_and_missing_ones_told(self):
         result = run("plan", self.room, "--set", "anchors=corridors", "--max-frames", 10)
@@ -299,15 +343,23 @@ class CommandLine(FolderCase):
             {"op": "object_track", "object": "sofa", "keys": keys})).returncode, 0)
         self.assertEqual(run("plan", still, "--time", 2, "-o", project,
                              "--max-frames", 12).returncode, 0)
-        exported = run("export", project, "--out", out, "--modalities", "depth,instance")
+        for options, time_at in ((["--still"], lambda frame: 2.0),
+                                 ([], lambda frame: min(frame["time_s"], 4.0))):
+            with self.subTest(options):
+                self.check_sofa(project, out, options, time_at)
+
+    def check_sofa(self, project, out, options, time_at):
+        exported = run("export", project, "--out", out, "--modalities", "depth,instance", *options)
         self.assertEqual(exported.returncode, 0, exported.stderr)
         info = json.loads((out / "dataset.json").read_text())
         sofa = next(entry for entry in info["objects"] if entry["name"] == "sofa")
-        # In the file it fills x 0.1..0.9, y -2.4..-0.6, z 0..0.7.
-        middle, half, turn = numpy.array([0.9, -1.5, 0.35]), [0.4, 0.9, 0.35], numpy.radians(40)
         lens = info["conventions"]["intrinsics"]
         seen = 0
         for i, frame in enumerate(info["frames"]):
+            # In the file it fills x 0.1..0.9, y -2.4..-0.6, z 0..0.7.
+            gone = time_at(frame) / 4.0
+            middle, half = numpy.array([0.5 + 0.8 * gone, -1.5, 0.35]), [0.4, 0.9, 0.35]
+            turn = numpy.radians(80 * gone)
             depth = cv2.imread(str(out / f"depth/{i:06}.png"), cv2.IMREAD_UNCHANGED) / 1000.0
             ids = cv2.imread(str(out / f"instance/{i:06}.png"), cv2.IMREAD_UNCHANGED)
             v, u = numpy.nonzero((ids == sofa["id"]) & (depth > 0))

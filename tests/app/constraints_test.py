@@ -65,10 +65,20 @@ class Constraints(FolderCase):
         only, _, _ = self.plan("--only", "table", "--only", "picture")
         self.assertEqual({row["object"] for row in only["ledger"]}, {"table", "picture"})
 
-    def test_a_slip_in_a_pattern_is_warned_of(self):
-        result = run("plan", self.room, "--ignore", "sofaa")
-        self.assertEqual(result.returncode, 0)
-        self.assertIn("did you mean 'sofa'", result.stderr)
+    def test_a_slip_in_a_pattern_is_a_usage_error(self):
+        for option in ("--ignore", "--only"):
+            result = run("plan", self.room, option, "sofaa")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(option, result.stderr)
+            self.assertIn("did you mean 'sofa'", result.stderr)
+        # A class that a scene happens to lack is no slip where it is to be ignored.
+        self.assertEqual(run("plan", self.room, "--ignore", "bathtub").returncode, 0)
+
+    def test_an_end_where_the_camera_cannot_be_is_refused(self):
+        for option in ("--start", "--end"):
+            result = run("plan", self.room, option, "50,50,1,0,0,1")
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(f"{option}: The camera cannot be at (50.00, 50.00, 1.00)", result.stderr)
 
     def test_it_begins_and_ends_where_it_is_told_to(self):
         # The file is y up: its (x, y, z) is the world's (x, -z, y).

@@ -1,4 +1,5 @@
 #include "engine/core/field_list.h"
+#include "engine/core/name_hint.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,15 @@ TEST(ClosestName, DoesNotGuessWhatIsFar) {
     EXPECT_EQ(closestName("bgr", kNames), "");
     EXPECT_EQ(closestName("banana", kNames), "");
     EXPECT_EQ(closestName("", kNames), "");
+}
+
+TEST(NameHint, SaysWhatThereIsWhereNothingIsClose) {
+    EXPECT_EQ(nameHint("chiar", kNames), "; did you mean 'chair'?");
+    EXPECT_EQ(nameHint("lampe_3", {"sofa", "work_lamp_1"}), "; there are 'work_lamp_1', 'sofa'.");
+    EXPECT_EQ(nameHint("lampe_3", {}), "; there are none.");
+    std::vector<std::string> many;
+    for (int i = 0; i < 20; ++i) many.push_back("thing_" + std::to_string(i));
+    EXPECT_NE(nameHint("zebra", many).find("' and 12 more."), std::string::npos);
 }
 
 }  // namespace dollytrack

@@ -302,6 +302,34 @@ TEST(SceneImport, KeepsStackedThingsApartAndMaterialPartsTogether) {
     EXPECT_EQ(find(scene, "cabinet")->triangle_count, 24U);
 }
 
+// "inner" says that it is a part, but of what, with air all around it?
+TEST(SceneImport, KeepsNamedThingsThatTouchNothingAndNamesWhatItPutsTogether) {
+    const TempFolder folder;
+    const auto room = [](double gap) {
+        ObjWriter obj(1.0, true);
+        obj.room({4, 3, 2.6}, true);
+        obj.object("crate_outer").box({2, 1, 0}, {2.6, 1.6, 0.5});
+        obj.object("gem_inner").box({2.2, 1.2, 0.15}, {2.4, 1.4, 0.35});
+        obj.object("chest").box({0.1, 0.1, 0}, {0.9, 0.6, 0.7});
+        obj.object("handle").box({0.4, 0.6 + gap, 0.5}, {0.5, 0.62 + gap, 0.52});
+        return obj.text();
+    };
+    const auto notes = [](const Scene& scene) {
+        std::string all;
+        for (const std::string& note : scene.report.notes) all += note + "\n";
+        return all;
+    };
+    const Scene mounted = imported(folder.write("mounted.obj", room(0.02)));
+    EXPECT_TRUE(find(mounted, "gem_inner"));
+    EXPECT_TRUE(find(mounted, "crate_outer"));
+    EXPECT_FALSE(find(mounted, "handle"));
+    EXPECT_NE(notes(mounted).find("attached to: handle with chest\n"), std::string::npos)
+        << notes(mounted);
+    const Scene away = imported(folder.write("away.obj", room(0.1)));
+    EXPECT_TRUE(find(away, "handle"));
+    EXPECT_EQ(notes(away).find("put together"), std::string::npos) << notes(away);
+}
+
 TEST(SceneImport, MakesScatteredThingsOfOneNodeObjectsOfTheirOwn) {
     const TempFolder folder;
     ObjWriter obj;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace dollytrack::planning {
@@ -188,6 +189,76 @@ TEST(LengthBudget, APlanKeepsToIt) {
     const auto same = planned(10.0 * length);
     ASSERT_TRUE(same);
     EXPECT_EQ(same->trajectory_metrics.path_length_m, length);
+}
+
+TEST(LengthBudget, MoreMetresOrMoreStopsShowNoLess) {
+    Random random(5, 0);
+    const auto most = [](const std::vector<TourChoice>& choices, double metres, int stops) {
+        for (const TourChoice& one : choices) {
+            if (one.metres <= metres && one.stops <= stops) return one.worth;
+        }
+        return 0.0;
+    };
+    for (int run = 0; run < 20; ++run) {
+        const BudgetedTour tour = someStops(random, 12);
+        const double whole = tourCost(tour.metres, tour.order);
+        std::vector<double> before(13, 0.0);
+        for (double metres = 0.5; metres < 1.1 * whole; metres += random.uniform(0.01, 0.8)) {
+            const auto choices = tourChoices({tour}, metres);
+            for (int stops = 1; stops <= 12; ++stops) {
+                const double worth = most(choices, metres, stops);
+                EXPECT_GE(worth, before[static_cast<std::size_t>(stops)]) << metres << " m";
+                EXPECT_GE(worth, most(choices, metres, stops - 1));
+                before[static_cast<std::size_t>(stops)] = worth;
+            }
+        }
+    }
+}
+
+// Through the whole planner: what the key frames on the way show together, in rooms of chance.
+TEST(LengthBudget, ALargerBudgetReachesNoLess) {
+    Random random(6, 0);
+    for (int run = 0; run < 3; ++run) {
+        test::SceneBuilder builder;
+        builder.room({0, 0, 0}, {random.uniform(4, 7), 4, 2.5});
+        for (int i = 0; i < 14; ++i) {
+            const double size = random.uniform(0.15, 0.6);
+            builder.object("thing " + std::to_string(i))
+                .box({random.uniform(0.5, 3.5), random.uniform(0.5, 3.5),
+                      random.uniform(0.5 * size, 1.4)},
+                     {size, size, size});
+        }
+        Pipeline pipeline(std::make_shared<const Scene>(builder.build()));
+        const auto worth = [&](int max_frames, double max_length_m) {
+            PlanParams params;
+            params.timing.max_frames = max_frames;
+            params.path.max_length_m = max_length_m;
+            const auto plan = pipeline.run(params, JobContext{});
+            EXPECT_TRUE(plan.has_value());
+            EXPECT_LE((*plan)->trajectory_metrics.path_length_m, max_length_m);
+            EXPECT_LE((*plan)->trajectory.frames.size(), static_cast<std::size_t>(max_frames));
+            std::set<int> captured;
+            std::set<int> well;
+            for (const TrajectoryFrame& frame : (*plan)->trajectory.frames) {
+                if (frame.position_point < 0) continue;
+                const auto& point =
+                    (*plan)->position_points[static_cast<std::size_t>(frame.position_point)];
+                captured.insert(point.captured.begin(), point.captured.end());
+                well.insert(point.well_captured.begin(), point.well_captured.end());
+            }
+            return 3 * well.size() + captured.size();
+        };
+        std::map<int, std::size_t> before;  // by frames
+        for (double metres = 1.0; metres < 25.0; metres += random.uniform(0.3, 2.5)) {
+            std::size_t with_fewer = 0;
+            for (const int frames : {2, 3, 5, 6, 8, 11, 60}) {
+                const std::size_t now = worth(frames, metres);
+                EXPECT_GE(now, with_fewer) << frames << " frames, " << metres << " m";
+                EXPECT_GE(now, before[frames]) << frames << " frames, " << metres << " m";
+                with_fewer = before[frames] = now;
+            }
+        }
+    }
 }
 
 TEST(LengthBudget, PinnedPointsStayInIt) {

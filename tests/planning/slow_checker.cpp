@@ -5,6 +5,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -29,6 +30,29 @@ Eigen::Vector3d onCurve(const SmoothPath::Piece& piece, double t) {
     const Eigen::Vector3d a = (1 - t) * piece.start + t * piece.control;
     const Eigen::Vector3d b = (1 - t) * piece.control + t * piece.end;
     return (1 - t) * a + t * b;
+}
+
+/// From frame to frame along the path, as far beside it as the sway goes from the one to the other:
+/// evenly from curve to curve, and within each by the curve's own parameter.
+template <class Look>
+void walkBeside(const SmoothPath& path, const TrajectoryFrame& from, const TrajectoryFrame& to,
+                const Look& look) {
+    const Eigen::Vector3d aside = from.pose.position - path.at(from.arc_m);
+    const Eigen::Vector3d change = to.pose.position - path.at(to.arc_m) - aside;
+    for (const SmoothPath::Piece& piece : path.pieces) {
+        const double begin = std::max(from.arc_m, piece.begin_m);
+        const double end = std::min(to.arc_m, piece.begin_m + piece.length_m);
+        if (end <= begin) continue;
+        const double first = piece.parameterAt(begin - piece.begin_m);
+        const double last = piece.parameterAt(end - piece.begin_m);
+        const double whole = to.arc_m - from.arc_m;
+        const int steps = static_cast<int>((end - begin + change.norm()) / kStep) + 1;
+        for (int i = 0; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / steps;
+            const double arc = begin + share * (end - begin) - from.arc_m;
+            look(onCurve(piece, first + share * (last - first)) + aside + arc / whole * change);
+        }
+    }
 }
 
 }  // namespace
@@ -76,12 +100,11 @@ SlowChecker::Found SlowChecker::check(const Plan& plan, double radius_m, bool sh
         }
     }
     const auto& frames = plan.trajectory.frames;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        look(frames[i].pose.position);
-        // A shaken camera leaves its path; from frame to frame it goes straight.
-        if (shaken && i + 1 < frames.size() && followsOn(plan.trajectory, i + 1)) {
-            look(0.5 * (frames[i].pose.position + frames[i + 1].pose.position));
-        }
+    for (const TrajectoryFrame& frame : frames) look(frame.pose.position);
+    for (std::size_t i = 1; shaken && i < frames.size(); ++i) {
+        if (!followsOn(plan.trajectory, i)) continue;
+        const auto path = static_cast<std::size_t>(frames[i].path);
+        walkBeside(plan.smooth_paths[path], frames[i - 1], frames[i], look);
     }
     return found;
 }

@@ -110,6 +110,21 @@ TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
     EXPECT_NEAR(pole->fill, 0.85, 0.1);
 }
 
+// From nowhere in a room so narrow does the wardrobe fit into the image, but four fifths of it do.
+TEST(ViewpointSearch, TakesAWardrobeInANarrowRoomThatTheImageCrops) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {3.6, 1.55, 2.6});
+    builder.object("wardrobe").box({1.8, 1.3, 1.1}, {2.0, 0.5, 2.2});
+    const Fixture f(builder.build());
+    const int id = f.idOf("wardrobe");
+    for (int seed = 1; seed <= 3; ++seed) {
+        const FoundView found = f.search(id, seed);
+        ASSERT_TRUE(found.best) << "seed " << seed;
+        EXPECT_EQ(found.best->well_captured, std::vector{id}) << "seed " << seed;
+        EXPECT_GT(found.best->fill, 1.0) << "seed " << seed;
+    }
+}
+
 // The walls of a narrower, deeper mouth leave too little to see: an honest no, from any seed.
 TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
     const Fixture f(thingInANiche(2.4, 0.12));

@@ -58,7 +58,7 @@ TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneBegins) {
     {
         auto claimed = DatasetFolder::claim(folder.path(), false);
         ASSERT_TRUE(claimed);
-        ASSERT_TRUE(claimed->begin(allModalities(), {}));
+        ASSERT_TRUE(claimed->begin(allModalities(), {}, {}));
         EXPECT_FALSE(claimed->isComplete());
     }
     EXPECT_FALSE(fs::exists(picture));
@@ -78,7 +78,7 @@ TEST(DatasetFolder, RemovesWhatAKilledExportLeftButForWhatIsKept) {
     }
     auto claimed = DatasetFolder::claim(folder.path(), false);
     ASSERT_TRUE(claimed);
-    ASSERT_TRUE(claimed->begin(*chooseModalities({"rgb", "instance"}), {"rgb/000000.png"}));
+    ASSERT_TRUE(claimed->begin(*chooseModalities({"rgb", "instance"}), {}, {"rgb/000000.png"}));
     std::set<std::string> left;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
         left.insert(fs::relative(entry.path(), folder.path()).string());

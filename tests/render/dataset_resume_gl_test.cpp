@@ -1,3 +1,5 @@
+#include "render/frame_context.h"
+#include "render/frame_file.h"
 #include "render/modalities.h"
 #include "tests/render/dataset_fixture.h"
 
@@ -211,15 +213,23 @@ TEST_F(DatasetResumeGl, TheFilesHoldWhatTheSceneRendererDraws) {
     auto renderer = OffscreenRenderer::create(std::move(*context), scene_, light,
                                               smallCamera().width_px, smallCamera().height_px);
     ASSERT_TRUE(renderer);
+    const DatasetContents contents{scene_, smallCamera(), {}, {}};
+    const MovingObjects moving(scene_, rays_, {});
+    const FrameContext context_of_frames{contents, moving};
     for (const int i : {2, 0}) {  // in another order than the export's
         const auto frame = renderer->render(
             makeView(smallCamera(), trajectory.frames[static_cast<std::size_t>(i)].pose));
         ASSERT_TRUE(frame);
+        FrameRecord numbered = *frame;
+        numbered.index = i;
         for (const Modality& modality : modalities()) {
-            const auto bytes = modality.encode(scene_, *frame);
-            ASSERT_TRUE(bytes);
-            const std::string written = read(folder_ / "out" / frameFile(modality.name, i));
-            EXPECT_EQ(std::string(bytes->begin(), bytes->end()), written) << modality.name;
+            if (!modality.standard) continue;
+            const auto files = modality.encode(context_of_frames, numbered);
+            ASSERT_TRUE(files);
+            ASSERT_EQ(files->size(), 1U);
+            const auto& [path, bytes] = files->front();
+            EXPECT_EQ(path, frameFile(modality.name, i));
+            EXPECT_EQ(std::string(bytes.begin(), bytes.end()), read(folder_ / "out" / path));
         }
     }
 }

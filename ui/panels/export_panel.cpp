@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace dollytrack::ui {
 namespace {
@@ -57,11 +59,15 @@ bool isIn(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
+bool isWanted(const ExportChoice& choice, const std::vector<std::string>& turned) {
+    return choice.standard != isIn(turned, choice.name);
+}
+
 std::vector<std::string> chosen(const std::vector<ExportChoice>& all,
-                                const std::vector<std::string>& left_out) {
+                                const std::vector<std::string>& turned) {
     std::vector<std::string> names;
     for (const ExportChoice& choice : all) {
-        if (!isIn(left_out, choice.name)) names.push_back(choice.name);
+        if (isWanted(choice, turned)) names.push_back(choice.name);
     }
     return names;
 }
@@ -226,17 +232,17 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
 }
 
 void drawChoices(const char* label, const char* kind, const std::vector<ExportChoice>& choices,
-                 std::vector<std::string>& left_out) {
+                 std::vector<std::string>& turned) {
     formLabel(label);
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const ExportChoice& choice = choices[i];
         if (i > 0) flowTo(("[x] " + choice.name).c_str());
-        bool wanted = !isIn(left_out, choice.name);
+        bool wanted = isWanted(choice, turned);
         if (ImGui::Checkbox(choice.name.c_str(), &wanted)) {
-            if (wanted) {
-                std::erase(left_out, choice.name);
+            if (wanted == choice.standard) {
+                std::erase(turned, choice.name);
             } else {
-                left_out.push_back(choice.name);
+                turned.push_back(choice.name);
             }
         }
         nameItem(fmt::format("export.{}.{}", kind, choice.name));
@@ -262,6 +268,24 @@ std::string summaryOf(const ExportView& view, const ExportDraft& draft) {
     return text;
 }
 
+bool wantsFlow(const ExportView& view, const ExportDraft& draft) {
+    const auto names = chosen(view.modalities, draft.turned_modalities);
+    return isIn(names, "flow_forward") || isIn(names, "flow_backward");
+}
+
+/// "1,5": whole numbers from 1 on.
+bool areDistances(const std::string& text) {
+    std::istringstream parts(text);
+    bool any = false;
+    for (std::string part; std::getline(parts, part, ',');) {
+        const bool whole = !part.empty() && part.size() < 6 && part[0] != '0' &&
+                           part.find_first_not_of("0123456789") == std::string::npos;
+        if (!whole) return false;
+        any = true;
+    }
+    return any && text.back() != ',';
+}
+
 /// Why the settings cannot be exported; empty when they can.
 std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     if (!view.why_not.empty()) return view.why_not;
@@ -270,12 +294,15 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     if (!view.why_not_folder.empty()) return view.why_not_folder;
     if (isReversed(draft)) return rangeNote(view, draft);
     if (!draft.current_only && draft.first >= view.frame_count) return rangeNote(view, draft);
-    // To the program, no name means all.
-    if (!view.modalities.empty() && chosen(view.modalities, draft.left_out_modalities).empty()) {
+    // To the program, no name means the standard ones.
+    if (!view.modalities.empty() && chosen(view.modalities, draft.turned_modalities).empty()) {
         return "Choose at least one modality.";
     }
-    if (!view.formats.empty() && chosen(view.formats, draft.left_out_formats).empty()) {
+    if (!view.formats.empty() && chosen(view.formats, draft.turned_formats).empty()) {
         return "Choose at least one format.";
+    }
+    if (wantsFlow(view, draft) && !areDistances(draft.flow_distances)) {
+        return "Flow goes to frames at whole distances, as in 1,5.";
     }
     return {};
 }
@@ -291,8 +318,19 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
 void drawContents(const ExportView& view, ExportDraft& draft) {
     // Many boxes, short names.
     if (!beginForm("contents", 0.2F)) return;
-    drawChoices("Modalities", "modality", view.modalities, draft.left_out_modalities);
-    drawChoices("Formats", "format", view.formats, draft.left_out_formats);
+    drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
+    drawChoices("Formats", "format", view.formats, draft.turned_formats);
+    if (wantsFlow(view, draft)) {
+        formLabel("Flow to frames", "This many frames later and earlier, separated by commas");
+        ImGui::SetNextItemWidth(-FLT_MIN);
+        ImGui::InputText("##flow", &draft.flow_distances);
+        nameItem("export.flow_distances");
+    }
+    if (view.has_tracks) {
+        formLabel("Moving things");
+        ImGui::Checkbox("stay where the plan has them", &draft.still);
+        nameItem("export.still");
+    }
     formLabel("Other files");
     ImGui::Checkbox("may be in the folder", &draft.overwrite);
     nameItem("export.overwrite");
@@ -360,17 +398,20 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     ExportRequest request;
     request.name = view.project;
     request.folder = draft.folder;
-    // All is what the program does unasked, also those of a later version; and what is begun here
-    // can be continued there without naming the frames.
+    // What is begun here can be continued there without naming the frames.
     if (frames.begin != 0 || frames.end != view.frame_count || frames.step != 1) {
         request.range = fmt::format("{}:{}:{}", frames.begin, frames.end, frames.step);
     }
-    if (!draft.left_out_modalities.empty()) {
-        request.modalities = chosen(view.modalities, draft.left_out_modalities);
+    if (!draft.turned_modalities.empty()) {
+        request.modalities = chosen(view.modalities, draft.turned_modalities);
     }
-    if (!draft.left_out_formats.empty()) {
-        request.formats = chosen(view.formats, draft.left_out_formats);
+    if (!draft.turned_formats.empty()) {
+        request.formats = chosen(view.formats, draft.turned_formats);
     }
+    if (wantsFlow(view, draft) && draft.flow_distances != "1") {
+        request.flow_distances = draft.flow_distances;
+    }
+    request.still = view.has_tracks && draft.still;
     request.overwrite = draft.overwrite;
     return request;
 }

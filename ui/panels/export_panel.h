@@ -11,8 +11,9 @@ namespace dollytrack::ui {
 
 /// Something a dataset can hold.
 struct ExportChoice {
-    std::string name;  // as the command line takes it
-    std::string text;  // what it is, for people
+    std::string name;      // as the command line takes it
+    std::string text;      // what it is, for people
+    bool standard = true;  // written unless it is turned off
 };
 
 /// What the panel may read this frame.
@@ -28,6 +29,7 @@ struct ExportView {
     bool folder_warns = false;            // of something that one may not expect
     std::string why_not_folder;           // why nothing can be written there
     double bytes_per_frame = 0.0;         // an estimate; 0: unknown
+    bool has_tracks = false;              // some things move with time
     std::vector<ExportChoice> modalities;
     std::vector<ExportChoice> formats;
     std::vector<ExportJob> jobs;  // in the queue's order
@@ -45,8 +47,11 @@ struct ExportDraft {
     int step = 1;
     bool keep_ratio = false;  // of width to height
     double ratio = 0.0;       // when the last edit of them began
-    std::vector<std::string> left_out_modalities;
-    std::vector<std::string> left_out_formats;
+    // Those whose box is no longer as it was at first.
+    std::vector<std::string> turned_modalities;
+    std::vector<std::string> turned_formats;
+    std::string flow_distances = "1";  // in frames, "1,5"
+    bool still = false;
     bool overwrite = false;
 
     /// Where to and which frames belong to one project; what to write holds for the next as well.

@@ -54,21 +54,20 @@ struct Relay {
     bool news = false;
 
     /// The window's side: takes over what is finished, and what it shows into a texture.
-    const Image& newest(std::mutex& mutex, gl::PictureTexture& picture) {
-        const bool is_new = [&] {
+    void takeNews(std::mutex& mutex, gl::PictureTexture& picture) {
+        {
             const std::lock_guard lock(mutex);
-            if (news) std::swap(shown, finished);
-            return std::exchange(news, false);
-        }();
+            if (!std::exchange(news, false)) return;
+            std::swap(shown, finished);
+        }
         // The thread leaves alone what is shown.
         Image& image = images[static_cast<std::size_t>(shown)];
-        if (is_new) {
-            const Intrinsics& size = image.view.intrinsics;
-            picture.upload(size.width, size.height, image.rgba);
-            image.texture = picture.get();
-        }
-        return image;
+        const Intrinsics& size = image.view.intrinsics;
+        picture.upload(size.width, size.height, image.rgba);
+        image.texture = picture.get();
     }
+
+    [[nodiscard]] const Image& newest() const { return images[static_cast<std::size_t>(shown)]; }
 };
 
 /// Whether two views show the same of an unchanged scene.
@@ -380,12 +379,17 @@ void RenderThread::requestPreview(const render::View& view, int frame, double ti
     impl_->arrived.notify_one();
 }
 
-const ViewImage& RenderThread::view() {
-    return impl_->views.newest(impl_->mutex, impl_->view_picture);
+void RenderThread::takeNews() {
+    impl_->views.takeNews(impl_->mutex, impl_->view_picture);
+    impl_->previews.takeNews(impl_->mutex, impl_->preview_picture);
 }
 
-const PreviewImage& RenderThread::preview() {
-    return impl_->previews.newest(impl_->mutex, impl_->preview_picture);
+const ViewImage& RenderThread::view() const {
+    return impl_->views.newest();
+}
+
+const PreviewImage& RenderThread::preview() const {
+    return impl_->previews.newest();
 }
 
 bool RenderThread::ready() const {

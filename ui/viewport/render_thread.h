@@ -80,10 +80,13 @@ class RenderThread {
     void requestView(ViewRequest request);
     void requestPreview(const render::View& view, int frame, double time_s, Modality modality);
 
-    /// The newest picture; the one before may be drawn over from now on. Only on the window's
-    /// thread, with its context current.
-    const ViewImage& view();
-    const PreviewImage& preview();
+    /// Takes over what is finished, once a frame and before anything is drawn from it: pictures
+    /// shown until now, and their textures, are gone afterwards. Only on the window's thread, with
+    /// its context current.
+    void takeNews();
+    /// The newest pictures taken over, the same until takeNews().
+    [[nodiscard]] const ViewImage& view() const;
+    [[nodiscard]] const PreviewImage& preview() const;
 
     /// Whether the lit scene is on the card, so that pictures mean something.
     [[nodiscard]] bool ready() const;

@@ -1,8 +1,11 @@
-#include "app/editor/child_process.h"
+#include "app/process/child_process.h"
+
+#include "engine/io/durable_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,7 +17,7 @@
 #include <thread>
 #include <utility>
 
-namespace dollytrack::editor {
+namespace dollytrack {
 namespace {
 
 struct Pipe {
@@ -38,14 +41,39 @@ struct Pipe {
     }
 };
 
+/// A file for what a program says; nothing where no name is given.
+struct OutputFile {
+    int descriptor = -1;
+
+    Status open(const std::filesystem::path& path) {
+        if (path.empty()) return {};
+        descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (descriptor < 0) return tl::unexpected<Error>(io::writeError(errno, path));
+        return {};
+    }
+    ~OutputFile() {
+        if (descriptor >= 0) close(descriptor);
+    }
+};
+
+/// What the child is to become, ready before it is made.
+struct Becoming {
+    char* const* arguments = nullptr;
+    pid_t parent = 0;
+    int output = -1;  // descriptors; -1: /dev/null
+    int messages = -1;
+    int failure_end = -1;  // tells the parent why it could not become that
+    rlim_t memory = RLIM_INFINITY;
+    bool expendable = false;
+};
+
 /// Runs in the child, which has but this one thread: other threads may have held any lock when it
 /// was made, so nothing here allocates, or calls what is not safe in a signal handler.
-[[noreturn]] void becomeProgram(char* const* arguments, pid_t parent, int stderr_end,
-                                int failure_end) {
+[[noreturn]] void becomeProgram(const Becoming& wanted) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     // The parent may have died before it was asked to take this one along.
-    if (getppid() != parent) _exit(127);
+    if (getppid() != wanted.parent) _exit(127);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD, SIGQUIT}) {
         std::signal(signal, SIG_DFL);
     }
@@ -54,13 +82,21 @@ struct Pipe {
     sigprocmask(SIG_SETMASK, &none, nullptr);
     const int nothing = open("/dev/null", O_RDWR);
     dup2(nothing, STDIN_FILENO);
-    dup2(nothing, STDOUT_FILENO);
-    dup2(stderr_end, STDERR_FILENO);
+    dup2(wanted.output >= 0 ? wanted.output : nothing, STDOUT_FILENO);
+    dup2(wanted.messages >= 0 ? wanted.messages : nothing, STDERR_FILENO);
+    if (wanted.memory != RLIM_INFINITY) {
+        const rlimit limit{wanted.memory, wanted.memory};
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    if (wanted.expendable) {
+        const int score = open("/proc/self/oom_score_adj", O_WRONLY);
+        [[maybe_unused]] const ssize_t told = write(score, "1000", 4);
+    }
     // Files, sockets and devices of libraries that forgot to mark them.
     close_range(3, UINT_MAX, CLOSE_RANGE_CLOEXEC);
-    execv(arguments[0], arguments);
+    execv(wanted.arguments[0], wanted.arguments);
     const int error = errno;
-    [[maybe_unused]] const ssize_t written = write(failure_end, &error, sizeof(error));
+    [[maybe_unused]] const ssize_t written = write(wanted.failure_end, &error, sizeof(error));
     _exit(127);
 }
 
@@ -72,21 +108,30 @@ tl::unexpected<Error> cannotStart(const std::string& program, int error) {
 
 }  // namespace
 
-Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command) {
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command,
+                                         const ProcessSetup& setup) {
+    OutputFile output;
+    OutputFile messages;
+    Status opened = output.open(setup.output);
+    if (opened) opened = messages.open(setup.messages);
+    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
     Pipe words;
     Pipe failure;
-    if (!words.open() || !failure.open()) return cannotStart(command[0], errno);
+    const bool heard = setup.messages.empty();
+    if ((heard && !words.open()) || !failure.open()) return cannotStart(command[0], errno);
     std::vector<char*> arguments;
     for (const std::string& argument : command) {
         arguments.push_back(const_cast<char*>(argument.c_str()));
     }
     arguments.push_back(nullptr);
-    const pid_t parent = getpid();
+    const Becoming wanted{
+        arguments.data(),  getpid(),
+        output.descriptor, heard ? words.write_end : messages.descriptor,
+        failure.write_end, setup.memory_bytes > 0 ? setup.memory_bytes : RLIM_INFINITY,
+        setup.expendable};
     const pid_t child = fork();
     if (child < 0) return cannotStart(command[0], errno);
-    if (child == 0) {
-        becomeProgram(arguments.data(), parent, words.write_end, failure.write_end);
-    }
+    if (child == 0) becomeProgram(wanted);
     // Here as well: whichever comes first, a signal to the group must find it.
     setpgid(child, child);
     words.closeWriteEnd();
@@ -98,13 +143,13 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
         got = ::read(failure.read_end, &error, sizeof(error));
     } while (got < 0 && errno == EINTR);
     if (got == sizeof(error)) return cannotStart(command[0], error);
-    fcntl(process.stderr_end_, F_SETFL, O_NONBLOCK);
+    if (heard) fcntl(process.heard_end_, F_SETFL, O_NONBLOCK);
     return process;
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
-      stderr_end_(std::exchange(other.stderr_end_, -1)),
+      heard_end_(std::exchange(other.heard_end_, -1)),
       end_(other.end_) {}
 
 ChildProcess::~ChildProcess() {
@@ -113,22 +158,22 @@ ChildProcess::~ChildProcess() {
         while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
     }
-    if (stderr_end_ >= 0) close(stderr_end_);
+    if (heard_end_ >= 0) close(heard_end_);
 }
 
 std::string ChildProcess::read(std::chrono::milliseconds wait) {
-    if (stderr_end_ < 0) {
-        // It closed its standard error and goes on; poll() would not wait for nothing.
+    if (heard_end_ < 0) {
+        // Nothing is to be heard, any more or at all; poll() would not wait for nothing.
         if (!end_) std::this_thread::sleep_for(wait);
         return {};
     }
-    pollfd watched{stderr_end_, POLLIN, 0};
+    pollfd watched{heard_end_, POLLIN, 0};
     if (poll(&watched, 1, static_cast<int>(wait.count())) <= 0) return {};
     std::string text(1 << 16, '\0');
-    const ssize_t got = ::read(stderr_end_, text.data(), text.size());
+    const ssize_t got = ::read(heard_end_, text.data(), text.size());
     if (got == 0) {
-        close(stderr_end_);
-        stderr_end_ = -1;
+        close(heard_end_);
+        heard_end_ = -1;
     }
     text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
     return text;
@@ -136,9 +181,11 @@ std::string ChildProcess::read(std::chrono::milliseconds wait) {
 
 std::optional<ProcessEnd> ChildProcess::end() {
     int status = 0;
-    if (!end_ && waitpid(process_, &status, WNOHANG) == process_) {
+    rusage usage{};
+    if (!end_ && wait4(process_, &status, WNOHANG, &usage) == process_) {
         end_ = WIFEXITED(status) ? ProcessEnd{WEXITSTATUS(status), 0}
                                  : ProcessEnd{-1, WTERMSIG(status)};
+        end_->peak_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U;
     }
     return end_;
 }
@@ -148,4 +195,4 @@ void ChildProcess::send(int signal) const {
     if (process_ > 0 && !end_) kill(-process_, signal);
 }
 
-}  // namespace dollytrack::editor
+}  // namespace dollytrack

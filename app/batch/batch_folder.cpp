@@ -1,0 +1,124 @@
+#include "app/batch/batch_folder.h"
+
+#include "engine/io/durable_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+namespace dollytrack::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kList = "jobs.json";
+constexpr const char* kFormat = "dollytrack-batch";
+constexpr const char* kLock = ".lock";
+
+std::string textOf(const BatchList& list) {
+    Json jobs = Json::array();
+    for (const Job& job : list.jobs) jobs.push_back(toJson(job));
+    const Json json = {
+        {"format", kFormat}, {"version", 1}, {"require", list.require}, {"jobs", std::move(jobs)}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string contentOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+bool isOurs(const std::string& list) {
+    const Json json = Json::parse(list, nullptr, false);
+    return json.is_object() && json.contains("format") && json["format"] == kFormat;
+}
+
+}  // namespace
+
+Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return tl::unexpected<Error>(io::writeError(error.value(), folder));
+    if (!fs::is_directory(folder, error)) {
+        return tl::unexpected<Error>(io::writeError(ENOTDIR, folder));
+    }
+    const fs::path path = folder / kList;
+    const std::string wanted = textOf(list);
+    const std::string found = contentOf(path);
+    if (found == wanted) return {};
+    if (!isOurs(found) && !fs::is_empty(folder, error)) {
+        // Another part of the batch may have marked it just now.
+        if (contentOf(path) == wanted) return {};
+        return fail(ErrorCode::CannotWrite,
+                    "the folder holds files that are not of a Dollytrack batch; choose an empty "
+                    "folder with 'out' or --out",
+                    folder.string());
+    }
+    Status written = io::writeWhole(path, wanted);
+    if (!written && contentOf(path) == wanted) return {};
+    return written;
+}
+
+Result<BatchList> readBatchList(const fs::path& folder) {
+    const fs::path path = folder / kList;
+    const std::string text = contentOf(path);
+    if (!isOurs(text)) {
+        return fail(ErrorCode::BadInput,
+                    "this is not the folder of a batch: its jobs.json is missing or damaged",
+                    folder.string());
+    }
+    BatchList list;
+    try {
+        const Json json = Json::parse(text);
+        list.require = json.at("require").get<std::vector<std::string>>();
+        for (const Json& job : json.at("jobs")) {
+            list.jobs.push_back(jobFromJson(job));
+            const std::string& name = list.jobs.back().name;
+            if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) {
+                return fail(ErrorCode::BadInput, "'" + name + "' cannot be a job's folder.",
+                            path.string());
+            }
+        }
+    } catch (const Json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    std::string("a field is missing or of the wrong type (") + e.what() + ")",
+                    path.string());
+    }
+    return list;
+}
+
+Result<JobLock> JobLock::take(const fs::path& job_folder) {
+    std::error_code error;
+    fs::create_directories(job_folder, error);
+    if (error) return tl::unexpected<Error>(io::writeError(error.value(), job_folder));
+    JobLock lock;
+    const fs::path path = job_folder / kLock;
+    lock.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock.descriptor_ < 0) return tl::unexpected<Error>(io::writeError(errno, path));
+    lock.ours_ = ::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    return lock;
+}
+
+JobLock::~JobLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+JobLock::JobLock(JobLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), ours_(other.ours_) {}
+
+JobLock& JobLock::operator=(JobLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(ours_, other.ours_);
+    return *this;
+}
+
+}  // namespace dollytrack::batch

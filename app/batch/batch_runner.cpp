@@ -1,0 +1,340 @@
+#include "app/batch/batch_runner.h"
+
+#include "app/batch/batch_folder.h"
+#include "app/process/child_process.h"
+#include "engine/core/clean_text.h"
+#include "engine/core/log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <list>
+#include <optional>
+#include <thread>
+
+namespace dollytrack::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kDataset = "dataset";
+constexpr const char* kOutput = "metrics.json";
+constexpr const char* kLog = "log.txt";
+constexpr auto kLook = std::chrono::milliseconds(20);
+// An export that is asked to stop finishes the frames on their way first.
+constexpr auto kGrace = std::chrono::seconds(10);
+
+bool datasetsAreThere(const JobResult& result, const fs::path& folder) {
+    return std::all_of(result.datasets.begin(), result.datasets.end(), [&](const auto& one) {
+        std::error_code error;
+        return fs::exists(folder / one.folder / "dataset.json", error);
+    });
+}
+
+/// Whether its folder may hold finished frames that a further run can build on. What refused to go
+/// on will refuse again.
+bool canGoOn(const JobResult& result) {
+    constexpr int kUsage = 2;
+    constexpr int kBadInput = 4;
+    if (result.state == JobState::NotRun) return false;
+    return result.state != JobState::Failed ||
+           (result.exit_code != kUsage && result.exit_code != kBadInput);
+}
+
+/// The program's last sentence, from the end of what it said.
+std::string lastWords(const fs::path& log) {
+    constexpr std::streamoff kEnough = 4096;
+    constexpr std::string_view kOurs = "dollytrack: ";
+    std::ifstream file(log, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    if (size <= 0) return {};
+    file.seekg(std::max<std::streamoff>(0, size - kEnough));
+    std::string line;
+    std::string last;
+    while (std::getline(file, line)) {
+        if (line.starts_with(kOurs)) {
+            last = line.substr(kOurs.size());
+        } else if (!line.empty() && !line.starts_with("Run with --help")) {
+            last = line;
+        }
+    }
+    return cleanText(last);
+}
+
+std::string signalText(int signal) {
+    const char* text = ::sigdescr_np(signal);
+    return fmt::format("it was ended by signal {} ({}){}", signal, text != nullptr ? text : "?",
+                       signal == SIGKILL ? ", as the system does when memory runs out" : "");
+}
+
+std::string resultText(const JobResult& result) {
+    std::string text = name(result.state);
+    if (result.state == JobState::Done) {
+        const auto frames = result.metrics.find("exported_frames");
+        if (frames != result.metrics.end()) text += fmt::format(", {} frames", frames->get<int>());
+        const auto well = result.metrics.find("well_captured_rate");
+        if (well != result.metrics.end()) {
+            text += fmt::format(", {:.1f} % well captured", 100.0 * well->get<double>());
+        }
+    } else {
+        text += ": " + result.message;
+    }
+    return fmt::format("{}, {:.1f} s", text, result.seconds);
+}
+
+struct Running {
+    std::size_t index = 0;
+    ChildProcess process;
+    JobLock lock;
+    JobResult result;
+    double seconds_before = 0.0;  // of earlier runs that this one continues
+    Clock::time_point begin;
+    std::optional<Clock::time_point> kill_at;
+    JobState stopped_as = JobState::Crashed;
+};
+
+class Runner {
+  public:
+    Runner(const std::vector<Job>& jobs, const RunSettings& settings, const JobContext& job)
+        : jobs_(jobs), settings_(settings), job_(job), results_(jobs.size()) {}
+
+    std::vector<JobResult> run() {
+        std::size_t next = 0;
+        job_.reportItems(0, static_cast<int>(jobs_.size()));
+        while (next < jobs_.size() || !running_.empty()) {
+            const bool stop = job_.cancelled();
+            if (stop && running_.empty()) break;
+            while (!stop && next < jobs_.size() &&
+                   static_cast<int>(running_.size()) < settings_.parallel) {
+                begin(next++);
+            }
+            for (auto it = running_.begin(); it != running_.end();) {
+                it = look(*it, stop) ? running_.erase(it) : std::next(it);
+            }
+            // Said again and again: what shows it also shows the time.
+            job_.reportItems(finished_, static_cast<int>(jobs_.size()));
+            if (!running_.empty()) std::this_thread::sleep_for(kLook);
+        }
+        // What the folders of the jobs hold that were not come to.
+        for (; next < jobs_.size(); ++next) {
+            const auto standing = standingOf(jobs_[next], settings_);
+            if (standing && standing->step == Standing::Step::Nothing) {
+                results_[next] = standing->found;
+            }
+        }
+        return std::move(results_);
+    }
+
+  private:
+    [[nodiscard]] fs::path folderOf(std::size_t index) const {
+        return settings_.folder / jobs_[index].name;
+    }
+
+    void begin(std::size_t index) {
+        if (const Status status = tryToBegin(index); !status) {
+            JobResult& result = results_[index];
+            result.state = JobState::Failed;
+            result.exit_code = status.error().code == ErrorCode::CannotWrite ? 6 : 4;
+            result.message = describe(status.error());
+            keepRefusal(index);
+            finish(index);
+        }
+    }
+
+    /// For those who put results together elsewhere; what an earlier run found out is worth more.
+    void keepRefusal(std::size_t index) {
+        JobResult& result = results_[index];
+        result.command = jobs_[index].command;
+        result.arguments = jobs_[index].arguments;
+        result.version = settings_.version;
+        result.ran_now = true;
+        if (readResult(folderOf(index)).state != JobState::NotRun) return;
+        if (const Status kept = writeResult(folderOf(index), result); !kept) {
+            log::debug("batch", describe(kept.error()));
+        }
+    }
+
+    Status tryToBegin(std::size_t index) {
+        const Job& job = jobs_[index];
+        const fs::path folder = folderOf(index);
+        Result<JobLock> lock = JobLock::take(folder);
+        if (!lock) return tl::unexpected<Error>(std::move(lock.error()));
+        if (!lock->isOurs()) {
+            results_[index].state = JobState::Busy;
+            results_[index].message = "another batch is at this job";
+            finish(index);
+            return {};
+        }
+        Result<Standing> standing = standingOf(job, settings_);
+        if (!standing) return tl::unexpected<Error>(std::move(standing.error()));
+        if (standing->step == Standing::Step::Nothing) {
+            results_[index] = std::move(standing->found);
+            ++finished_;
+            log::debug("batch", job.name + ": done before");
+            return {};
+        }
+        if (!standing->why.empty()) log::info("batch", job.name + ": anew, " + standing->why);
+        const bool resumes = standing->step == Standing::Step::GoOn && job.command == "export";
+        JobResult result;
+        result.state = JobState::Begun;
+        result.message = "its run had no end";
+        result.scene = std::move(standing->scene);
+        result.command = job.command;
+        result.arguments = job.arguments;
+        result.version = settings_.version;
+        result.ran_now = true;
+        result.seconds = resumes ? standing->found.seconds : 0.0;
+        // First of all: whatever happens, the next batch knows what the folder's frames are of.
+        if (Status status = writeResult(folder, result); !status) return status;
+        ProcessSetup setup;
+        setup.output = folder / kOutput;
+        setup.messages = folder / kLog;
+        setup.memory_bytes = settings_.memory_mb * 1'000'000;
+        setup.expendable = true;
+        Result<ChildProcess> process =
+            ChildProcess::start(commandOf(job, settings_, resumes), setup);
+        if (!process) return tl::unexpected<Error>(std::move(process.error()));
+        const double before = result.seconds;
+        running_.push_back({index, std::move(*process), std::move(*lock), std::move(result), before,
+                            Clock::now(), std::nullopt, JobState::Crashed});
+        return {};
+    }
+
+    /// Whether it has ended.
+    bool look(Running& one, bool stop) {
+        if (const auto end = one.process.end()) {
+            conclude(one, *end);
+            return true;
+        }
+        const auto now = Clock::now();
+        const std::chrono::duration<double> spent = now - one.begin;
+        if (one.kill_at) {
+            if (now >= *one.kill_at) one.process.send(SIGKILL);
+        } else if (stop) {
+            ask(one, SIGINT, JobState::Interrupted);
+        } else if (settings_.timeout_s > 0.0 && spent.count() > settings_.timeout_s) {
+            ask(one, SIGTERM, JobState::TimedOut);
+        }
+        return false;
+    }
+
+    static void ask(Running& one, int signal, JobState as) {
+        one.process.send(signal);
+        one.process.send(SIGCONT);  // one that was stopped could not hear
+        one.kill_at = Clock::now() + kGrace;
+        one.stopped_as = as;
+    }
+
+    void conclude(Running& one, const ProcessEnd& end) {
+        JobResult& result = one.result;
+        const fs::path folder = folderOf(one.index);
+        const std::chrono::duration<double> spent = Clock::now() - one.begin;
+        result.seconds = one.seconds_before + spent.count();
+        result.peak_bytes = end.peak_bytes;
+        result.exit_code = std::max(end.exit_code, 0);
+        result.signal = end.signal;
+        result.message.clear();
+        if (end.exit_code == 0) {
+            result.state = JobState::Done;
+            readOutput(folder / kOutput, folder, result);
+            const bool lacks_datasets =
+                jobs_[one.index].command == "export" &&
+                (result.datasets.empty() || !datasetsAreThere(result, folder));
+            if (result.metrics.empty() || lacks_datasets) {
+                result.state = JobState::Failed;
+                result.message = "it ended well, but what it should have written is not there";
+            }
+        } else if (one.kill_at) {
+            result.state = one.stopped_as;
+            result.message =
+                one.stopped_as == JobState::TimedOut
+                    ? fmt::format("it took longer than {:g} s; the next run goes on from there",
+                                  settings_.timeout_s)
+                    : "it was stopped with the batch; the next run goes on from there";
+        } else if (end.signal != 0) {
+            result.state = JobState::Crashed;
+            result.message = signalText(end.signal);
+        } else {
+            result.state = JobState::Failed;
+            result.message = lastWords(folder / kLog);
+            if (result.message.empty()) {
+                result.message = fmt::format("it ended with code {}", end.exit_code);
+            }
+        }
+        if (const Status status = writeResult(folder, result); !status) {
+            result.state = JobState::Failed;
+            result.message = describe(status.error());
+        }
+        results_[one.index] = std::move(result);
+        finish(one.index);
+    }
+
+    void finish(std::size_t index) {
+        ++finished_;
+        const JobResult& result = results_[index];
+        const std::string line = fmt::format("[{}/{}] {}: {}", finished_, jobs_.size(),
+                                             jobs_[index].name, resultText(result));
+        if (result.state == JobState::Done) {
+            log::info("batch", line);
+        } else {
+            log::error("batch", line);
+        }
+    }
+
+    const std::vector<Job>& jobs_;
+    const RunSettings& settings_;
+    const JobContext& job_;
+    std::vector<JobResult> results_;
+    std::list<Running> running_;
+    int finished_ = 0;
+};
+
+}  // namespace
+
+Result<Standing> standingOf(const Job& job, const RunSettings& settings) {
+    const fs::path folder = settings.folder / job.name;
+    Standing standing;
+    standing.found = readResult(folder);
+    const JobResult& found = standing.found;
+    Result<SceneStamp> scene = stampOf(job.scene, found.scene);
+    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    standing.scene = std::move(*scene);
+    if (found.state == JobState::NotRun) return standing;
+    if (!isOf(found, job)) {
+        standing.why = "its settings have changed";
+    } else if (standing.scene.sha256 != found.scene.sha256) {
+        standing.why = "its scene has changed";
+    } else if (found.state == JobState::Done && datasetsAreThere(found, folder)) {
+        standing.step = Standing::Step::Nothing;
+    } else if (found.version != settings.version) {
+        standing.why = "another version of the program began it";
+    } else if (canGoOn(found)) {
+        standing.step = Standing::Step::GoOn;
+    }
+    return standing;
+}
+
+std::vector<std::string> commandOf(const Job& job, const RunSettings& settings, bool resumes) {
+    std::vector<std::string> command = {settings.program.string(), job.command, job.scene.string()};
+    command.insert(command.end(), job.arguments.begin(), job.arguments.end());
+    command.insert(command.end(), {"--json", "--threads", std::to_string(settings.threads)});
+    if (job.command == "export") {
+        const fs::path out = settings.folder / job.name / kDataset;
+        // The job's folder is ours, whatever became of the dataset in it.
+        command.insert(command.end(), {"--out", out.string(), "--overwrite"});
+        if (resumes) command.emplace_back("--resume");
+    }
+    return command;
+}
+
+std::vector<JobResult> runJobs(const std::vector<Job>& jobs, const RunSettings& settings,
+                               const JobContext& job) {
+    return Runner(jobs, settings, job).run();
+}
+
+}  // namespace dollytrack::batch

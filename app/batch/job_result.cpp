@@ -1,0 +1,156 @@
+#include "app/batch/job_result.h"
+
+#include "engine/io/durable_file.h"
+#include "engine/io/sha256.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <system_error>
+
+namespace dollytrack::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFile = "result.json";
+constexpr std::array<const char*, 8> kNames = {"not run", "begun",     "done",        "failed",
+                                               "crashed", "timed out", "interrupted", "busy"};
+
+Json readJson(const fs::path& path) {
+    try {
+        std::ifstream file(path, std::ios::binary);
+        return Json::parse(file, nullptr, false);
+    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
+        return Json(Json::value_t::discarded);
+    }
+}
+
+void takeNumbers(const Json& from, const std::string& prefix, Json& to) {
+    for (const auto& [key, value] : from.items()) {
+        if (value.is_number()) to[prefix + key] = value;
+    }
+}
+
+}  // namespace
+
+const char* name(JobState state) {
+    return kNames[static_cast<std::size_t>(state)];
+}
+
+Result<SceneStamp> stampOf(const fs::path& scene, const SceneStamp& known) {
+    std::error_code error;
+    SceneStamp stamp;
+    stamp.size = fs::file_size(scene, error);
+    const auto changed = error ? fs::file_time_type{} : fs::last_write_time(scene, error);
+    if (error) {
+        return fail(ErrorCode::BadInput, "the scene cannot be read (" + error.message() + ")",
+                    scene.string());
+    }
+    stamp.changed_ns =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(changed.time_since_epoch()).count();
+    if (stamp.size == known.size && stamp.changed_ns == known.changed_ns) return known;
+    return io::sha256OfFile(scene).map([&](std::string sha256) {
+        stamp.sha256 = std::move(sha256);
+        return stamp;
+    });
+}
+
+bool isOf(const JobResult& result, const Job& job) {
+    return result.command == job.command && result.arguments == job.arguments;
+}
+
+JobResult readResult(const fs::path& folder) {
+    JobResult result;
+    const Json json = readJson(folder / kFile);
+    if (!json.is_object()) return result;
+    try {
+        const auto state = json.at("state").get<std::string>();
+        const auto* at = std::find(kNames.begin(), kNames.end(), state);
+        if (at == kNames.end()) return {};
+        result.state = static_cast<JobState>(at - kNames.begin());
+        result.exit_code = json.at("exit_code").get<int>();
+        result.signal = json.at("signal").get<int>();
+        result.message = json.at("message").get<std::string>();
+        result.seconds = json.at("seconds").get<double>();
+        result.peak_bytes = json.at("peak_bytes").get<std::uint64_t>();
+        const Json& scene = json.at("scene");
+        result.scene = {scene.at("size").get<std::uint64_t>(),
+                        scene.at("changed_ns").get<std::int64_t>(),
+                        scene.at("sha256").get<std::string>()};
+        result.command = json.at("command").get<std::string>();
+        result.arguments = json.at("arguments").get<std::vector<std::string>>();
+        result.version = json.at("version").get<std::string>();
+        result.metrics = json.at("metrics");
+        if (!result.metrics.is_object()) return {};
+        for (const Json& one : json.at("datasets")) {
+            result.datasets.push_back(
+                {one.at("folder").get<std::string>(), one.at("frames").get<int>()});
+        }
+    } catch (const Json::exception&) {
+        return {};
+    }
+    return result;
+}
+
+JobResult resultOf(const Job& job, const fs::path& batch_folder) {
+    JobResult result = readResult(batch_folder / job.name);
+    return isOf(result, job) ? result : JobResult();
+}
+
+Status writeResult(const fs::path& folder, const JobResult& result) {
+    Json datasets = Json::array();
+    for (const WrittenDataset& one : result.datasets) {
+        datasets.push_back({{"folder", one.folder}, {"frames", one.frames}});
+    }
+    const Json json = {{"state", name(result.state)},
+                       {"exit_code", result.exit_code},
+                       {"signal", result.signal},
+                       {"message", result.message},
+                       {"seconds", result.seconds},
+                       {"peak_bytes", result.peak_bytes},
+                       {"scene",
+                        {{"size", result.scene.size},
+                         {"changed_ns", result.scene.changed_ns},
+                         {"sha256", result.scene.sha256}}},
+                       {"command", result.command},
+                       {"arguments", result.arguments},
+                       {"version", result.version},
+                       {"metrics", result.metrics},
+                       {"datasets", std::move(datasets)}};
+    return io::writeWhole(folder / kFile,
+                          json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void readOutput(const fs::path& output, const fs::path& folder, JobResult& result) {
+    const Json json = readJson(output);
+    if (!json.is_object()) return;
+    result.metrics = Json::object();
+    result.datasets.clear();
+    try {
+        if (!json.contains("out")) {  // of `plan`: metrics alone
+            takeNumbers(json, "", result.metrics);
+            return;
+        }
+        const bool one_a_room = json.contains("rooms");
+        const Json all = one_a_room ? json.at("rooms") : Json::array({json});
+        int frames = 0;
+        for (const Json& one : all) {
+            const fs::path written = one.at("out").get<std::string>();
+            result.datasets.push_back(
+                {written.lexically_relative(folder).string(), one.at("frames").get<int>()});
+            frames += result.datasets.back().frames;
+        }
+        if (all.empty()) return;
+        takeNumbers(all.front().at("planned"), "", result.metrics);
+        // A room's rates over the targets of all rooms would say little.
+        if (!one_a_room) takeNumbers(json.at("counted"), "counted.", result.metrics);
+        result.metrics["exported_frames"] = frames;
+    } catch (const Json::exception&) {
+        return;
+    }
+}
+
+}  // namespace dollytrack::batch

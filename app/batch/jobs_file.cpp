@@ -1,0 +1,275 @@
+#include "app/batch/jobs_file.h"
+
+#include "app/batch/table_reader.h"
+#include "app/cli/requirement.h"
+#include "engine/core/field_list.h"
+#include "planning/plan_params.h"
+#include "planning/rivals/planner.h"
+#include "render/formats/formats.h"
+#include "render/frame_range.h"
+#include "render/modalities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace dollytrack::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Texts = std::vector<Placed<std::string>>;
+
+std::vector<std::string> valuesOf(const Texts& texts) {
+    std::vector<std::string> values;
+    for (const auto& one : texts) values.push_back(one.value);
+    return values;
+}
+
+/// As --set takes it; nothing for what no parameter can be.
+std::optional<std::string> assignedText(const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>()) return *text;
+    if (const auto number = node.value_exact<std::int64_t>()) return fmt::format("{}", *number);
+    if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
+    if (const auto on = node.value_exact<bool>()) return *on ? "true" : "false";
+    return std::nullopt;
+}
+
+class OrderReader {
+  public:
+    OrderReader(const fs::path& file, const toml::table& root)
+        : file_(file), reader_(root, file.string()) {
+        order_.file = file;
+    }
+
+    Result<BatchOrder> read() {
+        std::string out;
+        reader_.read("out", out);
+        if (!out.empty()) order_.out = besideFile(out);
+        readImport();
+        readSets();
+        readPlanners();
+        reader_.read("seeds", order_.seeds, 0, std::numeric_limits<int>::max());
+        readExport();
+        readRequirements();
+        std::optional<double> seconds;
+        reader_.read("timeout_s", seconds, 0.001, 1e9);
+        order_.timeout_s = seconds.value_or(0.0);
+        std::optional<int> megabytes;
+        reader_.read("memory_mb", megabytes, 1, std::numeric_limits<int>::max());
+        order_.memory_mb = static_cast<std::uint64_t>(megabytes.value_or(0));
+        Texts scenes;
+        Texts excluded;
+        reader_.read("scenes", scenes);
+        reader_.read("exclude", excluded);
+        refuseTwice();
+        if (Status status = reader_.finish(); !status) return tl::unexpected(status.error());
+        // What is written wrong is said before a slow disk is searched.
+        return findScenes(scenes, excluded).map([&] { return std::move(order_); });
+    }
+
+  private:
+    /// Relative paths count from the jobs file, wherever the program is started.
+    fs::path besideFile(const std::string& path) const { return file_.parent_path() / path; }
+
+    void readImport() {
+        const toml::table* table = reader_.table("import");
+        if (table == nullptr) return;
+        TableReader import(*table, file_.string());
+        import.read("unit_m", order_.unit_m, 1e-6, 1e6);
+        import.read("up", order_.up_axis);
+        if (order_.up_axis && *order_.up_axis != "x" && *order_.up_axis != "y" &&
+            *order_.up_axis != "z") {
+            import.refuse(import.placeOf("up"), "'up' must be \"x\", \"y\" or \"z\".");
+        }
+        std::optional<std::string> labels;
+        import.read("labels", labels);
+        if (labels) order_.labels = besideFile(*labels);
+        if (labels && !fs::exists(*order_.labels)) {
+            import.refuse(import.placeOf("labels"), "there is no file '" + *labels + "'");
+        }
+        passOn(import.finish());
+    }
+
+    void readSets() {
+        planning::PlanParams params;
+        const FieldList fields = planning::listFields(params);
+        for (const toml::table* table : reader_.tables("set")) {
+            TableReader reader(*table, file_.string());
+            ParameterSet set;
+            reader.read("name", set.name);
+            if (set.name.empty() || asName(set.name) != set.name) {
+                reader.refuse(reader.placeOf("name"),
+                              "Each [[set]] needs a name of letters, digits, '-' and '_'; it "
+                              "becomes a part of folders' names.");
+            }
+            const auto same = [&](const ParameterSet& one) { return one.name == set.name; };
+            if (std::any_of(order_.sets.begin(), order_.sets.end(), same)) {
+                reader.refuse(reader.placeOf("name"),
+                              fmt::format("There are two sets named '{}'.", set.name));
+            }
+            if (const toml::table* values = reader.table("set")) {
+                for (const auto& [key, node] : *values) {
+                    const auto text = assignedText(node);
+                    const std::string assignment =
+                        fmt::format("{}={}", key.str(), text.value_or("?"));
+                    if (const Status status = setField(fields, assignment); !status) {
+                        reader.refuse(reader.placeOf(node), describe(status.error()));
+                    }
+                    set.assignments.push_back(assignment);
+                }
+            }
+            passOn(reader.finish());
+            order_.sets.push_back(std::move(set));
+        }
+    }
+
+    void readPlanners() {
+        Texts names;
+        reader_.read("planners", names);
+        for (const auto& name : names) {
+            const auto chosen = planning::choosePlanners({name.value});
+            if (!chosen) {
+                reader_.refuse(name.where, describe(chosen.error()));
+                continue;
+            }
+            for (const planning::Planner* planner : *chosen) {
+                const std::string one(planner->name);
+                auto& all = order_.planners;
+                if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+            }
+        }
+    }
+
+    void readExport() {
+        const toml::table* table = reader_.table("export");
+        if (table == nullptr) return;
+        TableReader reader(*table, file_.string());
+        ExportOrder exports;
+        reader.read("max_frames", exports.max_frames, 0, std::numeric_limits<int>::max());
+        reader.read("range", exports.range);
+        if (!exports.range.empty()) {
+            if (const auto range = render::parseFrameRange(exports.range); !range) {
+                reader.refuse(reader.placeOf("range"), range.error().message);
+            }
+        }
+        Texts modalities;
+        Texts formats;
+        Texts arguments;
+        reader.read("modalities", modalities);
+        reader.read("formats", formats);
+        reader.read("arguments", arguments);
+        for (const auto& one : modalities) {
+            const auto chosen = render::chooseModalities({one.value});
+            if (!chosen) reader.refuse(one.where, chosen.error().message);
+        }
+        for (const auto& one : formats) {
+            const auto chosen = render::chooseFormats({one.value});
+            if (!chosen) reader.refuse(one.where, chosen.error().message);
+        }
+        for (const auto& one : arguments) {
+            for (const char* own :
+                 {"--out", "--json", "--resume", "--overwrite", "--planner", "--seed", "--progress",
+                  "--modalities", "--formats", "--range", "--max-frames", "--threads", "--list"}) {
+                if (one.value != own && !one.value.starts_with(std::string(own) + "=")) continue;
+                reader.refuse(one.where,
+                              fmt::format("'{}' is not for 'arguments': the batch sets it.", own));
+            }
+        }
+        exports.modalities = valuesOf(modalities);
+        exports.formats = valuesOf(formats);
+        exports.arguments = valuesOf(arguments);
+        passOn(reader.finish());
+        order_.exports = std::move(exports);
+    }
+
+    void readRequirements() {
+        Texts texts;
+        reader_.read("require", texts);
+        for (const auto& one : texts) {
+            if (const auto parsed = cli::parseRequirement(one.value); !parsed) {
+                reader_.refuse(one.where, parsed.error().message);
+            }
+        }
+        order_.require = valuesOf(texts);
+    }
+
+    /// What is said in two places would count in one of them.
+    void refuseTwice() {
+        for (const ParameterSet& set : order_.sets) {
+            for (const std::string& assignment : set.assignments) {
+                const bool seed = assignment.starts_with("seed=") && !order_.seeds.empty();
+                const bool frames = assignment.starts_with("max_frames=") && order_.exports &&
+                                    order_.exports->max_frames;
+                if (!seed && !frames) continue;
+                reader_.refuse(
+                    reader_.placeOf("set"),
+                    fmt::format("The set '{}' has {}, and '{}' is there as well; leave "
+                                "one of them out.",
+                                set.name, assignment, seed ? "seeds" : "max_frames of [export]"));
+            }
+        }
+    }
+
+    Status findScenes(const Texts& patterns, const Texts& excluded) {
+        if (patterns.empty()) {
+            return fail(ErrorCode::BadInput,
+                        "The file names no scenes; write like scenes = [\"rooms/*.glb\"].",
+                        file_.string());
+        }
+        for (const auto& pattern : patterns) {
+            Result<std::vector<SceneFile>> found =
+                filesMatching(pattern.value, file_.parent_path());
+            if (!found) return fail(ErrorCode::BadInput, describe(found.error()), pattern.where);
+            for (SceneFile& scene : *found) {
+                const auto is = [&](const SceneFile& one) { return one.path == scene.path; };
+                if (std::any_of(order_.scenes.begin(), order_.scenes.end(), is)) continue;
+                const auto left_out = [&](const auto& one) {
+                    return matches(scene.path, one.value);
+                };
+                if (std::any_of(excluded.begin(), excluded.end(), left_out)) continue;
+                order_.scenes.push_back(std::move(scene));
+            }
+        }
+        if (order_.scenes.empty()) {
+            return fail(ErrorCode::BadInput, "'exclude' leaves no scene.",
+                        reader_.placeOf("exclude"));
+        }
+        nameScenes(order_.scenes);
+        return {};
+    }
+
+    void passOn(const Status& status) {
+        if (!status) reader_.refuse(status.error().where, status.error().message);
+    }
+
+    fs::path file_;
+    TableReader reader_;
+    BatchOrder order_;
+};
+
+}  // namespace
+
+Result<BatchOrder> readJobsFile(const fs::path& file) {
+    std::error_code error;
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || fs::is_directory(file, error) || !(text << stream.rdbuf())) {
+        return fail(ErrorCode::BadInput,
+                    fs::is_directory(file, error) ? "this is a folder; name the jobs file in it"
+                    : fs::exists(file, error)
+                        ? "the jobs file is empty or cannot be read"
+                        : "there is no such file; README.md has an example of a jobs file",
+                    file.string());
+    }
+    const toml::parse_result parsed = toml::parse(text.str(), file.string());
+    if (!parsed) {
+        return fail(ErrorCode::BadInput, std::string(parsed.error().description()) + ".",
+                    fmt::format("{}:{}", file.string(), parsed.error().source().begin.line));
+    }
+    return OrderReader(file, parsed.table()).read();
+}
+
+}  // namespace dollytrack::batch

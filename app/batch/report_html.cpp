@@ -1,0 +1,196 @@
+#include "app/batch/markup.h"
+#include "app/batch/report.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <fstream>
+#include <map>
+
+namespace dollytrack::batch {
+namespace {
+
+constexpr std::size_t kLogLines = 20;
+
+constexpr const char* kStyle = R"(
+body { font: 14px/1.45 "Inter", "DejaVu Sans", sans-serif; margin: 2em; color: #222; }
+h1 { font-size: 1.5em; } h2 { font-size: 1.15em; margin-top: 2em; }
+table { border-collapse: collapse; } th, td { padding: 3px 9px; text-align: right; }
+th { background: #f0f1f3; position: sticky; top: 0; cursor: pointer; font-weight: 600; }
+td:nth-child(2), td:nth-child(3), th:nth-child(2), th:nth-child(3) { text-align: left; }
+tr { border-bottom: 1px solid #e4e5e8; } pre { background: #f6f6f7; padding: 8px; overflow: auto; }
+.good { color: #17713a; } .bad { color: #b3261e; } .open { color: #8a6100; }
+figure { display: inline-block; margin: 6px 10px 6px 0; } figure img { height: auto; width: 380px; }
+figcaption { font-size: 12px; }
+@media (prefers-color-scheme: dark) { body { background: #1b1c1f; color: #ddd; }
+ th, pre { background: #26282c; } tr { border-color: #34363b; } a { color: #8ab4f8; }
+ .good { color: #6cc58a; } .bad { color: #ff8a80; } .open { color: #e0b45c; } }
+)";
+
+// Sorts the table by the column whose head is clicked; numbers by value.
+constexpr const char* kScript = R"(
+document.querySelectorAll("table.sorted th").forEach((head, column) => {
+  let up = false;
+  head.onclick = () => {
+    up = !up;
+    const body = head.closest("table").tBodies[0];
+    const key = row => row.cells[column].dataset.value ?? row.cells[column].textContent;
+    [...body.rows].sort((a, b) => {
+      const x = key(a), y = key(b);
+      const order = x !== "" && y !== "" && !isNaN(x) && !isNaN(y)
+        ? x - y : x.localeCompare(y, undefined, {numeric: true});
+      return up ? order : -order;
+    }).forEach(row => body.append(row));
+  };
+});
+)";
+
+const char* classOf(const ReportRow& row) {
+    if (isGood(row)) return "good";
+    const bool open =
+        row.result.state == JobState::NotRun || row.result.state == JobState::Interrupted;
+    return open ? "open" : "bad";
+}
+
+/// The metrics that any job has, so that no column is empty.
+std::vector<ShownMetric> columnsOf(const std::vector<ReportRow>& rows) {
+    std::vector<ShownMetric> columns;
+    for (const ShownMetric& metric : shownMetrics()) {
+        for (const ReportRow& row : rows) {
+            if (shownValue(row, metric).empty()) continue;
+            columns.push_back(metric);
+            break;
+        }
+    }
+    return columns;
+}
+
+std::string headOf(const ShownMetric& metric) {
+    const std::string_view unit = metric.unit;
+    return fmt::format("<th>{}{}</th>", asMarkup(metric.title),
+                       unit.empty() ? "" : fmt::format(", {}", unit));
+}
+
+std::string jobTable(const Report& report) {
+    const std::vector<ShownMetric> columns = columnsOf(report.rows);
+    std::string text = "<table class=\"sorted\"><thead><tr><th>no.</th><th>job</th><th></th>";
+    for (const ShownMetric& metric : columns) text += headOf(metric);
+    text += "<th>time, s</th><th>memory, MB</th></tr></thead><tbody>\n";
+    for (const ReportRow& row : report.rows) {
+        const JobResult& result = row.result;
+        const std::string link = result.datasets.empty()
+                                     ? asMarkup(row.job.name)
+                                     : fmt::format("<a href=\"{}\">{}</a>",
+                                                   report.linkTo(row, result.datasets[0].folder),
+                                                   asMarkup(row.job.name));
+        text += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"{}\">{}</td>", row.job.number,
+                            link, classOf(row), asMarkup(verdictOf(row)));
+        for (const ShownMetric& metric : columns) {
+            text += fmt::format("<td>{}</td>", shownValue(row, metric));
+        }
+        text += fmt::format("<td>{:.1f}</td><td>{:.0f}</td></tr>\n", result.seconds,
+                            static_cast<double>(result.peak_bytes) / 1e6);
+    }
+    return text + "</tbody></table>\n";
+}
+
+/// Means over the scenes and seeds of each set and planner, where there are several of them.
+std::string meanTable(const Report& report) {
+    std::map<std::pair<std::string, std::string>, std::vector<const ReportRow*>> groups;
+    for (const ReportRow& row : report.rows) {
+        if (row.result.state != JobState::Done) continue;
+        groups[{row.job.set, row.job.planner}].push_back(&row);
+    }
+    if (groups.size() < 2) return {};
+    const std::vector<ShownMetric> columns = columnsOf(report.rows);
+    std::string text =
+        "<h2>Means</h2>\n<table><thead><tr><th>jobs</th><th>set</th><th>planner</th>";
+    for (const ShownMetric& metric : columns) text += headOf(metric);
+    text += "</tr></thead><tbody>\n";
+    for (const auto& [key, rows] : groups) {
+        text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", rows.size(),
+                            asMarkup(key.first), asMarkup(key.second));
+        for (const ShownMetric& metric : columns) {
+            ReportRow mean;
+            double sum = 0.0;
+            int count = 0;
+            for (const ReportRow* row : rows) {
+                const auto found = row->result.metrics.find(metric.name);
+                if (found == row->result.metrics.end()) continue;
+                sum += found->get<double>();
+                ++count;
+            }
+            if (count > 0) mean.result.metrics[metric.name] = sum / count;
+            text += fmt::format("<td>{}</td>", shownValue(mean, metric));
+        }
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table>\n";
+}
+
+std::string endOfLog(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::deque<std::string> lines;
+    for (std::string line; std::getline(file, line);) {
+        lines.push_back(std::move(line));
+        if (lines.size() > kLogLines) lines.pop_front();
+    }
+    std::string text;
+    for (const std::string& line : lines) text += asMarkup(line) + "\n";
+    return text;
+}
+
+std::string failures(const Report& report) {
+    std::string text;
+    for (const ReportRow& row : report.rows) {
+        if (isGood(row) || row.result.state == JobState::NotRun) continue;
+        text += fmt::format(
+            "<h3 id=\"job{}\">{} <span class=\"{}\">{}</span></h3>\n<p>{}</p>\n"
+            "<details><summary>the end of its <a href=\"{}\">log</a></summary><pre>{}</pre>"
+            "</details>\n",
+            row.job.number, asMarkup(row.job.name), classOf(row), asMarkup(verdictOf(row)),
+            asMarkup(complaintOf(row)), report.linkTo(row, "log.txt"),
+            endOfLog(report.jobs_folder / row.job.name / "log.txt"));
+    }
+    return text.empty() ? text : "<h2>What went wrong</h2>\n" + text;
+}
+
+std::string sheets(const Report& report) {
+    std::string text;
+    for (const ReportRow& row : report.rows) {
+        for (const WrittenDataset& dataset : row.result.datasets) {
+            const std::string link = report.linkTo(row, dataset.folder + "/contact_sheet.jpg");
+            text += fmt::format(
+                "<figure><a href=\"{}\"><img loading=\"lazy\" src=\"{}\" alt=\"\"></a>"
+                "<figcaption>{}{}</figcaption></figure>\n",
+                link, link, asMarkup(row.job.name),
+                row.result.datasets.size() > 1 ? ", " + asMarkup(dataset.folder) : "");
+        }
+    }
+    return text.empty() ? text : "<h2>Contact sheets</h2>\n" + text;
+}
+
+}  // namespace
+
+std::string reportHtml(const Report& report) {
+    std::map<std::string, int> counts;
+    for (const ReportRow& row : report.rows) ++counts[verdictOf(row)];
+    std::string tally;
+    for (const auto& [verdict, count] : counts) {
+        tally += fmt::format("{}{} {}", tally.empty() ? "" : ", ", count, asMarkup(verdict));
+    }
+    std::string required;
+    for (const std::string& one : report.require) {
+        required += fmt::format("{}<code>{}</code>", required.empty() ? "" : ", ", asMarkup(one));
+    }
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
+        "<style>{1}</style></head><body>\n<h1>{0}</h1>\n<p>{2} jobs: {3}</p>\n",
+        asMarkup(report.title), kStyle, report.rows.size(), tally);
+    if (!required.empty()) text += "<p>Required: " + required + "</p>\n";
+    text += failures(report) + "<h2>Jobs</h2>\n" + jobTable(report) + meanTable(report) +
+            sheets(report);
+    return text + "<script>" + kScript + "</script>\n</body></html>\n";
+}
+
+}  // namespace dollytrack::batch

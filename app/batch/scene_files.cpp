@@ -1,0 +1,208 @@
+#include "app/batch/scene_files.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/core/natural_order.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <system_error>
+
+namespace dollytrack::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kAnyFolders = "**";
+
+/// The kinds of files that a pattern picks; a room's folder holds textures and materials, too.
+bool isScene(const fs::path& path) {
+    constexpr std::array<std::string_view, 8> kKinds = {".obj", ".fbx", ".gltf", ".glb",
+                                                        ".dae", ".ply", ".stl",  ".dolly"};
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kKinds.begin(), kKinds.end(), ending) != kKinds.end();
+}
+
+using Parts = std::vector<std::string>;
+
+Parts partsOf(const fs::path& path) {
+    Parts parts;
+    for (const fs::path& part : path) {
+        if (!part.empty()) parts.push_back(part.string());
+    }
+    return parts;
+}
+
+bool fits(const std::string& name, const std::string& part) {
+    return ::fnmatch(part.c_str(), name.c_str(), FNM_PERIOD) == 0;
+}
+
+struct Entry {
+    std::string name;
+    bool folder = false;
+};
+
+Result<std::vector<Entry>> entriesOf(const fs::path& folder) {
+    std::vector<Entry> entries;
+    std::error_code error;
+    fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+        std::error_code unknown;  // a link to nothing is neither
+        entries.push_back({at->path().filename().string(), at->is_directory(unknown)});
+    }
+    if (error) {
+        return fail(ErrorCode::BadInput, "the folder cannot be read (" + error.message() + ")",
+                    folder.string());
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return comesBefore(a.name, b.name); });
+    return entries;
+}
+
+class Search {
+  public:
+    Search(fs::path base, Parts parts) : base_(std::move(base)), parts_(std::move(parts)) {}
+
+    /// Looks in `folder` (below the base) for what fits the parts from number `at` on.
+    Status look(const fs::path& folder, std::size_t at, const fs::path& below) {
+        const bool any_depth = parts_[at] == kAnyFolders;
+        if (any_depth && at + 1 < parts_.size()) {
+            if (Status status = look(folder, at + 1, below); !status) return status;
+        }
+        const Result<std::vector<Entry>> entries = entriesOf(base_ / folder);
+        if (!entries) return tl::unexpected<Error>(entries.error());
+        for (const Entry& entry : *entries) {
+            Status status;
+            if (any_depth) {
+                // Links to folders may lead back to where one came from.
+                const bool link = fs::is_symlink(base_ / folder / entry.name);
+                if (entry.folder && !link && entry.name.front() != '.') {
+                    status = look(folder / entry.name, at, below / entry.name);
+                }
+            } else if (fits(entry.name, parts_[at])) {
+                const bool last = at + 1 == parts_.size();
+                if (last && !entry.folder && isScene(entry.name)) {
+                    found_.push_back({folder / entry.name, below / entry.name, {}});
+                } else if (!last && entry.folder) {
+                    status = look(folder / entry.name, at + 1, below / entry.name);
+                }
+            }
+            if (!status) return status;
+        }
+        return {};
+    }
+
+    std::vector<SceneFile> take() { return std::move(found_); }
+
+  private:
+    fs::path base_;
+    Parts parts_;
+    std::vector<SceneFile> found_;
+};
+
+bool fitAll(const Parts& names, std::size_t i, const Parts& parts, std::size_t at) {
+    if (at == parts.size()) return i == names.size();
+    if (parts[at] == kAnyFolders) {
+        for (std::size_t skipped = i; skipped <= names.size(); ++skipped) {
+            if (fitAll(names, skipped, parts, at + 1)) return true;
+        }
+        return false;
+    }
+    return i < names.size() && fits(names[i], parts[at]) && fitAll(names, i + 1, parts, at + 1);
+}
+
+/// From short to long; the last one is always the file's own.
+std::string nameAt(const SceneFile& scene, int level) {
+    switch (level) {
+        case 0:
+            return asName(fs::path(scene.below).replace_extension().string());
+        case 1:
+            return asName(scene.below.string());
+        default:
+            return asName(scene.path.string());
+    }
+}
+
+}  // namespace
+
+bool isPattern(const std::string& text) {
+    return text.find_first_of("*?[") != std::string::npos;
+}
+
+Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const fs::path& base) {
+    const fs::path path = fs::path(pattern).lexically_normal();
+    if (!isPattern(pattern)) {
+        std::error_code error;
+        if (!fs::exists(base / path, error)) {
+            return fail(ErrorCode::BadInput, "there is no file '" + pattern + "'");
+        }
+        return std::vector<SceneFile>{{path, path.filename(), {}}};
+    }
+    // The folders without wildcards are gone into, not looked for.
+    Parts parts = partsOf(path);
+    fs::path folder;
+    std::size_t fixed = 0;
+    while (fixed + 1 < parts.size() && !isPattern(parts[fixed])) folder /= parts[fixed++];
+    parts.erase(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(fixed));
+    if (parts.back() == kAnyFolders) parts.emplace_back("*");
+    Search search(base, std::move(parts));
+    if (Status status = search.look(folder, 0, {}); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    std::vector<SceneFile> found = search.take();
+    if (found.empty()) {
+        return fail(ErrorCode::BadInput,
+                    "'" + pattern +
+                        "' names no scene; scenes are .obj, .fbx, .gltf, .glb, .dae, .ply, .stl "
+                        "and .dolly files");
+    }
+    return found;
+}
+
+bool matches(const fs::path& path, const std::string& pattern) {
+    return fitAll(partsOf(path.lexically_normal()), 0,
+                  partsOf(fs::path(pattern).lexically_normal()), 0);
+}
+
+void nameScenes(std::vector<SceneFile>& scenes) {
+    constexpr int kLast = 2;
+    std::vector<int> levels(scenes.size(), 0);
+    for (int level = 0; level <= kLast; ++level) {
+        std::map<std::string, int> count;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            scenes[i].name = nameAt(scenes[i], levels[i]);
+            ++count[scenes[i].name];
+        }
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            if (count[scenes[i].name] > 1) levels[i] = std::min(level + 1, kLast);
+        }
+    }
+    // Paths that differ in other characters alone.
+    std::map<std::string, int> used;
+    for (SceneFile& scene : scenes) {
+        const int before = used[scene.name]++;
+        if (before > 0) scene.name += fmt::format("-{}", before + 1);
+    }
+}
+
+std::string asName(std::string_view text) {
+    std::string name;
+    for (const char c : cleanText(text)) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte >= 128 || std::isalnum(byte) != 0 || c == '-' || c == '_';
+        if (plain) {
+            name += c;
+        } else if (!name.empty() && name.back() != '_') {
+            name += '_';
+        }
+    }
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    return name.empty() ? "scene" : name;
+}
+
+}  // namespace dollytrack::batch

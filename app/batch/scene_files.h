@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack::batch {
+
+/// A scene or project of a batch.
+struct SceneFile {
+    std::filesystem::path path;   // from the jobs file's folder on, or absolute as it was given
+    std::filesystem::path below;  // its part behind the pattern's last folder without wildcards
+    std::string name;             // as folders are called after it; see nameScenes()
+};
+
+/// Whether a text has wildcards at all.
+[[nodiscard]] bool isPattern(const std::string& text);
+
+/// The scenes and projects that a pattern names, in natural order: `*` and `?` within a name, `**`
+/// for any number of folders. A text without wildcards is one file, of whatever kind. Names that
+/// begin with a dot are not looked at. Error: BadInput where nothing is found, or a folder cannot
+/// be read.
+[[nodiscard]] Result<std::vector<SceneFile>> filesMatching(const std::string& pattern,
+                                                           const std::filesystem::path& base);
+
+/// Whether a pattern without a look at the disk covers a path given in the same way.
+[[nodiscard]] bool matches(const std::filesystem::path& path, const std::string& pattern);
+
+/// Gives each a name of its own made of letters, digits, '-' and '_': that of its file, with
+/// folders and ending where others have the same one. What a scene is called does not depend on
+/// scenes of other names, so that a batch which grows finds its finished jobs again.
+void nameScenes(std::vector<SceneFile>& scenes);
+
+/// A text as part of a folder's name.
+[[nodiscard]] std::string asName(std::string_view text);
+
+}  // namespace dollytrack::batch

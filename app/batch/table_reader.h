@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <toml++/toml.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack::batch {
+
+/// A value with its place, "jobs.toml:12".
+template <class T>
+struct Placed {
+    T value;
+    std::string where;
+};
+
+/// Reads the values of a TOML table. What is not there leaves its target as it is; the first thing
+/// that is wrong is kept until finish(), which also refuses keys that nobody asked for.
+class TableReader {
+  public:
+    TableReader(const toml::table& table, std::string file);
+
+    void read(const char* key, std::string& target);
+    void read(const char* key, std::optional<std::string>& target);
+    void read(const char* key, std::optional<double>& target, double low, double high);
+    void read(const char* key, std::optional<int>& target, int low, int high);
+    void read(const char* key, bool& target);
+    /// A list, or one text in its place.
+    void read(const char* key, std::vector<Placed<std::string>>& target);
+    void read(const char* key, std::vector<int>& target, int low, int high);
+
+    /// The table of that name, if it is there.
+    [[nodiscard]] const toml::table* table(const char* key);
+    /// The tables of a [[list]].
+    [[nodiscard]] std::vector<const toml::table*> tables(const char* key);
+
+    [[nodiscard]] std::string placeOf(const toml::node& node) const;
+    /// The place of a key's value; of the table where the key is not there.
+    [[nodiscard]] std::string placeOf(const char* key) const;
+    void refuse(const std::string& where, std::string message);
+    [[nodiscard]] Status finish();
+
+  private:
+    [[nodiscard]] const toml::node* find(const char* key);
+    void wants(const toml::node& node, const char* key, const std::string& what);
+
+    const toml::table& table_;
+    std::string file_;
+    std::vector<std::string> known_;
+    std::optional<Error> error_;
+};
+
+}  // namespace dollytrack::batch

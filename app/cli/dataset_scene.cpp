@@ -1,0 +1,162 @@
+#include "app/cli/dataset_scene.h"
+
+#include "app/cli/scene_arguments.h"
+#include "engine/document/apply_scene_edits.h"
+#include "engine/document/edits_json.h"
+#include "engine/io/scene_import.h"
+#include "engine/io/sha256.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <filesystem>
+
+namespace dollytrack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What dataset.json says of the scene.
+struct SaidOfScene {
+    std::string file, sha256;
+    Eigen::Matrix4d source_from_world = Eigen::Matrix4d::Identity();
+    Edits edits;
+    SizeRules sizes;
+};
+
+Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
+    const std::string place = (dataset.folder / "dataset.json").string();
+    SaidOfScene said;
+    try {
+        const auto& scene = dataset.card.at("scene");
+        said.file = scene.at("file").get<std::string>();
+        said.sha256 = scene.at("sha256").get<std::string>();
+        const auto rows = scene.at("source_from_world").get<std::array<std::array<double, 4>, 4>>();
+        for (Eigen::Index row = 0; row < 4; ++row) {
+            for (Eigen::Index column = 0; column < 4; ++column) {
+                said.source_from_world(row, column) =
+                    rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+            }
+        }
+        // Exporting without a plan's parameters, as tests do, leaves the program's own rules.
+        const auto targets = dataset.card.at("parameters").value("targets", nlohmann::json());
+        if (targets.is_object()) {
+            said.sizes.small_volume_m3 = targets.value("small_volume_m3", 0.1);
+            said.sizes.size_ratio = targets.value("size_ratio", 5.0);
+        }
+        if (dataset.card.contains("edits")) {
+            Result<Edits> edits = editsFromJson(nlohmann::json(dataset.card["edits"]));
+            if (!edits) {
+                return fail(edits.error().code, edits.error().message,
+                            place + ": " + edits.error().where);
+            }
+            said.edits = std::move(*edits);
+        }
+    } catch (const nlohmann::json::exception& error) {
+        return fail(ErrorCode::BadInput,
+                    std::string("It is damaged (") + error.what() + "); export the dataset again.",
+                    place);
+    }
+    return said;
+}
+
+/// The named file where one would leave it; empty when it is nowhere, or no longer the same.
+fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
+    std::error_code error;
+    const fs::path name = fs::path(said.file).filename();
+    if (name.empty()) return {};
+    for (const fs::path& folder :
+         {dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
+          fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)}) {
+        const fs::path path = folder / name;
+        if (!fs::is_regular_file(path, error)) continue;
+        const Result<std::string> is = io::sha256OfFile(path);
+        if (is && *is == said.sha256) return path;
+    }
+    return {};
+}
+
+/// How the file was read then: what was said of its unit and axis is not kept, but its outcome is.
+void asThen(const SaidOfScene& said, ImportOptions& options) {
+    const Eigen::Vector3d up = said.source_from_world.block<3, 1>(0, 2);
+    Eigen::Index axis = 2;
+    up.cwiseAbs().maxCoeff(&axis);
+    if (up.norm() > 0.0) options.unit_m = 1.0 / up.norm();
+    options.up_axis = "xyz"[axis];
+}
+
+Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
+                           const std::optional<std::string>& labels, const JobContext& job) {
+    ImportOptions options;
+    if (labels) options.labels = *labels;
+    options.read_textures = false;
+    options.small_volume_m3 = said.sizes.small_volume_m3;
+    options.size_ratio = said.sizes.size_ratio;
+    Result<Scene> scene = importScene(path, options, job);
+    if (!scene) return scene;
+    // What the program finds out itself it finds again, to the last bit.
+    if (scene->source_from_world.matrix() != said.source_from_world) {
+        asThen(said, options);
+        scene = importScene(path, options, job);
+        if (!scene) return scene;
+    }
+    if (said.edits.scene == SceneEdits{}) return scene;
+    return applySceneEdits(*scene, said.edits.scene, said.sizes);
+}
+
+Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidOfScene& said,
+                                               const std::optional<std::string>& labels,
+                                               const JobContext& job) {
+    if (path.extension() != ".dolly") {
+        Result<Scene> scene = importAsThen(path, said, labels, job);
+        if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+        return std::make_shared<const Scene>(std::move(*scene));
+    }
+    SceneArguments arguments;
+    arguments.path = path.string();
+    arguments.labels = labels;
+    Result<OpenedScene> opened = openScene(arguments, job);
+    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+    return opened->scene;
+}
+
+}  // namespace
+
+void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments) {
+    command
+        .add_option("--scene", arguments.path,
+                    "The scene or project it was made of; else looked for beside the dataset")
+        ->type_name("SCENE");
+    command
+        .add_option("--labels", arguments.labels,
+                    "The table of names and NYU40 classes it was made with, if any")
+        ->type_name("CSV");
+}
+
+Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
+                                      const DatasetSceneArguments& arguments,
+                                      const JobContext& job) {
+    const Result<SaidOfScene> said = readSaid(dataset);
+    if (!said) return tl::unexpected<Error>(said.error());
+    const fs::path path =
+        arguments.path.empty() ? findScene(dataset.folder, *said) : fs::path(arguments.path);
+    DatasetScene opened;
+    if (path.empty()) {
+        opened.missing = "the scene " + said->file + " is not beside it; name it with --scene";
+        return opened;
+    }
+    Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments.labels, job);
+    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if ((*scene)->source_sha256 != said->sha256) {
+        return fail(ErrorCode::BadInput,
+                    "It is not the scene that the dataset was made of, or it has changed since; "
+                    "that was " +
+                        said->file + ".",
+                    path.string());
+    }
+    opened.scene = std::move(*scene);
+    opened.rays = std::make_unique<RayCaster>(*opened.scene);
+    return opened;
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/geometry/ray_caster.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace dollytrack {
+
+/// How well a reconstructed cloud of points lies on the surfaces it is of.
+struct CloudError {
+    int points = 0;
+    double mean_m = 0.0;  // of the distances to the nearest surface
+    double median_m = 0.0;
+    double p90_m = 0.0;  // 90 % are nearer
+};
+
+/// Distances of the points, world, to the scene's triangles.
+[[nodiscard]] CloudError cloudError(std::span<const Eigen::Vector3d> cloud, const RayCaster& rays);
+
+/// The share of `surface` that has a point of the cloud within `radius_m`.
+[[nodiscard]] double coveredShare(std::span<const Eigen::Vector3d> surface,
+                                  std::span<const Eigen::Vector3d> cloud, double radius_m);
+
+}  // namespace dollytrack

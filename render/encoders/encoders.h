@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/frame_context.h"
+#include "render/frame_file.h"
+#include "render/frame_record.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <vector>
+
+// How each modality's files are made, and what dataset.json says of them. Rows of modalities.cpp.
+namespace dollytrack::render {
+
+using FrameFiles = Result<std::vector<FrameFile>>;
+
+FrameFiles encodeRgb(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDepth(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDepthExr(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeInstance(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeSemantic(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json rgbConvention(const DatasetContents& contents);
+nlohmann::ordered_json depthConvention(const DatasetContents& contents);
+nlohmann::ordered_json depthExrConvention(const DatasetContents& contents);
+nlohmann::ordered_json instanceConvention(const DatasetContents& contents);
+nlohmann::ordered_json semanticConvention(const DatasetContents& contents);
+
+FrameFiles encodeNormalCamera(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeNormalWorld(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeAlbedo(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json normalCameraConvention(const DatasetContents& contents);
+nlohmann::ordered_json normalWorldConvention(const DatasetContents& contents);
+nlohmann::ordered_json albedoConvention(const DatasetContents& contents);
+nlohmann::ordered_json objectCoordinatesConvention(const DatasetContents& contents);
+
+FrameFiles encodeFlowForward(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeFlowBackward(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json flowForwardConvention(const DatasetContents& contents);
+nlohmann::ordered_json flowBackwardConvention(const DatasetContents& contents);
+
+FrameFiles encodeRgbRight(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDepthRight(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDisparity(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json rgbRightConvention(const DatasetContents& contents);
+nlohmann::ordered_json depthRightConvention(const DatasetContents& contents);
+nlohmann::ordered_json disparityConvention(const DatasetContents& contents);
+
+FrameFiles encodeAmodal(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json amodalConvention(const DatasetContents& contents);
+
+}  // namespace dollytrack::render

@@ -1,0 +1,117 @@
+#include "engine/io/png_writer.h"
+#include "render/encoders/encoders.h"
+#include "render/encoders/pack.h"
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint16_t inSteps(double share) {
+    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
+}
+
+FrameFiles encodeNormals(const FrameRecord& frame, const char* folder,
+                         const Eigen::Matrix3d& from_world) {
+    std::vector<std::uint16_t> image(3 * frame.instance.size(), 0);
+    for (std::size_t i = 0; i < frame.instance.size(); ++i) {
+        if (frame.instance[i] == 0) continue;
+        const Eigen::Vector3d normal =
+            (from_world * frame.normals_in_world[i].cast<double>()).normalized();
+        for (int axis = 0; axis < 3; ++axis) {
+            image[3 * i + static_cast<std::size_t>(axis)] = inSteps(0.5 * (normal[axis] + 1.0));
+        }
+    }
+    return oneFile(frameFile(folder, frame.index),
+                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16, bytesOf(image)));
+}
+
+Json normalConvention(const char* folder, const char* axes) {
+    return {{"folder", folder},
+            {"type", "uint16 x 3"},
+            {"encoding", "(n + 1) / 2 * 65535, x y z in red green blue"},
+            {"invalid", {0, 0, 0}},
+            {"meaning",
+             std::string("unit normal of the shaded surface, on the camera's side, in ") + axes}};
+}
+
+}  // namespace
+
+FrameFiles encodeNormalCamera(const FrameContext& /*context*/, const FrameRecord& frame) {
+    return encodeNormals(frame, "normal_camera",
+                         frame.pose.rotation.toRotationMatrix().transpose());
+}
+
+FrameFiles encodeNormalWorld(const FrameContext& /*context*/, const FrameRecord& frame) {
+    return encodeNormals(frame, "normal_world", Eigen::Matrix3d::Identity());
+}
+
+FrameFiles encodeAlbedo(const FrameContext& /*context*/, const FrameRecord& frame) {
+    return oneFile(frameFile("albedo", frame.index),
+                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, frame.albedo));
+}
+
+FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecord& frame) {
+    const Scene& scene = context.contents.scene;
+    const Intrinsics lens = makeIntrinsics(context.contents.camera);
+    // To the box as the scene has it, and from there into the box's own frame.
+    std::vector<Eigen::Affine3d> box_from_world(scene.objects.size() + 1);
+    const auto motions = context.moving.toRest(frame.index);
+    for (const Object& object : scene.objects) {
+        const auto id = static_cast<std::size_t>(object.id);
+        const Eigen::Vector3d size = (2.0 * object.box.half_size).cwiseMax(1e-6);
+        box_from_world[id] = Eigen::Translation3d(0.5, 0.5, 0.5) *
+                             Eigen::Scaling(size.cwiseInverse().eval()) *
+                             Eigen::AngleAxisd(-object.box.yaw, Eigen::Vector3d::UnitZ()) *
+                             Eigen::Translation3d(-object.box.center);
+        if (!motions.empty()) box_from_world[id] = box_from_world[id] * motions[id];
+    }
+    std::vector<std::uint16_t> image(3 * frame.instance.size(), 0);
+    std::size_t i = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x, ++i) {
+            if (frame.instance[i] == 0) continue;
+            const Eigen::Vector3d place = frame.pose.toWorld(static_cast<double>(frame.depth_m[i]) *
+                                                             lens.unproject(x + 0.5, y + 0.5));
+            const Eigen::Vector3d in_box = box_from_world[frame.instance[i]] * place;
+            for (int axis = 0; axis < 3; ++axis) {
+                image[3 * i + static_cast<std::size_t>(axis)] = inSteps(in_box[axis]);
+            }
+        }
+    }
+    return oneFile(frameFile("object_coordinates", frame.index),
+                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16, bytesOf(image)));
+}
+
+Json normalCameraConvention(const DatasetContents& /*contents*/) {
+    return normalConvention("normal_camera", "the camera's axes");
+}
+
+Json normalWorldConvention(const DatasetContents& /*contents*/) {
+    return normalConvention("normal_world", "the world's axes");
+}
+
+Json albedoConvention(const DatasetContents& /*contents*/) {
+    return {{"folder", "albedo"},
+            {"type", "uint8 x 3"},
+            {"encoding", "sRGB"},
+            {"meaning", "base colour without light; glass has its tint"}};
+}
+
+Json objectCoordinatesConvention(const DatasetContents& /*contents*/) {
+    return {{"folder", "object_coordinates"},
+            {"type", "uint16 x 3"},
+            {"encoding", "65535 * share, x y z in red green blue"},
+            {"invalid", {0, 0, 0}},
+            {"meaning",
+             "place in the object's own box (objects[].box), from 0 to 1 along each of its axes"}};
+}
+
+}  // namespace dollytrack::render

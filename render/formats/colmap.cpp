@@ -1,0 +1,98 @@
+#include "render/formats/colmap.h"
+
+#include "engine/camera/intrinsics.h"
+#include "render/formats/frame_text.h"
+#include "render/formats/surface_sample.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 3> kFiles = {"sparse/0/cameras.txt", "sparse/0/images.txt",
+                                               "sparse/0/points3D.txt"};
+constexpr int kPoints = 50'000;  // what structure from motion finds in some hundred pictures
+
+std::string cameras(const Intrinsics& lens) {
+    return fmt::format(
+        "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n1 PINHOLE {} {} {:.9f} {:.9f} {:.9f} {:.9f}\n",
+        lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy);
+}
+
+/// The name of a picture in its folder, which readers are told as theirs.
+std::string nameInFolder(const std::string& file) {
+    return file.substr(file.find('/') + 1);
+}
+
+std::string images(const DatasetContents& contents) {
+    std::string text =
+        "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME\n# POINTS2D[] as X Y POINT3D_ID\n";
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        const Pose& pose = contents.frames[i].camera.pose;
+        const Eigen::Quaterniond q = pose.rotation.conjugate();
+        const Eigen::Vector3d t = pose.toCamera(Eigen::Vector3d::Zero());
+        // The second line is for the points found in it; an empty one must be there all the same.
+        text += fmt::format(
+            "{} {} {} 1 {}\n\n", i + 1, numbersText(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())),
+            numbersText(t), nameInFolder(contents.pictureFile(static_cast<int>(i))));
+    }
+    return text;
+}
+
+/// Whether a point is inside any frame, whatever stands before it.
+bool isInAnyFrame(const DatasetContents& contents, const Intrinsics& lens,
+                  const Eigen::Vector3d& point) {
+    for (const DatasetFrame& frame : contents.frames) {
+        const Eigen::Vector3d in_camera = frame.camera.pose.toCamera(point);
+        if (in_camera.z() < contents.camera.near_m) continue;
+        const Eigen::Vector2d at = lens.project(in_camera);
+        if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < lens.width && at.y() < lens.height) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string points(const DatasetContents& contents, const Intrinsics& lens) {
+    std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)\n";
+    int id = 0;
+    for (const SurfacePoint& point : sampleSurface(contents.scene, kPoints, 1)) {
+        if (!isInAnyFrame(contents, lens, point.position)) continue;
+        text += fmt::format("{} {} {} {} {} 0\n", ++id, numbersText(point.position), point.color[0],
+                            point.color[1], point.color[2]);
+    }
+    return text;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    const Intrinsics lens = makeIntrinsics(contents.camera);
+    return std::vector<DatasetFile>{{kFiles[0], cameras(lens)},
+                                    {kFiles[1], images(contents)},
+                                    {kFiles[2], points(contents, lens)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"format",
+             "COLMAP text model: camera from world, quaternion w x y z, pixel centres at halves; "
+             "names are those in the folder of the pictures (--image_path .../rgb); points3D.txt "
+             "is a sample of the scene's surfaces in view, without tracks"}};
+}
+
+}  // namespace
+
+const Format kColmapFormat = {
+    .name = "colmap",
+    .text = "a COLMAP text model, in sparse/0",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = {},
+    .write = write,
+    .encode = nullptr,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

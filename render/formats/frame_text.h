@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/math/pose.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace dollytrack::render {
+
+/// Numbers of the formats whose files are lines of numbers: metres and units to a billionth.
+/// Neither locale nor exponents get into them.
+template <class Vector>
+std::string numbersText(const Vector& values) {
+    std::string text;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        text += fmt::format("{}{:.9f}", i == 0 ? "" : " ", values[i] + 0.0);
+    }
+    return text;
+}
+
+/// "tx ty tz qx qy qz qw"
+[[nodiscard]] inline std::string positionQuaternionText(const Eigen::Vector3d& position,
+                                                        const Eigen::Quaterniond& rotation) {
+    return numbersText(position) + " " + numbersText(rotation.coeffs());
+}
+
+/// Seconds, to a microsecond.
+[[nodiscard]] inline std::string stampText(double time_s) {
+    return fmt::format("{:.6f}", time_s + 0.0);
+}
+
+/// The rows of a matrix, one after the other.
+template <class Matrix>
+std::string rowsText(const Matrix& matrix) {
+    std::string text;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+        if (row > 0) text += ' ';
+        text += numbersText(matrix.row(row));
+    }
+    return text;
+}
+
+}  // namespace dollytrack::render

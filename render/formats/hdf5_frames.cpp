@@ -1,0 +1,67 @@
+#include "render/formats/hdf5_frames.h"
+
+#include "engine/io/hdf5_writer.h"
+#include "render/encoders/pack.h"
+#include "render/formats/transforms.h"
+#include "render/frame_context.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 1> kFolders = {"hdf5"};
+
+/// The classes and names of what the frame shows.
+std::string attributes(const Scene& scene, const FrameRecord& frame) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ObjectMask& mask : objectMasks(frame.width, frame.height, frame.instance)) {
+        const Object& object = scene.object(mask.object_id);
+        list.push_back({{"idx", object.id}, {"name", object.name}, {"category_id", object.nyu40}});
+    }
+    return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+    const Scene& scene = context.contents.scene;
+    const std::vector<std::uint8_t> classes = classesOf(scene, frame.instance);
+    const auto height = static_cast<std::uint64_t>(frame.height);
+    const auto width = static_cast<std::uint64_t>(frame.width);
+    using io::Hdf5Type;
+    return oneFile(
+        frameFile(kFolders[0], frame.index, ".hdf5"),
+        io::packHdf5(
+            {{"colors", Hdf5Type::Uint8, {height, width, 3}, frame.rgb.data()},
+             {"depth", Hdf5Type::Float32, {height, width}, frame.depth_m.data()},
+             {"instance_segmaps", Hdf5Type::Uint16, {height, width}, frame.instance.data()},
+             {"category_id_segmaps", Hdf5Type::Uint8, {height, width}, classes.data()}},
+            {{"instance_attribute_maps", attributes(scene, frame)},
+             {"campose", transformRows(frame.pose).dump()}}));
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"folder", kFolders[0]},
+            {"format",
+             "HDF5 as BlenderProc's: colors (uint8), depth (float32, planar metres, 0 for none), "
+             "instance_segmaps (uint16), category_id_segmaps (uint8, NYU40), "
+             "instance_attribute_maps (JSON), campose (JSON: world from camera, the camera's axes "
+             "x right, y up, z back)"}};
+}
+
+}  // namespace
+
+const Format kHdf5FramesFormat = {
+    .name = "hdf5",
+    .text = "a file a frame with its images and pose as BlenderProc's, in hdf5",
+    .standard = false,
+    .needs = kNeedsRgb | kNeedsDepth,
+    .files = {},
+    .folders = kFolders,
+    .write = nullptr,
+    .encode = encode,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/math/pose.h"
+#include "render/dataset_contents.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace dollytrack::render {
+
+/// The rows of world_from_camera for readers whose cameras have x right, y up and z back.
+[[nodiscard]] nlohmann::ordered_json transformRows(const Pose& pose);
+
+/// The pinhole camera as every transforms.json names it; pixel centres are at halves.
+[[nodiscard]] nlohmann::ordered_json transformsLens(const DatasetContents& contents);
+
+}  // namespace dollytrack::render

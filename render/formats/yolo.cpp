@@ -1,0 +1,103 @@
+#include "render/formats/yolo.h"
+
+#include "engine/scene/labels.h"
+#include "render/encoders/pack.h"
+#include "render/formats/mask_outline.h"
+#include "render/frame_context.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 2> kFiles = {"data.yaml", "classes.txt"};
+constexpr std::array<const char*, 2> kFolders = {"labels", "labels_seg"};
+
+std::vector<std::uint8_t> asBytes(const std::string& text) {
+    return {text.begin(), text.end()};
+}
+
+/// The largest part of the object in sight: a line holds one outline.
+const Outline* largest(const std::vector<Outline>& outlines) {
+    const Outline* best = nullptr;
+    double best_area = 0.0;
+    for (const Outline& outline : outlines) {
+        double doubled = 0.0;
+        for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+            const Eigen::Vector2d a = outline.corners[i].cast<double>();
+            const Eigen::Vector2d b =
+                outline.corners[(i + 1) % outline.corners.size()].cast<double>();
+            doubled += a.x() * b.y() - a.y() * b.x();
+        }
+        if (!outline.hole && doubled > best_area) {
+            best = &outline;
+            best_area = doubled;
+        }
+    }
+    return best;
+}
+
+Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+    std::string boxes, outlines;
+    const double width = frame.width;
+    const double height = frame.height;
+    for (const ObjectMask& mask : objectMasks(frame.width, frame.height, frame.instance)) {
+        const Object& object = context.contents.scene.object(mask.object_id);
+        if (object.role != Role::Target) continue;
+        const int number = (object.nyu40 == kNyuUnknown ? kNyuOtherProp : object.nyu40) - 1;
+        const auto& [x, y, w, h] = mask.bbox;
+        boxes += fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}\n", number, (x + 0.5 * w) / width,
+                             (y + 0.5 * h) / height, w / width, h / height);
+        const auto parts = outlinesOfCounts(frame.width, frame.height, mask.counts);
+        const Outline* outline = largest(parts);
+        if (outline == nullptr) continue;
+        outlines += std::to_string(number);
+        for (const Eigen::Vector2i& corner : outline->corners) {
+            outlines += fmt::format(" {:.6f} {:.6f}", corner.x() / width, corner.y() / height);
+        }
+        outlines += '\n';
+    }
+    std::vector<FrameFile> files;
+    files.push_back({frameFile(kFolders[0], frame.index, ".txt"), asBytes(boxes)});
+    files.push_back({frameFile(kFolders[1], frame.index, ".txt"), asBytes(outlines)});
+    return files;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    const std::string pictures = contents.pictureModality().name;
+    std::string yaml = fmt::format("path: .\ntrain: {0}\nval: {0}\nnames:\n", pictures);
+    std::string classes;
+    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
+        yaml += fmt::format("  {}: {}\n", nyu40 - 1, nyu40Name(nyu40));
+        classes += fmt::format("{}\n", nyu40Name(nyu40));
+    }
+    return std::vector<DatasetFile>{{kFiles[0], std::move(yaml)}, {kFiles[1], std::move(classes)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"folders", kFolders},
+            {"format",
+             "YOLO: class (NYU40 - 1) and, in shares of the image, the box's centre and size, or "
+             "the outline of the object's largest part in sight; targets only. Readers that look "
+             "for labels beside a folder 'images' want rgb under that name (ln -s rgb images)"}};
+}
+
+}  // namespace
+
+const Format kYoloFormat = {
+    .name = "yolo",
+    .text = "boxes and outlines of the targets as YOLO's, in labels and labels_seg",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = kFolders,
+    .write = write,
+    .encode = encode,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,41 @@
+#include "render/truth/sight_mask.h"
+
+#include "engine/camera/intrinsics.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/math/pose.h"
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kSameSurface_m = 0.002;
+constexpr double kRounding = 1e-5;  // of the depth: images hold it in single precision
+
+}  // namespace
+
+std::vector<Sight> sightFrom(const RayCaster& rays, const Pose& camera, const Intrinsics& lens,
+                             double near_m, std::span<const Eigen::Vector3d> places,
+                             const std::vector<bool>& nothing) {
+    std::vector<Sight> sight(places.size(), Sight::Nothing);
+    std::vector<RayCaster::BundleRay> bundle;
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (nothing[i]) continue;
+        const Eigen::Vector3d p = camera.toCamera(places[i]);
+        sight[i] = Sight::Outside;
+        if (p.z() < near_m) continue;
+        const Eigen::Vector2d at = lens.project(p);
+        if (at.x() < 0.0 || at.y() < 0.0 || at.x() >= lens.width || at.y() >= lens.height) continue;
+        // Lengths along a direction of planar depth 1 are planar depths.
+        const double until = p.z() - kSameSurface_m - kRounding * p.z();
+        bundle.push_back({camera.rotation * (p / p.z()), static_cast<float>(until)});
+        asked.push_back(i);
+    }
+    std::vector<RayHit> hits;
+    rays.castBundle(camera.position, bundle, near_m, hits);
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        sight[asked[k]] = hits[k].object_id == 0 ? Sight::Seen : Sight::Occluded;
+    }
+    return sight;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,107 @@
+#include "render/verify/check_list.h"
+#include "render/verify/object_pixels.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace dollytrack::verify {
+namespace {
+
+/// What dataset.json says of an object's best frame.
+struct Best {
+    int object_id = 0;
+    bool captured = false;
+    double visible_fraction = 0.0;
+    double box_share = 0.0;
+    double mask_share = 0.0;
+};
+
+using ByFrame = std::vector<std::vector<Best>>;
+
+ByFrame readCaptures(const StoredDataset& dataset, Findings& findings) {
+    ByFrame by_frame(dataset.frames.size());
+    const auto add = [&](std::string found, std::string expected) {
+        findings.add(
+            {"dataset.json", {}, {}, "metrics.counted: " + std::move(found), std::move(expected)});
+    };
+    const auto& counted = dataset.card.at("metrics").at("counted");
+    int captured = 0;
+    int rows = 0;
+    for (const auto& one : counted.at("per_object")) {
+        const Best best{one.at("object_id").get<int>(), one.at("captured").get<bool>(),
+                        one.at("visible_fraction").get<double>(), one.at("box_share").get<double>(),
+                        one.at("mask_share").get<double>()};
+        const int frame = one.at("best_frame").get<int>();
+        ++rows;
+        captured += best.captured ? 1 : 0;
+        if (frame >= static_cast<int>(by_frame.size())) {
+            add(fmt::format("best_frame {}", frame), fmt::format("below {}", by_frame.size()));
+        } else if (frame >= 0) {
+            by_frame[static_cast<std::size_t>(frame)].push_back(best);
+        } else if (best.captured) {
+            add(fmt::format("object {} captured in no frame", best.object_id), "a best_frame");
+        }
+    }
+    if (counted.at("captured").get<int>() != captured) {
+        add(fmt::format("captured {}", counted.at("captured").get<int>()),
+            fmt::format("{}, as the objects say", captured));
+    }
+    if (counted.at("objects").get<int>() != rows) {
+        add(fmt::format("objects {}", counted.at("objects").get<int>()), fmt::format("{}", rows));
+    }
+    return by_frame;
+}
+
+void compare(const Best& best, const ObjectPixels& shown, const Image16& ids, int frame,
+             Findings& findings) {
+    const double area = static_cast<double>(ids.width) * ids.height;
+    const auto box = shown.box();
+    const auto share = [&](const char* what, double found, double expected) {
+        if (std::abs(found - expected) <= 1e-9) return;
+        findings.add({"dataset.json",
+                      frame,
+                      {},
+                      fmt::format("{} {:.6g} of object {}", what, found, best.object_id),
+                      fmt::format("{:.6g}", expected)});
+    };
+    share("mask_share", best.mask_share, shown.count / area);
+    share("box_share", best.box_share, shown.count > 0 ? box[2] * box[3] / area : 0.0);
+    const double as_if_px = shown.count * (640.0 * 480.0) / area;
+    const bool captured = best.visible_fraction >= 0.8 && as_if_px >= 120.0;
+    if (captured != best.captured) {
+        findings.add({"dataset.json",
+                      frame,
+                      {},
+                      fmt::format("object {} captured: {}", best.object_id, best.captured),
+                      fmt::format("{}, by its visible part and its pixels", captured)});
+    }
+}
+
+}  // namespace
+
+CheckWork beginCaptures(const Subject& subject, Findings& findings) {
+    auto captures = std::make_shared<ByFrame>();
+    try {
+        *captures = readCaptures(subject.dataset, findings);
+    } catch (const nlohmann::json::exception& error) {
+        findings.add({"dataset.json", {}, {}, error.what(), "metrics.counted"});
+        return {};
+    }
+    CheckWork work;
+    work.frame = [captures](FrameImages& images, Findings& found) {
+        const auto& best = (*captures)[static_cast<std::size_t>(images.frame())];
+        const Image16* ids = best.empty() ? nullptr : images.image16("instance");
+        if (!ids) return;
+        const auto seen = objectPixels(*ids);
+        for (const Best& one : best) {
+            const auto at = seen.find(one.object_id);
+            compare(one, at == seen.end() ? ObjectPixels{} : at->second, *ids, images.frame(),
+                    found);
+        }
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

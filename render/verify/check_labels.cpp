@@ -1,0 +1,142 @@
+// The images that say what a pixel shows must say the same.
+#include "render/verify/check_list.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr int kUnknownObject = -1;
+
+/// The class of each possible id.
+std::vector<int> classesById(const StoredDataset& dataset) {
+    std::vector<int> classes(65536, kUnknownObject);
+    classes[0] = 0;
+    for (const StoredObject& object : dataset.objects) {
+        if (object.id > 0 && object.id < 65536) {
+            classes[static_cast<std::size_t>(object.id)] = object.nyu40;
+        }
+    }
+    return classes;
+}
+
+/// How far off along the camera's axis the object can be at most, m.
+double farthestDepth(const StoredFrame& frame, const StoredObject& object) {
+    double farthest = 0.0;
+    const Eigen::Isometry3d* moved = frame.movement(object.id);
+    for (const Eigen::Vector3d& corner : object.box.corners()) {
+        const Eigen::Vector3d now = moved ? *moved * corner : corner;
+        farthest = std::max(farthest, frame.pose.toCamera(now).z());
+    }
+    return farthest;
+}
+
+}  // namespace
+
+CheckWork beginClasses(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&dataset = subject.dataset, classes = classesById(subject.dataset)](
+                     FrameImages& images, Findings& findings) {
+        const Image16* ids = images.image16("instance");
+        if (!ids) return;
+        const Image8* semantic = images.image8("semantic");
+        WrongPixels unknown, other;
+        for (int y = 0; y < ids->height; ++y) {
+            for (int x = 0; x < ids->width; ++x) {
+                const int id = ids->at(x, y);
+                const int expected = classes[static_cast<std::size_t>(id)];
+                if (expected == kUnknownObject) {
+                    unknown.add(x, y, [&] {
+                        return WrongPixels::Text{fmt::format("object {}", id),
+                                                 fmt::format("1 .. {}", dataset.objects.size())};
+                    });
+                } else if (semantic && semantic->at(x, y) != expected) {
+                    other.add(x, y, [&] {
+                        return WrongPixels::Text{
+                            fmt::format("class {}", semantic->at(x, y)),
+                            fmt::format("class {} of object {}", expected, id)};
+                    });
+                }
+            }
+        }
+        unknown.report(imageFile("instance", images.frame()), images.frame(), findings);
+        other.report(imageFile("semantic", images.frame()), images.frame(), findings);
+    };
+    return work;
+}
+
+CheckWork beginHoles(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
+        const Image16* ids = images.image16("instance");
+        const Image16* depth = images.image16("depth");
+        if (!ids || !depth) return;
+        constexpr double kFarthest = 65.535;  // what the image can hold, m
+        // Of each object, whether it may be too far away for the image: asked once.
+        std::vector<int> may_be_far(65536, -1);
+        WrongPixels wrong;
+        for (int y = 0; y < ids->height; ++y) {
+            for (int x = 0; x < ids->width; ++x) {
+                const int id = ids->at(x, y);
+                const bool none = depth->at(x, y) == 0;
+                if (none == (id == 0)) continue;
+                if (none) {
+                    int& far_away = may_be_far[static_cast<std::size_t>(id)];
+                    const StoredObject* object = dataset.object(id);
+                    if (far_away < 0) {
+                        far_away = object && farthestDepth(images.stored(), *object) >= kFarthest;
+                    }
+                    if (far_away != 0) continue;
+                }
+                wrong.add(x, y, [&] {
+                    return none
+                               ? WrongPixels::Text{"no depth", fmt::format("that of object {}", id)}
+                               : WrongPixels::Text{fmt::format("{} mm", depth->at(x, y)),
+                                                   "none, as the pixel shows no object"};
+                });
+            }
+        }
+        wrong.report(imageFile("depth", images.frame()), images.frame(), findings);
+    };
+    return work;
+}
+
+CheckWork beginObjectBoxes(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
+        const Image16* ids = images.image16("instance");
+        const FrameImages::Depth* depth = images.depth();
+        if (!ids || !depth) return;
+        const StoredFrame& frame = images.stored();
+        WrongPixels wrong;
+        for (int y = 0; y < ids->height; ++y) {
+            for (int x = 0; x < ids->width; ++x) {
+                const StoredObject* object = dataset.object(ids->at(x, y));
+                const double metres = depth->metres.at(x, y);
+                if (!object || metres <= 0.0) continue;
+                const Eigen::Vector3d along = dataset.lens.unproject(x + 0.5, y + 0.5);
+                Eigen::Vector3d point = frame.pose.toWorld(metres * along);
+                if (const Eigen::Isometry3d* moved = frame.movement(object->id)) {
+                    point = moved->inverse() * point;
+                }
+                // The box is that of the exact corners; a surface seen along itself is drawn up to
+                // a millimetre beside it.
+                const double margin = depth->rounding_m * along.norm() + 0.002 + 1e-4 * metres;
+                if (object->box.contains(point, margin)) continue;
+                wrong.add(x, y, [&] {
+                    return WrongPixels::Text{
+                        fmt::format("{:.4g} m, which is {:.3g} m outside the box of object {} ({})",
+                                    metres, object->box.distance(point), object->id, object->name),
+                        "a point of the object"};
+                });
+            }
+        }
+        wrong.report(imageFile(dataset.has("depth") ? "depth" : "depth_exr", images.frame()),
+                     images.frame(), findings);
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

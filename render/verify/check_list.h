@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/verify/check.h"
+
+namespace dollytrack::verify {
+
+// What the rows of the table begin with, a file each: check_files.cpp and so on.
+CheckWork beginFiles(const Subject& subject, Findings& findings);
+CheckWork beginCard(const Subject& subject, Findings& findings);
+CheckWork beginImages(const Subject& subject, Findings& findings);
+CheckWork beginClasses(const Subject& subject, Findings& findings);
+CheckWork beginHoles(const Subject& subject, Findings& findings);
+CheckWork beginObjectBoxes(const Subject& subject, Findings& findings);
+CheckWork beginCaptures(const Subject& subject, Findings& findings);
+CheckWork beginScene(const Subject& subject, Findings& findings);
+CheckWork beginSurface(const Subject& subject, Findings& findings);
+CheckWork beginCoco(const Subject& subject, Findings& findings);
+CheckWork beginPoses(const Subject& subject, Findings& findings);
+CheckWork beginMotion(const Subject& subject, Findings& findings);
+CheckWork beginFrames(const Subject& subject, Findings& findings);
+CheckWork beginImu(const Subject& subject, Findings& findings);
+CheckWork beginExactDepth(const Subject& subject, Findings& findings);
+CheckWork beginNormals(const Subject& subject, Findings& findings);
+CheckWork beginObjectCoordinates(const Subject& subject, Findings& findings);
+CheckWork beginFlow(const Subject& subject, Findings& findings);
+CheckWork beginStereo(const Subject& subject, Findings& findings);
+CheckWork beginAmodal(const Subject& subject, Findings& findings);
+CheckWork beginInstances(const Subject& subject, Findings& findings);
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,244 @@
+#include "render/verify/check_list.h"
+#include "render/verify/frame_rays.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSteps = 65535.0;
+
+Eigen::Vector3d normalFrom(const std::uint16_t* pixel) {
+    return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) * (2.0 / kSteps) - Eigen::Vector3d::Ones();
+}
+
+bool isNone(const std::uint16_t* pixel) {
+    return pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0;
+}
+
+std::string text(const Eigen::Vector3d& n) {
+    return fmt::format("({:.4f}, {:.4f}, {:.4f})", n.x(), n.y(), n.z());
+}
+
+/// The normal that the depth has around a pixel, in the camera's frame, where the surface is flat.
+/// Of a plane the inverse depth is linear in the image.
+std::optional<Eigen::Vector3d> flatNormal(const StoredDataset& dataset,
+                                          const FrameImages::Depth& depth, const Image16& ids,
+                                          int x, int y) {
+    constexpr int kReach = 4;  // px: fewer, and the rounding to millimetres tilts the plane
+    const ImageF& metres = depth.metres;
+    if (!metres.holds(x - kReach, y - kReach) || !metres.holds(x + kReach, y + kReach)) {
+        return std::nullopt;
+    }
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    for (int dy = -kReach; dy <= kReach; dy += 2) {
+        for (int dx = -kReach; dx <= kReach; dx += 2) {
+            const double here = metres.at(x + dx, y + dy);
+            if (here <= 0.0 || ids.at(x + dx, y + dy) != ids.at(x, y)) return std::nullopt;
+            const Eigen::Vector3d row = dataset.lens.unproject(x + dx + 0.5, y + dy + 0.5);
+            squares += row * row.transpose();
+            sums += row / here;
+        }
+    }
+    const Eigen::Vector3d plane = squares.ldlt().solve(sums);
+    for (int dy = -kReach; dy <= kReach; dy += 2) {
+        for (int dx = -kReach; dx <= kReach; dx += 2) {
+            const double here = metres.at(x + dx, y + dy);
+            const double fitted =
+                1.0 / plane.dot(dataset.lens.unproject(x + dx + 0.5, y + dy + 0.5));
+            if (!(std::abs(fitted - here) < 1.2 * depth.rounding_m + 1e-4 * here)) {
+                return std::nullopt;
+            }
+        }
+    }
+    return -plane.normalized();  // towards the camera
+}
+
+/// The normal that the scene's corners have where the ray meets it, in the world; its sign is open.
+Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place) {
+    const Triangle& corners = scene.triangles[hit.triangle];
+    const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
+    const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;
+    const Eigen::Vector3d ac = scene.positions[corners[2]].cast<double>() - a;
+    const Eigen::Vector3d face = ab.cross(ac);
+    const double area = face.squaredNorm();
+    if (area <= 0.0) return Eigen::Vector3d::Zero();
+    const double b = (place - a).cross(ac).dot(face) / area;
+    const double c = ab.cross(place - a).dot(face) / area;
+    return ((1.0 - b - c) * scene.normals[corners[0]].cast<double>() +
+            b * scene.normals[corners[1]].cast<double>() +
+            c * scene.normals[corners[2]].cast<double>())
+        .normalized();
+}
+
+/// One frame's normals.
+class NormalImages {
+  public:
+    NormalImages(const Subject& subject, FrameImages& images)
+        : subject_(subject),
+          images_(images),
+          in_camera_(images.image16("normal_camera")),
+          in_world_(images.image16("normal_world")),
+          ids_(images.image16("instance")) {}
+
+    void check(Findings& findings) const {
+        if (in_camera_) checkUnit(*in_camera_, "normal_camera", findings);
+        if (in_world_) checkUnit(*in_world_, "normal_world", findings);
+        if (in_camera_ && in_world_) checkTurned(findings);
+        if (in_camera_ || in_world_) checkSurface(findings);
+    }
+
+  private:
+    [[nodiscard]] std::string file(const char* modality) const {
+        return imageFile(modality, images_.frame());
+    }
+
+    void checkUnit(const Image16& image, const char* modality, Findings& findings) const {
+        // The image's axes are the camera's or the world's.
+        const bool world = &image == in_world_;
+        const Eigen::Quaterniond& rotation = images_.stored().pose.rotation;
+        WrongPixels none, length, away;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const std::uint16_t* pixel = image.pixel(x, y);
+                const bool nothing = isNone(pixel);
+                if (ids_ && nothing != (ids_->at(x, y) == 0)) {
+                    none.add(x, y, [&] {
+                        return WrongPixels::Text{nothing ? "no normal" : text(normalFrom(pixel)),
+                                                 fmt::format("that of object {}", ids_->at(x, y))};
+                    });
+                }
+                if (nothing) continue;
+                const Eigen::Vector3d normal = normalFrom(pixel);
+                Eigen::Vector3d along = subject_.dataset.lens.unproject(x + 0.5, y + 0.5);
+                if (world) along = rotation * along;
+                if (normal.dot(along) > 0.01) {
+                    away.add(x, y, [&] {
+                        return WrongPixels::Text{text(normal) + ", away from the camera",
+                                                 "the side that is seen"};
+                    });
+                }
+                const double norm = normal.norm();
+                if (std::abs(norm - 1.0) <= 1e-4) continue;
+                length.add(x, y, [&] {
+                    return WrongPixels::Text{fmt::format("a normal of length {:.4f}", norm), "1"};
+                });
+            }
+        }
+        none.report(file(modality), images_.frame(), findings);
+        length.report(file(modality), images_.frame(), findings);
+        away.report(file(modality), images_.frame(), findings);
+    }
+
+    void checkTurned(Findings& findings) const {
+        const Eigen::Quaterniond& rotation = images_.stored().pose.rotation;
+        WrongPixels pixels;
+        for (int y = 0; y < in_camera_->height; ++y) {
+            for (int x = 0; x < in_camera_->width; ++x) {
+                const std::uint16_t* camera = in_camera_->pixel(x, y);
+                const std::uint16_t* world = in_world_->pixel(x, y);
+                if (isNone(camera) || isNone(world)) continue;
+                const Eigen::Vector3d expected = rotation * normalFrom(camera);
+                if ((expected - normalFrom(world)).norm() <= 1e-4) continue;
+                pixels.add(x, y, [&] {
+                    return WrongPixels::Text{text(normalFrom(world)),
+                                             text(expected) + ", by normal_camera and the pose"};
+                });
+            }
+        }
+        pixels.report(file("normal_world"), images_.frame(), findings);
+    }
+
+    [[nodiscard]] Eigen::Vector3d worldNormal(int x, int y) const {
+        if (in_world_) return normalFrom(in_world_->pixel(x, y));
+        return images_.stored().pose.rotation * normalFrom(in_camera_->pixel(x, y));
+    }
+
+    /// With the scene by what rays meet, without it by the depth where that is flat. Models may
+    /// shade flat things as if they were round, so the depth alone tells axes and signs, of many
+    /// pixels together.
+    void checkSurface(Findings& findings) const {
+        const char* modality = in_world_ ? "normal_world" : "normal_camera";
+        const Image16& image = in_world_ ? *in_world_ : *in_camera_;
+        WrongPixels pixels;
+        std::size_t judged = 0;
+        const auto judge = [&](int x, int y, const Eigen::Vector3d& expected, double degrees,
+                               bool sign_open) {
+            ++judged;
+            const Eigen::Vector3d found = worldNormal(x, y);
+            const double along = sign_open ? std::abs(found.dot(expected)) : found.dot(expected);
+            if (along >= std::cos(degrees * kDegree)) return;
+            pixels.add(x, y, [&] {
+                return WrongPixels::Text{
+                    fmt::format("{} in the world", text(found)),
+                    text(expected) + (sign_open ? ", by the scene" : ", by the depth around it")};
+            });
+        };
+        if (subject_.rays && images_.stored().moving.empty()) {
+            judgeByScene(image, judge);
+            if (pixels.count() <= 10 + judged / 50) return;
+        } else {
+            judgeByDepth(image, judge);
+            if (pixels.count() <= 10 + judged / 4) return;
+        }
+        pixels.report(file(modality), images_.frame(), findings);
+    }
+
+    template <class Judge>
+    void judgeByScene(const Image16& image, Judge&& judge) const {
+        const Pose& pose = images_.stored().pose;
+        FrameRays rays(subject_, images_.stored(), pose);
+        std::vector<RayHit> hits;
+        for (int y = 0; y < image.height; ++y) {
+            rays.castRow(y, hits);
+            for (int x = 0; x < image.width; ++x) {
+                const RayHit& hit = hits[static_cast<std::size_t>(x)];
+                if (hit.object_id == 0 || isNone(image.pixel(x, y))) continue;
+                if (ids_ && ids_->at(x, y) != hit.object_id) continue;
+                const Eigen::Vector3d place =
+                    pose.toWorld(hit.distance * subject_.dataset.lens.unproject(x + 0.5, y + 0.5));
+                const Eigen::Vector3d expected = cornersNormal(*subject_.scene, hit, place);
+                if (expected.norm() > 0.5) judge(x, y, expected, 3.0, true);
+            }
+        }
+    }
+
+    template <class Judge>
+    void judgeByDepth(const Image16& image, Judge&& judge) const {
+        const FrameImages::Depth* depth = images_.depth();
+        if (!depth || !ids_) return;
+        const Eigen::Quaterniond& rotation = images_.stored().pose.rotation;
+        constexpr int kStep = 3;
+        for (int y = 0; y < image.height; y += kStep) {
+            for (int x = 0; x < image.width; x += kStep) {
+                if (isNone(image.pixel(x, y))) continue;
+                const auto flat = flatNormal(subject_.dataset, *depth, *ids_, x, y);
+                if (flat) judge(x, y, rotation * *flat, 75.0, false);
+            }
+        }
+    }
+
+    const Subject& subject_;
+    FrameImages& images_;
+    const Image16* in_camera_;
+    const Image16* in_world_;
+    const Image16* ids_;
+};
+
+}  // namespace
+
+CheckWork beginNormals(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&subject](FrameImages& images, Findings& findings) {
+        NormalImages(subject, images).check(findings);
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

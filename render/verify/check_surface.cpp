@@ -1,0 +1,52 @@
+// What each pixel shows, asked of the scene's triangles by rays.
+#include "render/verify/check_list.h"
+#include "render/verify/frame_rays.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace dollytrack::verify {
+namespace {
+
+std::string seen(const RayHit& hit) {
+    if (hit.object_id == 0) return "nothing";
+    return fmt::format("object {} at {:.4f} m", hit.object_id, hit.distance);
+}
+
+}  // namespace
+
+CheckWork beginSurface(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&subject](FrameImages& images, Findings& findings) {
+        const Image16* ids = images.image16("instance");
+        const FrameImages::Depth* depth = images.depth();
+        if (!ids || !depth) return;
+        FrameRays rays(subject, images.stored(), images.stored().pose);
+        std::vector<RayHit> hits;
+        WrongPixels wrong;
+        for (int y = 0; y < ids->height; ++y) {
+            rays.castRow(y, hits);
+            for (int x = 0; x < ids->width; ++x) {
+                const RayHit& hit = hits[static_cast<std::size_t>(x)];
+                const int id = ids->at(x, y);
+                const double metres = depth->metres.at(x, y);
+                const double off = std::abs(hit.distance - metres);
+                const double allowed = depth->rounding_m + FrameRays::kDrawing * (1.0 + metres);
+                if (id == hit.object_id && (id == 0 || off <= allowed)) continue;
+                // Too far for the image: that it has no depth there is another check's business.
+                if (id != 0 && metres == 0.0) continue;
+                if (rays.mayShow(x, y, id, metres, depth->rounding_m)) continue;
+                wrong.add(x, y, [&] {
+                    return WrongPixels::Text{
+                        id == 0 ? "nothing" : fmt::format("object {} at {:.4f} m", id, metres),
+                        seen(hit)};
+                });
+            }
+        }
+        wrong.report(imageFile("instance", images.frame()), images.frame(), findings);
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

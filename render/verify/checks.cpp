@@ -1,0 +1,74 @@
+#include "render/verify/check_list.h"
+
+#include <array>
+
+namespace dollytrack::verify {
+namespace {
+
+using Names = std::span<const char* const>;
+
+constexpr std::array kInstance = {"instance"};
+constexpr std::array kDepthAndInstance = {"depth", "instance"};
+constexpr std::array kAnyDepth = {"depth", "depth_exr"};
+constexpr std::array kCoco = {"coco", "instance"};
+constexpr std::array kFrames = {"frames", "instance"};
+constexpr std::array kImu = {"imu"};
+constexpr std::array kExactDepth = {"depth_exr", "depth"};
+constexpr std::array kNormals = {"normal_camera", "normal_world"};
+constexpr std::array kCoordinates = {"object_coordinates", "instance"};
+constexpr std::array kFlow = {"flow_forward", "flow_backward"};
+constexpr std::array kStereo = {"disparity", "rgb_right", "depth_right"};
+constexpr std::array kAmodal = {"amodal"};
+constexpr std::array kInstances = {"instances", "instance"};
+
+constexpr std::array kChecks = {
+    Check{"files", "every file is there with its hash, and no other", Names{}, Names{}, false,
+          beginFiles},
+    Check{"card", "dataset.json agrees with itself and with the program's conventions", Names{},
+          Names{}, false, beginCard},
+    Check{"images", "images can be read and have the size and type said", Names{}, Names{}, false,
+          beginImages},
+    Check{"motion", "timestamps rise, quaternions have unit length", Names{}, Names{}, false,
+          beginMotion},
+    Check{"classes", "ids are those of objects, classes those of the ids", kInstance, Names{},
+          false, beginClasses},
+    Check{"holes", "depth is missing exactly where no object is", kDepthAndInstance, Names{}, false,
+          beginHoles},
+    Check{"object_boxes", "depth unprojected lies in the box of the object seen", kInstance,
+          kAnyDepth, false, beginObjectBoxes},
+    Check{"captures", "the captures counted are those in the images", kInstance, Names{}, false,
+          beginCaptures},
+    Check{"scene", "the scene has the objects that dataset.json lists", Names{}, Names{}, true,
+          beginScene},
+    Check{"surface", "each pixel shows what a ray through its centre meets in the scene", kInstance,
+          kAnyDepth, true, beginSurface},
+    Check{"coco", "masks, boxes, areas and categories are those of the instance images", kCoco,
+          Names{}, false, beginCoco},
+    Check{"poses", "each pose file, read again, gives the same poses to 1e-6", Names{}, Names{},
+          false, beginPoses},
+    Check{"frames", "the numbers of frames.csv, computed again", kFrames, Names{}, false,
+          beginFrames},
+    Check{"imu", "inertial measurements, integrated, lead from pose to pose", kImu, Names{}, false,
+          beginImu},
+    Check{"depth_exr", "depth in floats is depth in millimetres", kExactDepth, Names{}, false,
+          beginExactDepth},
+    Check{"normals", "normals have unit length and are those of the surfaces seen", Names{},
+          kNormals, false, beginNormals},
+    Check{"object_coordinates", "coordinates are the depth, unprojected into the object's box",
+          kCoordinates, kAnyDepth, false, beginObjectCoordinates},
+    Check{"flow", "flow is what depth and poses say, to 0.01 px, and its masks what is seen",
+          Names{}, kFlow, false, beginFlow},
+    Check{"stereo", "disparity is what depth says, and the right pictures show the same", Names{},
+          kStereo, false, beginStereo},
+    Check{"amodal", "whole masks hold the visible ones", kAmodal, Names{}, false, beginAmodal},
+    Check{"instances", "the numbers of instances.csv, counted again", kInstances, Names{}, false,
+          beginInstances},
+};
+
+}  // namespace
+
+std::span<const Check> checks() {
+    return kChecks;
+}
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "render/verify/image_files.h"
+#include "render/verify/stored_dataset.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace dollytrack::verify {
+
+/// How a modality's images of every frame are written: what their readers rely on.
+struct ImageKind {
+    enum class Type { Bits8, Bits16, Float };
+    const char* modality;   // and its folder
+    const char* extension;  // ".png"
+    Type type;
+    int channels;
+    const char* mask;  // ending of the 8-bit image that lies beside each; null: none
+};
+
+/// All modalities that have one image a frame under its number.
+std::span<const ImageKind> imageKinds();
+const ImageKind* imageKind(std::string_view modality);
+
+/// "depth/000012.png"
+std::string imageFile(const ImageKind& kind, int frame);
+std::string imageFile(std::string_view modality, int frame);
+
+/// The images of one frame, each read when it is first asked for. Of one thread.
+class FrameImages {
+  public:
+    FrameImages(const StoredDataset& dataset, int frame) : dataset_(dataset), frame_(frame) {}
+
+    [[nodiscard]] int frame() const { return frame_; }
+    [[nodiscard]] const StoredFrame& stored() const {
+        return dataset_.frames[static_cast<std::size_t>(frame_)];
+    }
+
+    /// The image; null when the dataset has no such images, or this one cannot be read or has
+    /// another size or type than is said, which is the business of one check alone.
+    [[nodiscard]] const Image8* image8(std::string_view modality);
+    [[nodiscard]] const Image16* image16(std::string_view modality);
+    [[nodiscard]] const ImageF* imageF(std::string_view modality);
+    /// The mask beside it.
+    [[nodiscard]] const Image8* mask(std::string_view modality);
+
+    /// What is wrong with the file; empty when nothing is.
+    [[nodiscard]] std::string problem(std::string_view modality);
+    [[nodiscard]] std::string maskProblem(std::string_view modality);
+
+    /// Planar depth, m, 0 for none: exact where the dataset has it so, else in millimetres. Null as
+    /// above. `rounding` is the most it may be off.
+    struct Depth {
+        ImageF metres;
+        double rounding_m = 0.0;
+    };
+    [[nodiscard]] const Depth* depth();
+
+    /// Another frame of the same dataset.
+    [[nodiscard]] FrameImages& other(int frame);
+
+  private:
+    struct Entry {
+        Image8 bits8;
+        Image16 bits16;
+        ImageF real;
+        std::string problem;
+    };
+    const Entry& load(std::string_view modality);
+    const Entry& loadMask(std::string_view modality);
+
+    const StoredDataset& dataset_;
+    int frame_ = 0;
+    std::map<std::string, Entry, std::less<>> entries_;
+    std::map<std::string, Entry, std::less<>> masks_;
+    std::unique_ptr<Depth> depth_;
+    std::map<int, std::unique_ptr<FrameImages>> others_;
+};
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,154 @@
+#include "render/verify/frame_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr double kNudge = 0.01;  // px; corners are drawn at 256ths
+
+}  // namespace
+
+/// No more of the scene than rays meet.
+struct FrameRays::MovedScene {
+    Scene scene;
+    std::unique_ptr<RayCaster> rays;
+};
+
+std::unique_ptr<FrameRays::MovedScene> FrameRays::moved(const Subject& subject,
+                                                        const StoredFrame& frame) {
+    if (frame.moving.empty()) return nullptr;
+    auto moved = std::make_unique<MovedScene>();
+    Scene& scene = moved->scene;
+    scene.positions = subject.scene->positions;
+    scene.triangles = subject.scene->triangles;
+    scene.objects = subject.scene->objects;
+    std::vector<int> ids;
+    for (const MovedObject& one : frame.moving) {
+        if (one.object_id < 1 || one.object_id > static_cast<int>(scene.objects.size())) continue;
+        const Object& object = scene.object(one.object_id);
+        for (std::uint32_t i = 0; i < object.vertex_count; ++i) {
+            Eigen::Vector3f& corner = scene.positions[object.first_vertex + i];
+            corner = (one.now_from_rest * corner.cast<double>()).cast<float>();
+        }
+        ids.push_back(one.object_id);
+    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    moved->rays = std::make_unique<RayCaster>(scene, *subject.rays, ids);
+    return moved;
+}
+
+FrameRays::FrameRays(const Subject& subject, const StoredFrame& frame, const Pose& camera)
+    : moved_(moved(subject, frame)),
+      scene_(moved_ ? moved_->scene : *subject.scene),
+      rays_(moved_ ? *moved_->rays : *subject.rays),
+      dataset_(subject.dataset),
+      pose_(camera) {}
+
+FrameRays::~FrameRays() = default;
+
+Eigen::Vector3d FrameRays::alongWorld(double x, double y) const {
+    return pose_.rotation * dataset_.lens.unproject(x, y);
+}
+
+void FrameRays::castRow(int y, std::vector<RayHit>& hits) {
+    bundle_.clear();
+    for (int x = 0; x < dataset_.lens.width; ++x) {
+        bundle_.push_back({alongWorld(x + 0.5, y + 0.5)});
+    }
+    rays_.castBundle(pose_.position, bundle_, dataset_.near_m, hits);
+}
+
+void FrameRays::castTo(std::span<const Eigen::Vector3d> places, std::vector<RayHit>& hits) {
+    bundle_.clear();
+    for (const Eigen::Vector3d& place : places) {
+        bundle_.push_back({(place - pose_.position) / pose_.toCamera(place).z()});
+    }
+    rays_.castBundle(pose_.position, bundle_, dataset_.near_m, hits);
+}
+
+double FrameRays::planeDepth(std::uint32_t triangle, double x, double y) const {
+    const Triangle& corners = scene_.triangles[triangle];
+    const Eigen::Vector3d a = scene_.positions[corners[0]].cast<double>();
+    const Eigen::Vector3d normal = (scene_.positions[corners[1]].cast<double>() - a)
+                                       .cross(scene_.positions[corners[2]].cast<double>() - a);
+    return normal.dot(a - pose_.position) / normal.dot(alongWorld(x, y));
+}
+
+/// Whether the plane of a triangle has this depth at a pixel's centre. A plane seen along itself
+/// changes by metres a pixel, and so by more than `slack` within a nudge.
+bool FrameRays::isDepthOn(std::uint32_t triangle, int x, int y, double metres, double slack) const {
+    constexpr double kMostSlope = 5.0;  // m a px: beyond it a plane is a line
+    const double at_centre = planeDepth(triangle, x + 0.5, y + 0.5);
+    const double slope = std::abs(planeDepth(triangle, x + 0.501, y + 0.5) - at_centre) * 1e3 +
+                         std::abs(planeDepth(triangle, x + 0.5, y + 0.501) - at_centre) * 1e3;
+    return std::abs(metres - at_centre) <= slack + kNudge * std::min(slope, kMostSlope);
+}
+
+/// Whether the point shown is as near to a surface as drawing is to the truth: of a surface seen
+/// along itself its depth is not. An id of 0 stands for any object.
+bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) const {
+    const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
+    const ClosestPoint near =
+        rays_.closest(pose_.position + metres * along, slack * along.norm() + 0.0005);
+    return near.object_id != 0 && (id == 0 || near.object_id == id);
+}
+
+/// Whether the pixel shows a thin thing seen along itself: rays pass beside what is drawn there,
+/// and what is drawn is a little beside the thing. Only where several surfaces meet, so that no
+/// wall is excused.
+bool FrameRays::isHair(int x, int y, int id, double metres) const {
+    constexpr double kBeside_m = 0.005;
+    const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
+    const ClosestPoint near = rays_.closest(pose_.position + metres * along, kBeside_m);
+    if (near.object_id == 0 || (id != 0 && near.object_id != id)) return false;
+    double least = kFarthest, most = 0.0;
+    for (const double dy : {-0.7, 0.0, 0.7}) {
+        for (const double dx : {-0.7, 0.0, 0.7}) {
+            const RayHit hit = rays_.cast(pose_.position, alongWorld(x + 0.5 + dx, y + 0.5 + dy),
+                                          kFarthest, dataset_.near_m);
+            const double depth =
+                hit.object_id == 0 ? kFarthest : planeDepth(hit.triangle, x + 0.5, y + 0.5);
+            least = std::min(least, depth);
+            most = std::max(most, depth);
+        }
+    }
+    return most - least > 0.001;
+}
+
+bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
+    const double slack = rounding_m + kDrawing * (1.0 + metres);
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
+            const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
+            if (id == 0 || hit.object_id == 0) {
+                if (id == hit.object_id) return true;
+                continue;
+            }
+            if (hit.object_id == id && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
+            // Two objects in one place: either may be drawn.
+            if (hit.distance < metres - slack) continue;
+            const Eigen::Vector3d start = pose_.position + (metres - slack) * along;
+            if (rays_.meetsObject(id, start, along, 2.0 * slack)) return true;
+        }
+    }
+    return id != 0 && (isBeside(x, y, id, metres, slack) || isHair(x, y, id, metres));
+}
+
+bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) const {
+    if (metres <= 0.0) return mayShow(x, y, 0, metres, rounding_m);
+    const double slack = rounding_m + kDrawing * (1.0 + metres);
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
+            const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
+            if (hit.object_id != 0 && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
+        }
+    }
+    return isBeside(x, y, 0, metres, slack) || isHair(x, y, 0, metres);
+}
+
+}  // namespace dollytrack::verify

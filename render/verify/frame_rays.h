@@ -1,0 +1,59 @@
+#pragma once
+
+#include "render/verify/check.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dollytrack::verify {
+
+/// A camera among the scene's triangles as they are in one frame. Of one thread.
+class FrameRays {
+  public:
+    /// `camera` is the frame's own or the other one of a stereo pair. The subject has a scene.
+    FrameRays(const Subject& subject, const StoredFrame& frame, const Pose& camera);
+    ~FrameRays();
+    FrameRays(const FrameRays&) = delete;
+    FrameRays& operator=(const FrameRays&) = delete;
+
+    /// What the rays through the pixel centres of row y meet; distances are planar depths.
+    void castRow(int y, std::vector<RayHit>& hits);
+
+    /// What the rays to these places, world, meet first; distances are planar depths.
+    void castTo(std::span<const Eigen::Vector3d> places, std::vector<RayHit>& hits);
+
+    /// Whether the pixel may show this object at this depth, or nothing (id 0). Drawing rounds
+    /// corners to fractions of a pixel, so that it may see past an edge what the ray through the
+    /// centre does not, and the other way round.
+    [[nodiscard]] bool mayShow(int x, int y, int id, double metres, double rounding_m) const;
+
+    /// The same, whatever object it is.
+    [[nodiscard]] bool mayShowDepth(int x, int y, double metres, double rounding_m) const;
+
+    /// From the camera's centre to the nearest surface, m.
+    [[nodiscard]] double clearance() const { return rays_.closest(pose_.position).distance; }
+
+    static constexpr double kFarthest = 65.5355;  // what a depth image can hold, m
+    static constexpr double kDrawing = 5e-5;      // single precision, a metre
+
+  private:
+    struct MovedScene;
+    [[nodiscard]] static std::unique_ptr<MovedScene> moved(const Subject& subject,
+                                                           const StoredFrame& frame);
+    [[nodiscard]] Eigen::Vector3d alongWorld(double x, double y) const;
+    [[nodiscard]] double planeDepth(std::uint32_t triangle, double x, double y) const;
+    [[nodiscard]] bool isBeside(int x, int y, int id, double metres, double slack) const;
+    [[nodiscard]] bool isHair(int x, int y, int id, double metres) const;
+    [[nodiscard]] bool isDepthOn(std::uint32_t triangle, int x, int y, double metres,
+                                 double slack) const;
+
+    std::unique_ptr<MovedScene> moved_;  // null for the scene at rest
+    const Scene& scene_;
+    const RayCaster& rays_;
+    const StoredDataset& dataset_;
+    Pose pose_;
+    std::vector<RayCaster::BundleRay> bundle_;
+};
+
+}  // namespace dollytrack::verify

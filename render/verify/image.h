@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace dollytrack::verify {
+
+/// An image as its file holds it, rows from the top, channels in the order red, green, blue.
+template <class T>
+struct Image {
+    int width = 0;
+    int height = 0;
+    int channels = 1;
+    std::vector<T> values;
+
+    [[nodiscard]] const T* pixel(int x, int y) const {
+        return values.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                static_cast<std::size_t>(x)) *
+                                   static_cast<std::size_t>(channels);
+    }
+    [[nodiscard]] T at(int x, int y) const { return *pixel(x, y); }
+    [[nodiscard]] bool holds(int x, int y) const {
+        return x >= 0 && y >= 0 && x < width && y < height;
+    }
+};
+
+}  // namespace dollytrack::verify

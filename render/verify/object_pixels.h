@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/verify/image_files.h"
+
+#include <array>
+#include <map>
+
+namespace dollytrack::verify {
+
+/// What an id image shows of one object.
+struct ObjectPixels {
+    int count = 0;
+    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  // bounds, all included
+
+    /// x, y, width, height; [0,0,1,1] is the first pixel.
+    [[nodiscard]] std::array<double, 4> box() const {
+        return {double(x0), double(y0), double(x1 - x0 + 1), double(y1 - y0 + 1)};
+    }
+};
+
+/// By id, without 0. Counted pixel by pixel.
+std::map<int, ObjectPixels> objectPixels(const Image16& ids);
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,123 @@
+#include "app/batch/job.h"
+#include "app/batch/markup.h"
+#include "app/batch/scene_files.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+namespace dollytrack::batch {
+namespace {
+
+std::vector<std::string> found(const std::string& pattern, const std::filesystem::path& base) {
+    std::vector<std::string> names;
+    const auto files = filesMatching(pattern, base);
+    if (!files) return {"error: " + files.error().message};
+    for (const SceneFile& file : *files) names.push_back(file.path.string());
+    return names;
+}
+
+std::vector<std::string> namesOf(const std::vector<std::string>& paths) {
+    std::vector<SceneFile> scenes;
+    for (const std::string& path : paths) {
+        scenes.push_back({path, std::filesystem::path(path).filename(), {}});
+    }
+    nameScenes(scenes);
+    std::vector<std::string> names;
+    for (const SceneFile& scene : scenes) names.push_back(scene.name);
+    return names;
+}
+
+TEST(SceneFiles, PatternsFindScenesInNaturalOrder) {
+    const test::TempFolder folder;
+    for (const char* file : {"room_10.obj", "room_2.obj", "room_2.mtl", "a/b/x.glb", "a/y.GLB",
+                             ".hidden.obj", "a/.git/z.obj"}) {
+        std::filesystem::create_directories((folder.path() / file).parent_path());
+        std::ofstream(folder.path() / file) << "v";
+    }
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(found("room_*", folder.path()), (Names{"room_2.obj", "room_10.obj"}));
+    EXPECT_EQ(found("room_?.obj", folder.path()), (Names{"room_2.obj"}));
+    EXPECT_EQ(found("a/*", folder.path()), (Names{"a/y.GLB"}));
+    EXPECT_EQ(found("**/*.glb", folder.path()), (Names{"a/b/x.glb"}));
+    EXPECT_EQ(found("a/**", folder.path()), (Names{"a/y.GLB", "a/b/x.glb"}));
+    EXPECT_EQ(found("*/*/x*", folder.path()), (Names{"a/b/x.glb"}));
+    EXPECT_EQ(found("room_2.mtl", folder.path()), (Names{"room_2.mtl"}));
+    EXPECT_TRUE(found("none/*.obj", folder.path())[0].starts_with("error: "));
+    EXPECT_TRUE(found("*.ply", folder.path())[0].starts_with("error: "));
+    EXPECT_TRUE(found("none.obj", folder.path())[0].starts_with("error: "));
+}
+
+TEST(SceneFiles, MatchingNeedsNoDisk) {
+    EXPECT_TRUE(matches("rooms/old/a.obj", "rooms/old/*"));
+    EXPECT_TRUE(matches("rooms/old/a.obj", "**/a.obj"));
+    EXPECT_TRUE(matches("a.obj", "**/a.obj"));
+    EXPECT_TRUE(matches("rooms/old/a.obj", "rooms/**"));
+    EXPECT_FALSE(matches("rooms/old/a.obj", "rooms/*"));
+    EXPECT_FALSE(matches("rooms/a.obj", "rooms/*.glb"));
+}
+
+// A name may not depend on scenes that are called otherwise.
+TEST(SceneFiles, NamesAreDifferentAndStay) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(namesOf({"x/bath.obj", "kitchen 2.glb"}), (Names{"bath", "kitchen_2"}));
+    EXPECT_EQ(namesOf({"x/bath.obj", "x/bath.glb", "hall.obj"}),
+              (Names{"bath_obj", "bath_glb", "hall"}));
+    EXPECT_EQ(namesOf({"x/bath.obj", "y/bath.obj"}), (Names{"x_bath_obj", "y_bath_obj"}));
+    const Names hard = namesOf({"a b.obj", "a_b.obj", "a-b.obj", "a/b.obj", "..obj", "ä.obj"});
+    EXPECT_EQ(std::set<std::string>(hard.begin(), hard.end()).size(), hard.size());
+    for (const std::string& name : hard) {
+        EXPECT_EQ(asName(name), name);
+        EXPECT_FALSE(name.empty());
+    }
+}
+
+TEST(Shard, SharesAllJobsOutEvenly) {
+    BatchOrder order;
+    order.file = "jobs.toml";
+    order.seeds = {1, 2, 3, 4, 5, 6, 7};
+    order.scenes = {{"a.obj", "a.obj", "a"}, {"b.obj", "b.obj", "b"}};
+    const std::vector<Job> jobs = jobsOf(order);
+    ASSERT_EQ(jobs.size(), 14U);
+    for (const int parts : {1, 3, 14, 20}) {
+        std::vector<int> sizes;
+        std::set<int> numbers;
+        for (int i = 0; i < parts; ++i) {
+            int size = 0;
+            for (const Job& job : jobs) {
+                if (!Shard{i, parts}.has(job)) continue;
+                ++size;
+                EXPECT_TRUE(numbers.insert(job.number).second);
+            }
+            sizes.push_back(size);
+        }
+        EXPECT_EQ(numbers.size(), jobs.size());
+        EXPECT_LE(*std::max_element(sizes.begin(), sizes.end()) -
+                      *std::min_element(sizes.begin(), sizes.end()),
+                  1);
+    }
+}
+
+TEST(Shard, IsReadOrRefused) {
+    const auto shard = parseShard("2/8");
+    ASSERT_TRUE(shard);
+    EXPECT_EQ(shard->index, 2);
+    EXPECT_EQ(shard->count, 8);
+    for (const char* wrong : {"", "2", "8/8", "-1/8", "1/0", "1/8x", "a/8", "1/", "/8", "1 /8"}) {
+        EXPECT_FALSE(parseShard(wrong)) << wrong;
+    }
+}
+
+TEST(Markup, KeepsNothingThatWouldBeReadAsMarkup) {
+    EXPECT_EQ(asMarkup("a<b & \"c\" 'd'>"), "a&lt;b &amp; &quot;c&quot; &#39;d&#39;&gt;");
+    EXPECT_EQ(asMarkup(std::string("\x01tab\x1b[31m", 9)), "tab[31m");
+    EXPECT_EQ(asMarkup("\xff"), "\xef\xbf\xbd");
+    EXPECT_EQ(asMarkup("no character: \xef\xbf\xbf."), "no character: .");
+    EXPECT_EQ(asLink("a b/ä#.jpg"), "a%20b/%C3%A4%23.jpg");
+}
+
+}  // namespace
+}  // namespace dollytrack::batch

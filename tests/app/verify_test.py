@@ -1,0 +1,143 @@
+"""Runs `dollytrack verify` on an untouched dataset and on damaged ones: verify_test.py PROGRAM."""
+import json
+import shutil
+import unittest
+
+import corruptions
+import tiny_room
+from program import FolderCase, run
+
+
+class VerifyTest(FolderCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        tiny_room.write(cls.folder / "room.obj")
+        plan = run("plan", cls.folder / "room.obj", "-o", cls.folder / "room.dolly",
+                   "--set", "width_px=160", "--set", "height_px=120", "--max-frames", 8)
+        assert plan.returncode == 0, plan.stderr
+        cls.dataset = cls.folder / "dataset"
+        export = run("export", cls.folder / "room.dolly", "--out", cls.dataset,
+                     "--modalities", "all", "--formats", "all")
+        assert export.returncode == 0, export.stderr
+
+    def verify(self, folder, *arguments):
+        """The exit code and what became of each check."""
+        result = run("-q", "verify", folder, "--json", *arguments)
+        self.assertIn(result.returncode, (0, 4), result.stderr)
+        report = json.loads(result.stdout)
+        self.assertEqual(report["sound"], result.returncode == 0)
+        return result.returncode, {check["check"]: check for check in report["checks"]}
+
+    def damaged(self, function):
+        folder = self.folder / "damaged"
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(self.dataset, folder)
+        copy = corruptions.Copy(folder)
+        function(copy)
+        copy.save()
+        return folder
+
+    def test_an_untouched_dataset_passes_every_check(self):
+        code, checks = self.verify(self.dataset)
+        self.assertEqual({name: one["status"] for name, one in checks.items()},
+                         {name: "passed" for name in checks})
+        self.assertEqual(code, 0)
+
+    def test_mended_hashes_alone_damage_nothing(self):
+        code, checks = self.verify(self.damaged(lambda copy: None))
+        self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
+
+    def test_each_corruption_is_found_by_the_check_that_should(self):
+        self.assertGreaterEqual(len(corruptions.ALL), 30)
+        for name, check, function in corruptions.ALL:
+            with self.subTest(name):
+                code, checks = self.verify(self.damaged(function))
+                failed = [one for one, result in checks.items() if result["status"] == "failed"]
+                self.assertEqual(code, 4)
+                self.assertIn(check, failed)
+                finding = checks[check]["findings"][0]
+                self.assertTrue(finding["file"] and finding["found"], finding)
+
+    def test_without_the_scene_most_is_found_all_the_same(self):
+        away = self.folder / "away" / "from" / "it"
+        for name, check, function in corruptions.ALL:
+            with self.subTest(name):
+                shutil.rmtree(away, ignore_errors=True)
+                shutil.copytree(self.damaged(function), away)
+                code, checks = self.verify(away)
+                self.assertEqual(checks["surface"]["status"], "skipped")
+                self.assertIn("--scene", checks["surface"]["reason"])
+                # Half a pixel of all poses alike is nothing that a dataset could know of itself,
+                # were it not for the poses in other files.
+                self.assertEqual(code, 4)
+
+    def test_things_that_move_are_followed(self):
+        moving = self.folder / "moving.dolly"
+        track = {"op": "object_track", "object": "table", "keys": [
+            {"time_s": 0}, {"time_s": 5, "offset": [0.3, 0.2, 0], "turn_deg": 30}]}
+        edit = run("edit", self.folder / "room.dolly", "-o", moving, "--op", json.dumps(track))
+        self.assertEqual(edit.returncode, 0, edit.stderr)
+        out = self.folder / "moving"
+        export = run("export", moving, "--out", out, "--modalities", "all", "--formats", "all")
+        self.assertEqual(export.returncode, 0, export.stderr)
+        code, checks = self.verify(out)
+        self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
+        copy = corruptions.Copy(out)
+        self.assertTrue(all(frame["moving"] for frame in copy.card["frames"]))
+        for frame in copy.card["frames"]:
+            for moved in frame["moving"]:
+                moved["position"] = [-value for value in moved["position"]]
+        copy.save()
+        failed = {one for one, result in self.verify(out)[1].items()
+                  if result["status"] == "failed"}
+        self.assertLessEqual({"flow", "surface", "object_coordinates"}, failed)
+
+    def test_a_finding_names_file_frame_and_pixel(self):
+        folder = self.damaged(corruptions.one_pixel_of_another_class)
+        finding = self.verify(folder)[1]["classes"]["findings"][0]
+        self.assertEqual((finding["file"], finding["frame"], finding["pixel"]),
+                         ("semantic/000001.png", 1, [30, 20]))
+        printed = run("-q", "verify", folder)
+        self.assertEqual(printed.returncode, 4)
+        self.assertIn("semantic/000001.png, frame 1, pixel (30, 20)", " ".join(printed.stdout.split()))
+        self.assertIn("DAMAGED", printed.stdout)
+
+    def test_the_report_is_the_same_for_any_number_of_threads(self):
+        folder = self.damaged(corruptions.depth_along_the_ray)
+        reports = [run("-q", "--threads", count, "verify", folder, "--json").stdout
+                   for count in (1, 2, 5)]
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual(reports[0], reports[2])
+
+    def test_a_project_is_a_scene_and_another_scene_is_refused(self):
+        code, checks = self.verify(self.dataset, "--scene", self.folder / "room.dolly")
+        self.assertEqual((code, checks["surface"]["status"]), (0, "passed"))
+        tiny_room.write_boxes(self.folder / "other.obj", [("floor", (0, -0.1, 0), (4, 0, 3))])
+        self.assertFails(run("-q", "verify", self.dataset, "--scene", self.folder / "other.obj"), 4,
+                         "other.obj", "not the scene")
+
+    def test_a_folder_without_a_dataset_is_said_to_be_none(self):
+        (self.folder / "nothing").mkdir(exist_ok=True)
+        self.assertFails(run("verify", self.folder / "nothing"), 4, "dataset.json")
+
+    def test_a_few_modalities_are_checked_as_far_as_they_go(self):
+        out = self.folder / "few"
+        export = run("export", self.folder / "room.dolly", "--out", out, "--modalities",
+                     "rgb,depth", "--formats", "camera_json")
+        self.assertEqual(export.returncode, 0, export.stderr)
+        code, checks = self.verify(out)
+        self.assertEqual(code, 0)
+        self.assertEqual(checks["coco"]["status"], "skipped")
+        self.assertIn("coco", checks["coco"]["reason"])
+        self.assertEqual(checks["poses"]["status"], "passed")
+
+    def test_the_list_names_every_check(self):
+        listed = run("verify", "--list")
+        self.assertEqual(listed.returncode, 0)
+        for name in self.verify(self.dataset)[1]:
+            self.assertIn(name, listed.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,20 @@
+#!/usr/bin/python3
+"""Programs of other people open what Dollytrack exports, and find in it what is true.
+
+Usage: readers_test.py PROGRAM APARTMENT [unittest arguments]
+       readers_test.py PROGRAM APARTMENT colmap_reader      one of them
+"""
+import sys
+import unittest
+
+import exports
+
+exports.PROGRAM, exports.APARTMENT = sys.argv.pop(1), sys.argv.pop(1)
+READERS = ["array_reader", "blender_reader", "colmap_reader", "gltf_validator_reader", "label_reader", "open3d_reader",
+           "opencv_reader", "video_reader"]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 1:
+        sys.argv += READERS
+    unittest.main(module=None)

@@ -1,0 +1,286 @@
+#include "render/formats/mask_rle.h"
+#include "render/frame_file.h"
+#include "render/modalities.h"
+#include "render/truth/sight_mask.h"
+#include "tests/render/dataset_fixture.h"
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cstring>
+#include <sstream>
+
+namespace dollytrack::render {
+namespace {
+
+namespace fs = std::filesystem;
+using test::smallCamera;
+
+/// A camera that goes past the room's things, none of which is far away.
+Trajectory pass(int frames) {
+    Trajectory trajectory;
+    for (int i = 0; i < frames; ++i) {
+        TrajectoryFrame frame;
+        frame.time_s = 0.1 * i;
+        frame.target_in_world = {2.2, 2.4, 0.4};
+        frame.pose = lookAt({0.9 + 0.12 * i, 0.4, 0.6}, frame.target_in_world);
+        trajectory.frames.push_back(frame);
+    }
+    return trajectory;
+}
+
+struct Flow {
+    std::vector<Eigen::Vector2f> motion;
+    cv::Mat mask;
+};
+
+class TruthGl : public test::DatasetGlTest {
+  protected:
+    int idOf(const std::string& name) const {
+        for (const Object& object : scene_.objects) {
+            if (object.name == name) return object.id;
+        }
+        ADD_FAILURE() << "there is no " << name;
+        return 0;
+    }
+
+    /// All there is of a short motion, in which the first target moves.
+    void exportAll(bool moving) {
+        trajectory_ = pass(4);
+        auto context = gl::createOsMesaContext();
+        ASSERT_TRUE(context);
+        DatasetSettings settings;
+        settings.folder = folder_ / "out";
+        settings.modalities = {"all"};
+        settings.formats = {"all"};
+        settings.flow_distances = {1, 2};
+        DatasetOrigin origin;
+        if (moving) {
+            const Object& sofa = scene_.object(idOf("sofa"));
+            ObjectMotion& motion = origin.motions.emplace_back();
+            motion.object_id = sofa.id;
+            for (int i = 0; i < 4; ++i) {
+                motion.by_frame.push_back(
+                    Eigen::Translation3d(sofa.box.center + Eigen::Vector3d(0.08 * i, 0, 0.02 * i)) *
+                    Eigen::AngleAxisd(0.1 * i, Eigen::Vector3d::UnitZ()) *
+                    Eigen::Translation3d(-sofa.box.center));
+            }
+        }
+        motions_ = origin.motions;
+        const auto summary = exportDataset(std::move(*context), scene_, rays_, trajectory_,
+                                           smallCamera(), settings, origin, {});
+        ASSERT_TRUE(summary) << describe(summary.error());
+    }
+
+    cv::Mat image(const std::string& file) const {
+        cv::Mat found = cv::imread((folder_ / "out" / file).string(), cv::IMREAD_UNCHANGED);
+        EXPECT_FALSE(found.empty()) << file;
+        return found;
+    }
+
+    Flow flow(const std::string& folder, int from, int to) const {
+        Flow result;
+        const std::string bytes = read(folder_ / "out" / pairFile(folder, from, to, ".flo"));
+        EXPECT_EQ(bytes.substr(0, 4), "PIEH");
+        result.motion.resize((bytes.size() - 12) / 8);
+        std::memcpy(result.motion.data(), bytes.data() + 12, bytes.size() - 12);
+        result.mask = image(pairFile(folder, from, to, "_mask.png"));
+        return result;
+    }
+
+    /// The scene as it is in a frame.
+    Scene sceneAt(int frame) const {
+        Scene moved = scene_;
+        for (const ObjectMotion& motion : motions_) {
+            const Object& object = scene_.object(motion.object_id);
+            for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
+                Eigen::Vector3f& p = moved.positions[object.first_vertex + v];
+                p = (motion.by_frame[static_cast<std::size_t>(frame)] * p.cast<double>())
+                        .cast<float>();
+            }
+        }
+        return moved;
+    }
+
+    Trajectory trajectory_;
+    std::vector<ObjectMotion> motions_;
+};
+
+/// Follows what rays meet, not what was drawn.
+TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
+    exportAll(true);
+    const Intrinsics lens = makeIntrinsics(smallCamera());
+    int seen = 0;
+    int occluded = 0;
+    int of_moving = 0;
+    for (const auto& [from, to] : {std::pair{0, 1}, {1, 3}, {3, 2}, {2, 0}}) {
+        const Flow flow = this->flow(to > from ? "flow_forward" : "flow_backward", from, to);
+        const RayCaster now(sceneAt(from));
+        const RayCaster then(sceneAt(to));
+        const Pose& camera = trajectory_.frames[static_cast<std::size_t>(from)].pose;
+        const Pose& other = trajectory_.frames[static_cast<std::size_t>(to)].pose;
+        for (int y = 2; y < lens.height; y += 5) {
+            for (int x = 1; x < lens.width; x += 5) {
+                const Eigen::Vector2d at(x + 0.5, y + 0.5);
+                const Eigen::Vector3d ahead = camera.rotation * lens.unproject(at.x(), at.y());
+                const RayHit hit = now.cast(camera.position, ahead, 1e9, smallCamera().near_m);
+                const auto mask = static_cast<Sight>(flow.mask.at<std::uint8_t>(y, x));
+                const Eigen::Vector2f motion =
+                    flow.motion[static_cast<std::size_t>(y) * lens.width + x];
+                if (hit.object_id == 0) {
+                    EXPECT_EQ(mask, Sight::Nothing);
+                    continue;
+                }
+                Eigen::Vector3d place = camera.position + hit.distance * ahead;
+                if (!motions_.empty() && hit.object_id == motions_[0].object_id) {
+                    place = motions_[0].by_frame[static_cast<std::size_t>(to)] *
+                            motions_[0].by_frame[static_cast<std::size_t>(from)].inverse() * place;
+                    ++of_moving;
+                }
+                const Eigen::Vector3d there = other.toCamera(place);
+                const Eigen::Vector2d expected = lens.project(there) - at;
+                // A ray and the rasterizer may disagree about whose a border pixel is.
+                if ((expected.cast<float>() - motion).norm() > 0.02F) continue;
+                ++seen;
+                if (mask == Sight::Outside) continue;
+                // Looked at from a little before the surface, so that it does not hide itself.
+                const Eigen::Vector3d before = place + 0.01 * (other.position - place).normalized();
+                if (mask == Sight::Occluded) {
+                    ++occluded;
+                    EXPECT_FALSE(then.sees(other.position, place)) << x << ", " << y;
+                } else {
+                    EXPECT_TRUE(then.sees(other.position, before)) << x << ", " << y;
+                }
+            }
+        }
+    }
+    EXPECT_GT(seen, 0.98 * 4 * 24 * 32);
+    EXPECT_GT(occluded, 20);
+    EXPECT_GT(of_moving, 50);
+}
+
+TEST_F(TruthGl, WholeMasksAreWhatRaysMeetOfAnObjectAlone) {
+    exportAll(false);
+    const Intrinsics lens = makeIntrinsics(smallCamera());
+    const Pose& camera = trajectory_.frames[1].pose;
+    const auto amodal = nlohmann::json::parse(read(folder_ / "out/amodal/000001.json"));
+    const cv::Mat instance = image("instance/000001.png");
+    int hidden = 0;
+    ASSERT_GE(amodal.at("objects").size(), 3U);
+    for (const auto& one : amodal.at("objects")) {
+        const int id = one.at("object_id").get<int>();
+        const auto counts = decompressCounts(one.at("counts").get<std::string>());
+        std::vector<bool> inside;  // column by column
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            inside.insert(inside.end(), counts[i], i % 2);
+        ASSERT_EQ(inside.size(), static_cast<std::size_t>(lens.width * lens.height));
+        int differ = 0;
+        int covered = 0;
+        for (int y = 0; y < lens.height; ++y) {
+            for (int x = 0; x < lens.width; ++x) {
+                const bool is = inside[static_cast<std::size_t>(x) * lens.height + y];
+                const bool expected = rays_.meetsObject(
+                    id, camera.position, camera.rotation * lens.unproject(x + 0.5, y + 0.5));
+                covered += is ? 1 : 0;
+                differ += is != expected ? 1 : 0;
+                hidden += is && instance.at<std::uint16_t>(y, x) != id ? 1 : 0;
+                const bool shows = instance.at<std::uint16_t>(y, x) == id;
+                EXPECT_TRUE(is || !shows);
+            }
+        }
+        EXPECT_LE(differ, 2 + covered / 100) << scene_.object(id).name;
+    }
+    EXPECT_GT(hidden, 10);
+}
+
+TEST_F(TruthGl, InstancesSayWhatThePixelsDo) {
+    exportAll(false);
+    std::istringstream rows(read(folder_ / "out/instances.csv"));
+    std::string line;
+    std::getline(rows, line);
+    int count = 0;
+    while (std::getline(rows, line)) {
+        std::vector<double> values;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+        ASSERT_EQ(values.size(), 28U);
+        const cv::Mat instance = image(frameFile("instance", static_cast<int>(values[0])));
+        const cv::Mat mask = instance == static_cast<int>(values[1]);
+        const cv::Rect box = cv::boundingRect(mask);
+        EXPECT_EQ(cv::countNonZero(mask), static_cast<int>(values[3]));
+        EXPECT_EQ(box, cv::Rect(static_cast<int>(values[10]), static_cast<int>(values[11]),
+                                static_cast<int>(values[12]), static_cast<int>(values[13])));
+        EXPECT_GE(values[4], values[3]);
+        EXPECT_GE(values[5], values[4]);
+        EXPECT_NEAR(values[6], values[3] / values[5], 1e-5);
+        EXPECT_NEAR(values[7], 1.0 - values[4] / values[5], 1e-5);
+        ++count;
+    }
+    EXPECT_GE(count, 12);
+}
+
+TEST_F(TruthGl, ThePairOfCamerasSeesWhatDisparitySays) {
+    exportAll(false);
+    const Intrinsics lens = makeIntrinsics(smallCamera());
+    const cv::Mat disparity = image("disparity/000002.png");
+    const cv::Mat mask = image("disparity/000002_mask.png");
+    const cv::Mat depth = image("depth/000002.png");
+    const cv::Mat right = image("depth_right/000002.png");
+    int agree = 0;
+    int seen = 0;
+    for (int y = 0; y < lens.height; ++y) {
+        for (int x = 0; x < lens.width; ++x) {
+            const double d = disparity.at<std::uint16_t>(y, x) / 256.0;
+            const double z = depth.at<std::uint16_t>(y, x) / 1000.0;
+            EXPECT_NEAR(d, lens.fx * 0.1 / z, 0.005 + 0.001 * d);
+            if (mask.at<std::uint8_t>(y, x) != 0) continue;
+            ++seen;
+            const int there = static_cast<int>(std::floor(x + 0.5 - d));
+            for (const int beside : {there - 1, there, there + 1}) {
+                if (beside < 0 || beside >= lens.width) continue;
+                if (std::abs(right.at<std::uint16_t>(y, beside) / 1000.0 - z) > 0.05) continue;
+                ++agree;
+                break;
+            }
+        }
+    }
+    EXPECT_GT(seen, 10000);
+    EXPECT_GT(agree, 0.995 * seen);
+}
+
+TEST_F(TruthGl, AContinuedExportOfEverythingEndsWithTheBytesOfAnUnbrokenOne) {
+    exportAll(true);
+    const auto expected = tree(folder_ / "out");
+    DatasetSettings settings;
+    settings.folder = folder_ / "continued";
+    settings.modalities = {"all"};
+    settings.formats = {"all"};
+    settings.flow_distances = {1, 2};
+    settings.resume = true;
+    DatasetOrigin origin;
+    origin.motions = motions_;
+    const auto run = [&](const DatasetSettings& wanted, const JobContext& job) {
+        auto context = gl::createOsMesaContext();
+        EXPECT_TRUE(context);
+        return exportDataset(std::move(*context), scene_, rays_, trajectory_, smallCamera(), wanted,
+                             origin, job);
+    };
+    for (const int frames : {1, 3}) {
+        auto cancel = std::make_shared<std::atomic<bool>>(false);
+        const JobContext job(cancel, {}, [&](int done, int) { *cancel = done >= frames; });
+        EXPECT_FALSE(run(settings, job));
+    }
+    // The same pictures, but other flow: not the same dataset.
+    DatasetSettings others = settings;
+    others.flow_distances = {1};
+    const auto refused = run(others, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("optical flow"), std::string::npos);
+    fs::remove(folder_ / "continued/flow_forward/000000_000002_mask.png");
+    ASSERT_TRUE(run(settings, {}));
+    EXPECT_TRUE(tree(folder_ / "continued") == expected);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
