@@ -2,12 +2,12 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/scene_format.h"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <system_error>
@@ -21,11 +21,9 @@ constexpr const char* kAnyFolders = "**";
 
 /// The kinds of files that a pattern picks; a room's folder holds textures and materials, too.
 bool isScene(const fs::path& path) {
-    constexpr std::array<std::string_view, 8> kKinds = {".obj", ".fbx", ".gltf", ".glb",
-                                                        ".dae", ".ply", ".stl",  ".dolly"};
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return std::find(kKinds.begin(), kKinds.end(), ending) != kKinds.end();
+    static const std::vector<std::string> kinds = sceneExtensions();
+    const std::string ending = lowerExtension(path);
+    return ending == ".dolly" || std::find(kinds.begin(), kinds.end(), ending) != kinds.end();
 }
 
 using Parts = std::vector<std::string>;

@@ -1,16 +1,11 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
+#include "engine/io/scene_format.h"
 
 #include <fmt/format.h>
 
 namespace dollytrack::editor {
-namespace {
-
-const std::vector<std::string> kSceneEndings = {".obj", ".fbx", ".gltf", ".glb",
-                                                ".dae", ".ply", ".stl"};
-
-}  // namespace
 
 void Editor::askForFile(const std::string& id) {
     ui::FileRequest request;
@@ -22,15 +17,16 @@ void Editor::askForFile(const std::string& id) {
             request.recent_folders.push_back(folder);
         }
     }
-    std::vector<std::string> all = kSceneEndings;
+    const std::vector<std::string> scenes = sceneExtensions();
+    std::vector<std::string> all = scenes;
     all.push_back(".dolly");
     if (id == "open") {
         request.title = "Open a scene or a project";
         request.filters = {
-            {"Scenes and projects", all}, {"Projects", {".dolly"}}, {"Scenes", kSceneEndings}};
+            {"Scenes and projects", all}, {"Projects", {".dolly"}}, {"Scenes", scenes}};
     } else if (id == "locate scene") {
         request.title = "Where is the project's scene now?";
-        request.filters = {{"Scenes", kSceneEndings}};
+        request.filters = {{"Scenes", scenes}};
     } else if (id == "save") {
         request.purpose = ui::FileRequest::Purpose::Save;
         request.title = "Save the project";

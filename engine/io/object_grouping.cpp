@@ -68,6 +68,26 @@ bool isBlank(const std::string& name) {
 
 }  // namespace
 
+std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& labels) {
+    std::vector<ObjectDraft> drafts;
+    for (const SourceObject& object : raw.objects) {
+        ObjectDraft draft;
+        for (const std::size_t part : object.parts) {
+            if (!raw.parts[part].triangles.empty()) draft.parts.push_back(part);
+        }
+        if (draft.parts.empty()) continue;
+        draft.name =
+            isBlank(object.name) ? "object_" + std::to_string(drafts.size() + 1) : object.name;
+        draft.label = labels.find(object.category);
+        if (draft.label.kind == LabelKind::None) draft.label = labels.find(object.name);
+        if (object.nyu40 > 0) draft.label.nyu40 = object.nyu40;
+        draft.label.kind = object.structure ? LabelKind::Structure : LabelKind::Target;
+        draft.front = object.front;
+        drafts.push_back(std::move(draft));
+    }
+    return drafts;
+}
+
 std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels) {
     const NodeOwners owners(raw, labels);
     std::map<int, ObjectDraft> drafts;  // by owning node: the file's order

@@ -3,6 +3,7 @@
 #include "engine/io/raw_scene.h"
 #include "engine/scene/label_table.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,12 @@ struct ObjectDraft {
     Label label;
     std::vector<std::size_t> parts;  // indices into RawScene::parts
     bool loose = false;              // a piece of a scene taken apart: its name is a material's
+    std::optional<Eigen::Vector3d> front;  // as the source gives it, in the source's axes
 };
+
+/// One draft for each object that the source itself names; a draft's class is the source's, else
+/// the one of its category, else of its name.
+std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& labels);
 
 /// One draft for each node that holds meshes, in the file's order. The pieces that one thing was
 /// cut into come together: nodes named after the node above them, and unnamed nodes under a node

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ struct TextureRequest {
     std::vector<std::uint8_t> embedded;  // an encoded file, or width x height RGBA
     int embedded_width = 0;              // of raw RGBA; 0: encoded, or not embedded
     int embedded_height = 0;
-    bool opaque = true;  // no material uses its alpha
+    bool opaque = true;            // no material uses its alpha
+    std::filesystem::path folder;  // where the name is looked up; empty: the scene's own
 };
 
 struct RepairCounts {
@@ -58,10 +60,22 @@ struct RepairCounts {
     void add(const RepairCounts& other);
 };
 
+/// One thing as the source itself tells things apart: an instance of a data set, a piece of
+/// furniture of a home.
+struct SourceObject {
+    std::string name;                      // clean text
+    std::string category;                  // the source's word for its class, for the label tables
+    int nyu40 = 0;                         // 0: found by the category, else by the name
+    bool structure = false;                // part of the building
+    std::vector<std::size_t> parts;        // indices into RawScene::parts
+    std::optional<Eigen::Vector3d> front;  // horizontal, in the source's axes
+};
+
 /// What a file holds, before anything is guessed about it.
 struct RawScene {
     std::vector<SourceNode> nodes;  // parents before children
     std::vector<MeshPart> parts;
+    std::vector<SourceObject> objects;  // empty: they are found from nodes and shapes
     std::vector<Material> materials;
     std::vector<TextureRequest> textures;
     RepairCounts repairs;

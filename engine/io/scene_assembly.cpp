@@ -21,6 +21,16 @@ void copyPart(const MeshPart& part, std::uint32_t vertex, std::uint32_t triangle
     }
 }
 
+/// A front without a horizontal direction is none.
+void giveFront(const Eigen::Vector3d& front_in_source, const Eigen::Affine3d& source_from_world,
+               Object& object) {
+    Eigen::Vector3d front = source_from_world.linear().inverse() * front_in_source;
+    front.z() = 0.0;
+    if (!(front.norm() > 1e-9)) return;
+    object.front = front.normalized();
+    object.front_source = FrontSource::Annotation;
+}
+
 }  // namespace
 
 void moveToWorld(std::vector<MeshPart>& parts, const Eigen::Affine3d& world_from_source) {
@@ -57,6 +67,7 @@ void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft
         object.nyu40 = draft.label.nyu40;
         object.structure = draft.label.kind == LabelKind::Structure;
         if (object.structure) object.role = Role::Structure;
+        if (draft.front) giveFront(*draft.front, scene.source_from_world, object);
         object.first_vertex = vertex;
         object.first_triangle = triangle;
         for (const std::size_t index : draft.parts) {

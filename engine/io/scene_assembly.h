@@ -9,7 +9,8 @@
 namespace dollytrack {
 
 /// Lays the drafts' parts out as objects, one after the other, with box and centroid. The parts
-/// must be in the world's frame; their memory is freed on the way.
+/// must be in the world's frame, and Scene::source_from_world set; their memory is freed on the
+/// way.
 void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft>& drafts,
                      Scene& scene);
 

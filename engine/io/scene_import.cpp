@@ -1,13 +1,13 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/assimp_reader.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
 #include "engine/io/piece_merge.h"
 #include "engine/io/piece_split.h"
 #include "engine/io/scene_assembly.h"
+#include "engine/io/scene_format.h"
 #include "engine/io/sha256.h"
 #include "engine/io/structure_finder.h"
 #include "engine/io/texture_loader.h"
@@ -155,15 +155,16 @@ Status checkOptions(const ImportOptions& options) {
 Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options,
                           const JobContext& job) {
     if (Status ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
-    if (Status ok = checkSceneFile(path); !ok) return tl::unexpected(ok.error());
+    const Result<const SceneFormat*> format = checkSceneFile(path);
+    if (!format) return tl::unexpected(format.error());
     const Result<LabelTable> labels = labelTable(options);
     if (!labels) return tl::unexpected(labels.error());
 
-    // assimp works on one core; the other can hash meanwhile.
+    // A reader works on one core; the other can hash meanwhile.
     std::future<Result<std::string>> hash =
         std::async(std::launch::async, [path] { return io::sha256OfFile(path); });
     job.report(0.0);
-    Result<RawScene> read = readWithAssimp(path, job);
+    Result<RawScene> read = (*format)->read(path, options, job);
     if (!read) return tl::unexpected(read.error());
     RawScene& raw = *read;
 
@@ -171,7 +172,9 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.name = cleanText(path.stem().string());
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
-    std::vector<ObjectDraft> drafts = groupByNodes(raw, *labels);
+    const bool knows_objects = !raw.objects.empty();
+    std::vector<ObjectDraft> drafts =
+        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels);
     if (drafts.empty()) {
         return fail(ErrorCode::BadInput,
                     "the file holds no triangle that can be drawn; export its meshes too",
@@ -180,6 +183,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     job.report(0.6);
 
     const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
     scene.report.unit_m = frame.unit_m;
     scene.report.unit_source = frame.unit_source;
     scene.report.up_axis = std::string(1, frame.up_axis);
@@ -189,7 +193,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
     scene.source_from_world = world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
-    findObjects(raw, *labels, drafts, scene.report);
+    if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
     job.report(0.7);
 
     TextureSet textures =

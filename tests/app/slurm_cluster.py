@@ -58,6 +58,8 @@ class Cluster:
     def start_slurm(self):
         host = socket.gethostname().split(".")[0]
         controller, node = free_ports(2)
+        # A node that promises more than the machine has is taken out of service.
+        memory_mb = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
         conf = self.folder / "slurm.conf"
         conf.write_text(f"""
 ClusterName=test
@@ -80,7 +82,7 @@ SelectTypeParameters=CR_Core
 ReturnToService=2
 MinJobAge=3600
 KillWait=20
-NodeName={host} NodeAddr=127.0.0.1 CPUs=2 RealMemory=8000 State=UNKNOWN
+NodeName={host} NodeAddr=127.0.0.1 CPUs={min(2, os.cpu_count())} RealMemory={memory_mb * 9 // 10} State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """)
         for name in ["state", "spool"]:

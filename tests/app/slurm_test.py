@@ -32,20 +32,25 @@ class Slurm(FolderCase):
         cls.addClassCleanup(cls.cluster.stop)
         for i in range(ROOMS):
             tiny_room.write(cls.folder / f"room_{i}.obj")
-        cls.jobs = cls.folder / "jobs.toml"
-        cls.jobs.write_text('scenes = "room_*.obj"\nseeds = [1, 2]\n[[set]]\nname = "small"\n'
-                            "set = { width_px = 64, height_px = 48 }\n"
-                            "[export]\nmax_frames = 30\n")
+        cls.jobs = cls.write_jobs("jobs.toml", 64, 48)
 
-    def submit(self, parts, out, *options):
+    @classmethod
+    def write_jobs(cls, name, width, height):
+        jobs = cls.folder / name
+        jobs.write_text('scenes = "room_*.obj"\nseeds = [1, 2]\n[[set]]\nname = "small"\n'
+                        f"set = {{ width_px = {width}, height_px = {height} }}\n"
+                        "[export]\nmax_frames = 30\n")
+        return jobs
+
+    def submit(self, parts, out, jobs):
         environment = {**self.cluster.environment, **OURS}
-        result = subprocess.run([SUBMIT, str(parts), out, self.jobs, "--cpus-per-task=1", *options],
+        result = subprocess.run([SUBMIT, str(parts), out, jobs, "--cpus-per-task=1", "--mem=500M"],
                                 env=environment, capture_output=True, text=True, cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr + self.cluster.logs())
         return result.stdout.split()
 
     def sbatch(self, *arguments, **environment):
-        result = subprocess.run(["sbatch", "--parsable", "--cpus-per-task=1",
+        result = subprocess.run(["sbatch", "--parsable", "--cpus-per-task=1", "--mem=500M",
                                  *map(str, arguments)], cwd=self.folder, text=True,
                                 env={**self.cluster.environment, **OURS, **environment},
                                 capture_output=True)
@@ -61,7 +66,7 @@ class Slurm(FolderCase):
 
     def test_parts_make_what_one_machine_makes(self):
         out, alone = self.folder / "parts", self.folder / "alone"
-        array, merge = self.submit(3, out)
+        array, merge = self.submit(3, out, self.jobs)
         self.assertEqual(run("batch", self.jobs, "--out", alone).returncode, 0)
         tasks = self.cluster.wait_until_ended(array)
         self.assertEqual(tasks, {i: ("COMPLETED", 0) for i in range(3)})
@@ -75,7 +80,9 @@ class Slurm(FolderCase):
 
     def test_a_part_that_was_stopped_goes_on(self):
         out = self.folder / "stopped"
-        array, merge = self.submit(2, out)
+        # Large pictures: the part takes seconds, and is stopped in its first.
+        jobs = self.write_jobs("large.toml", 1280, 960)
+        array, merge = self.submit(2, out, jobs)
         self.assertTrue(wait_for(lambda: list(out.glob("room_0.small.seed1/dataset/rgb/*.png"))))
         # The way in which Slurm ends what has run too long, and what somebody cancels.
         self.cluster.ask("scancel", f"{array}_0")
@@ -85,7 +92,7 @@ class Slurm(FolderCase):
         # The parts that are there are put together; what is missing is said.
         self.assertEqual(self.cluster.wait_until_ended(merge), {None: ("FAILED", 3)})
         self.assertEqual(self.summary(out)["verdicts"]["good"], ROOMS)
-        again = self.sbatch("--array=0", SUBMIT.parent / "dollytrack.sbatch", self.jobs, "--out",
+        again = self.sbatch("--array=0", SUBMIT.parent / "dollytrack.sbatch", jobs, "--out",
                             out, DOLLYTRACK_PARTS="2")
         self.assertEqual(self.cluster.wait_until_ended(again), {0: ("COMPLETED", 0)})
         merge = self.sbatch(SUBMIT.parent / "merge.sbatch", out)

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/raw_scene.h"
+#include "engine/io/scene_import.h"
+#include "engine/jobs/job.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack {
+
+/// One kind of scene file: how it is told, and its reader.
+struct SceneFormat {
+    std::string_view name;                     // with its article: "a glTF file"
+    std::vector<std::string_view> extensions;  // lower case, with the dot
+    /// Whether a file that has the extension and begins with these bytes is of this kind.
+    bool (*begins_like)(std::string_view head);
+    /// Everything the file holds, in its own axes and unit.
+    Result<RawScene> (*read)(const std::filesystem::path& path, const ImportOptions& options,
+                             const JobContext& job);
+};
+
+/// Every kind that can be read. Where several share an extension the first that fits counts.
+const std::vector<SceneFormat>& sceneFormats();
+
+/// The extensions of all formats, each once, in order: what file dialogs and patterns pick.
+std::vector<std::string> sceneExtensions();
+
+/// ".GLTF" of "room.GLTF" as ".gltf".
+std::string lowerExtension(const std::filesystem::path& path);
+
+}  // namespace dollytrack
