@@ -5,18 +5,9 @@
 namespace dollytrack::cli {
 namespace {
 
-const char* wordFor(TargetKind kind) {
-    switch (kind) {
-        case TargetKind::Support:
-            return "on";
-        case TargetKind::Shelf:
-            return "in";
-        case TargetKind::Suspension:
-            return "hangs_on";
-        case TargetKind::Single:
-            break;
-    }
-    return "";
+const char* wordFor(const planning::Carriage& carriage) {
+    if (carriage.hangs) return "hangs_on";
+    return carriage.kind == TargetKind::Shelf ? "in" : "on";
 }
 
 }  // namespace
@@ -26,9 +17,8 @@ std::vector<render::ObjectRelation> relationsOf(const Scene& scene, const RayCas
     const std::vector<planning::Carriage> carriages = planning::findCarriers(scene, rays, params);
     std::vector<render::ObjectRelation> relations;
     for (std::size_t i = 0; i < carriages.size(); ++i) {
-        if (carriages[i].carrier == 0) continue;
-        relations.push_back(
-            {scene.objects[i].id, wordFor(carriages[i].kind), carriages[i].carrier});
+        if (carriages[i].holder == 0) continue;
+        relations.push_back({scene.objects[i].id, wordFor(carriages[i]), carriages[i].holder});
     }
     return relations;
 }

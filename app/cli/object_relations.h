@@ -8,7 +8,7 @@
 
 namespace dollytrack::cli {
 
-/// What stands on, lies in or hangs on what, for the dataset.
+/// What stands on, lies in or hangs on what, floors and walls among it, for the dataset.
 [[nodiscard]] std::vector<render::ObjectRelation> relationsOf(const Scene& scene,
                                                               const RayCaster& rays,
                                                               const planning::TargetParams& params);

@@ -15,20 +15,44 @@ namespace {
 // Things are modelled to stand on each other within this; more is a gap one can see through.
 constexpr double kTouch = 0.06;
 
+// Surfaces nearer than this are one to a ray, which may meet either first.
+constexpr double kShared = 1e-4;
+
+/// What else has a surface where the ray leaves the object, as a wall has behind a picture.
+int sharesSurface(const Scene& scene, const RayCaster& rays, int self,
+                  const Eigen::Vector3d& on_surface, const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d before = on_surface - kShared * direction;
+    for (const Object& other : scene.objects) {
+        if (other.id == self || other.box.distance(on_surface) > kShared) continue;
+        if (rays.meetsObject(other.id, before, direction, 2.0 * kShared)) return other.id;
+    }
+    return 0;
+}
+
+struct Contact {
+    int object_id = 0;
+    double distance = 0.0;
+};
+
 /// First hit that is not on the object itself.
-std::optional<RayHit> castPast(const RayCaster& rays, int self, const Eigen::Vector3d& origin,
-                               const Eigen::Vector3d& direction, double reach, double begin = 0.0) {
+std::optional<Contact> castPast(const Scene& scene, const RayCaster& rays, int self,
+                                const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                double reach, double begin = 0.0) {
+    std::optional<double> left;  // where the ray met the object itself last
     for (int i = 0; i < 16; ++i) {
         const RayHit hit = rays.cast(origin, direction, reach, begin);
-        if (hit.object_id == 0) return std::nullopt;
-        if (hit.object_id != self) return hit;
-        begin = hit.distance + 1e-4;
+        if (hit.object_id == 0) break;
+        if (hit.object_id != self) return Contact{hit.object_id, hit.distance};
+        left = hit.distance;
+        begin = hit.distance + kShared;
     }
-    return std::nullopt;
+    if (!left) return std::nullopt;
+    const int other = sharesSurface(scene, rays, self, origin + *left * direction, direction);
+    return other == 0 ? std::nullopt : std::optional(Contact{other, *left});
 }
 
 /// What most of five rays down from the object's underside meet.
-int restsOn(const RayCaster& rays, const Object& object) {
+int restsOn(const Scene& scene, const RayCaster& rays, const Object& object) {
     std::map<int, int> votes;
     for (const auto& [x, y] :
          {std::pair{0.0, 0.0}, {0.6, 0.6}, {-0.6, 0.6}, {0.6, -0.6}, {-0.6, -0.6}}) {
@@ -36,7 +60,7 @@ int restsOn(const RayCaster& rays, const Object& object) {
             object.box.toWorld({x * object.box.half_size.x(), y * object.box.half_size.y(), 0.0});
         const double bottom = object.box.center.z() - object.box.half_size.z();
         origin.z() = bottom + 0.5 * std::min(kTouch, object.box.half_size.z());
-        const auto hit = castPast(rays, object.id, origin, -Eigen::Vector3d::UnitZ(),
+        const auto hit = castPast(scene, rays, object.id, origin, -Eigen::Vector3d::UnitZ(),
                                   origin.z() - bottom + kTouch);
         if (hit) ++votes[hit->object_id];
     }
@@ -51,22 +75,24 @@ int restsOn(const RayCaster& rays, const Object& object) {
 }
 
 /// Whether the carrier also covers the object from above, as a shelf's next board does.
-bool isCovered(const RayCaster& rays, const Object& object, const Object& carrier) {
+bool isCovered(const Scene& scene, const RayCaster& rays, const Object& object,
+               const Object& carrier) {
     const double top = carrier.box.center.z() + carrier.box.half_size.z();
     if (object.centroid.z() >= top) return false;
-    const auto hit = castPast(rays, object.id, object.box.center, Eigen::Vector3d::UnitZ(),
+    const auto hit = castPast(scene, rays, object.id, object.box.center, Eigen::Vector3d::UnitZ(),
                               top - object.box.center.z() + kTouch);
     return hit && hit->object_id == carrier.id;
 }
 
 /// The horizontal direction in which the view out of the carrier is longest.
-Eigen::Vector3d openSide(const RayCaster& rays, const Object& object, const Object& carrier) {
+Eigen::Vector3d openSide(const Scene& scene, const RayCaster& rays, const Object& object,
+                         const Object& carrier) {
     double longest = -1.0;
     Eigen::Vector3d best = carrier.front;
     for (int i = 0; i < 4; ++i) {
         const double angle = carrier.box.yaw + i * 0.5 * std::numbers::pi;
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
-        const auto hit = castPast(rays, object.id, object.box.center, direction, 10.0);
+        const auto hit = castPast(scene, rays, object.id, object.box.center, direction, 10.0);
         const double reach = (hit ? hit->distance : 10.0) + 0.2 * direction.dot(carrier.front);
         if (reach <= longest) continue;
         longest = reach;
@@ -76,7 +102,7 @@ Eigen::Vector3d openSide(const RayCaster& rays, const Object& object, const Obje
 }
 
 /// The nearest upright surface beside the object, and the way off it.
-std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
+std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const Scene& scene, const RayCaster& rays,
                                                        const Object& object) {
     std::optional<std::pair<int, Eigen::Vector3d>> best;
     double nearest = kTouch;
@@ -86,8 +112,8 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
         const double half = object.box.half_size[i % 2];
         // Only what lies about the object's side: something inside its box, like the thing in a
         // cupboard, holds nothing up.
-        const auto hit = castPast(rays, object.id, object.box.center, direction, half + kTouch,
-                                  std::max(0.0, half - kTouch));
+        const auto hit = castPast(scene, rays, object.id, object.box.center, direction,
+                                  half + kTouch, std::max(0.0, half - kTouch));
         if (!hit || hit->distance - half >= nearest) continue;
         nearest = hit->distance - half;
         best = {hit->object_id, -direction};
@@ -95,12 +121,23 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const RayCaster& rays,
     return best;
 }
 
+/// What is just above the object's top, as a ceiling is above a lamp's cord; 0: nothing.
+int hangsFrom(const Scene& scene, const RayCaster& rays, const Object& object) {
+    Eigen::Vector3d origin = object.box.center;
+    const double half = object.box.half_size.z();
+    origin.z() += std::max(0.0, half - kTouch);
+    const auto hit = castPast(scene, rays, object.id, origin, Eigen::Vector3d::UnitZ(),
+                              std::min(half, kTouch) + kTouch);
+    return hit ? hit->object_id : 0;
+}
+
 Carriage findCarrier(const Scene& scene, const RayCaster& rays, const TargetParams& params,
                      const Object& object) {
     Carriage carriage;
     carriage.small =
         object.size_given ? !object.large : object.box.volume() < params.small_volume_m3;
-    if (const int below = restsOn(rays, object); below != 0) {
+    if (const int below = restsOn(scene, rays, object); below != 0) {
+        carriage.holder = below;
         const Object& carrier = scene.object(below);
         if (carrier.structure) return carriage;  // stands on the floor
         const bool much_smaller =
@@ -108,12 +145,16 @@ Carriage findCarrier(const Scene& scene, const RayCaster& rays, const TargetPara
         if (!carriage.small && !much_smaller) return carriage;
         carriage.small = true;
         carriage.carrier = below;
-        carriage.kind = isCovered(rays, object, carrier) ? TargetKind::Shelf : TargetKind::Support;
-        if (carriage.kind == TargetKind::Shelf) carriage.outward = openSide(rays, object, carrier);
+        carriage.kind =
+            isCovered(scene, rays, object, carrier) ? TargetKind::Shelf : TargetKind::Support;
+        if (carriage.kind == TargetKind::Shelf)
+            carriage.outward = openSide(scene, rays, object, carrier);
         return carriage;
     }
-    if (!carriage.small) return carriage;
-    if (const auto side = hangsAt(rays, object)) {
+    const auto side = hangsAt(scene, rays, object);
+    carriage.holder = side ? side->first : hangsFrom(scene, rays, object);
+    carriage.hangs = carriage.holder != 0;
+    if (side && carriage.small) {
         carriage.kind = TargetKind::Suspension;
         carriage.carrier = side->first;
         carriage.outward = side->second;

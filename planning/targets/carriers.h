@@ -22,6 +22,9 @@ struct Carriage {
     Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // Suspension: away from the carrier;
                                                         // Shelf: towards the open side
     bool small = false;
+    /// What it stands on or hangs at, whatever its size; structure counts. 0: nothing near.
+    int holder = 0;
+    bool hangs = false;  // at the holder; else it stands on it
 };
 
 /// One entry an object of the scene, found by short rays below and around it.

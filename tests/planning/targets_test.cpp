@@ -40,6 +40,23 @@ TEST(Carriers, APictureHangsAtItsWallAndFacesTheRoom) {
     EXPECT_LT(picture.outward.y(), -0.99);
 }
 
+TEST(Carriers, WhatIsCarriedByTheBuildingIsHeldByItAllTheSame) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    builder.object("sofa").box({1, 1, 0.4}, {1.8, 0.9, 0.8});
+    builder.object("lamp").box({2, 2, 2.3}, {0.2, 0.2, 0.58});  // below the ceiling
+    builder.object("balloon").box({3, 1, 1.2}, {0.3, 0.3, 0.3});
+    const Scene scene = builder.build();
+    const Carriage sofa = carriageOf(scene, "sofa");
+    EXPECT_EQ(scene.object(sofa.holder).name, "floor");
+    EXPECT_FALSE(sofa.hangs);
+    EXPECT_EQ(sofa.carrier, 0) << "the floor makes no point of its own";
+    const Carriage lamp = carriageOf(scene, "lamp");
+    EXPECT_EQ(scene.object(lamp.holder).name, "ceiling");
+    EXPECT_TRUE(lamp.hangs);
+    EXPECT_EQ(carriageOf(scene, "balloon").holder, 0);
+}
+
 TEST(Carriers, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
