@@ -88,6 +88,24 @@ void checkTables(const StoredDataset& dataset, CardReport& report) {
     }
 }
 
+/// Things stand or hang on others that are there.
+void checkRelations(const StoredDataset& dataset, CardReport& report) {
+    const Json& objects = dataset.card.at("objects");
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        for (const Json& relation : objects[i].at("relations")) {
+            const std::string place = fmt::format("a relation of objects[{}]", i);
+            const auto kind = relation.at("kind").get<std::string>();
+            if (kind != "on" && kind != "in" && kind != "hangs_on") {
+                report.add(place, kind, "on, in or hangs_on");
+            }
+            const int other = relation.at("id").get<int>();
+            if (!dataset.object(other) || other == objects[i].at("id")) {
+                report.add(place, fmt::format("to object {}", other), "another of the list");
+            }
+        }
+    }
+}
+
 void checkFrames(const StoredDataset& dataset, CardReport& report) {
     const Json& frames = dataset.card.at("frames");
     report.same("trajectory_sha256", dataset.card.at("trajectory_sha256"),
@@ -110,6 +128,7 @@ CheckWork beginCard(const Subject& subject, Findings& findings) {
         checkLens(subject.dataset, report);
         checkConventions(subject.dataset, report);
         checkTables(subject.dataset, report);
+        checkRelations(subject.dataset, report);
         checkFrames(subject.dataset, report);
     } catch (const nlohmann::json::exception& error) {
         findings.add({"dataset.json", {}, {}, error.what(), "every field of a card"});

@@ -26,5 +26,8 @@ CheckWork beginFlow(const Subject& subject, Findings& findings);
 CheckWork beginStereo(const Subject& subject, Findings& findings);
 CheckWork beginAmodal(const Subject& subject, Findings& findings);
 CheckWork beginInstances(const Subject& subject, Findings& findings);
+CheckWork beginYolo(const Subject& subject, Findings& findings);
+CheckWork beginBop(const Subject& subject, Findings& findings);
+CheckWork beginGltf(const Subject& subject, Findings& findings);
 
 }  // namespace dollytrack::verify

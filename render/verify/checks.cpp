@@ -20,6 +20,9 @@ constexpr std::array kFlow = {"flow_forward", "flow_backward"};
 constexpr std::array kStereo = {"disparity", "rgb_right", "depth_right"};
 constexpr std::array kAmodal = {"amodal"};
 constexpr std::array kInstances = {"instances", "instance"};
+constexpr std::array kYolo = {"yolo", "instance"};
+constexpr std::array kBop = {"bop", "instance"};
+constexpr std::array kGltf = {"gltf"};
 
 constexpr std::array kChecks = {
     Check{"files", "every file is there with its hash, and no other", Names{}, Names{}, false,
@@ -63,6 +66,12 @@ constexpr std::array kChecks = {
     Check{"amodal", "whole masks hold the visible ones", kAmodal, Names{}, false, beginAmodal},
     Check{"instances", "the numbers of instances.csv, counted again", kInstances, Names{}, false,
           beginInstances},
+    Check{"yolo", "boxes, outlines and classes of the labels are those of the instance images",
+          kYolo, Names{}, false, beginYolo},
+    Check{"bop", "BOP's poses, masks and counts are dataset.json's and the instance images'", kBop,
+          Names{}, false, beginBop},
+    Check{"gltf", "the animated camera and things are where dataset.json has them", kGltf, Names{},
+          false, beginGltf},
 };
 
 }  // namespace

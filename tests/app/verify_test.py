@@ -4,6 +4,7 @@ import shutil
 import unittest
 
 import corruptions
+import format_corruptions  # noqa: F401  (adds to corruptions.ALL)
 import tiny_room
 from program import FolderCase, run
 
@@ -71,6 +72,15 @@ class VerifyTest(FolderCase):
                 # Half a pixel of all poses alike is nothing that a dataset could know of itself,
                 # were it not for the poses in other files.
                 self.assertEqual(code, 4)
+
+    def test_the_card_says_what_holds_each_thing(self):
+        objects = json.loads((self.dataset / "dataset.json").read_text())["objects"]
+        names = {one["id"]: one["name"] for one in objects}
+        held = {one["name"]: [(held["kind"], names[held["id"]]) for held in one["relations"]]
+                for one in objects if one["role"] == "target"}
+        self.assertEqual(held, {"table": [("on", "floor")], "mug": [("on", "table")],
+                                "book": [("on", "table")], "sofa": [("on", "floor")],
+                                "picture": [("hangs_on", "wall_3")]})
 
     def test_things_that_move_are_followed(self):
         moving = self.folder / "moving.dolly"

@@ -1,0 +1,182 @@
+#include "engine/io/trajectories/number_lines.h"
+#include "engine/scene/labels.h"
+#include "render/verify/check_list.h"
+#include "render/verify/object_pixels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace dollytrack::verify {
+namespace {
+
+/// Shares of the image are written with six digits after the point.
+constexpr double kShareTolerance = 1e-6;
+
+/// A line: class, then shares of the image's width and height in turn.
+struct Line {
+    int number = 0;
+    std::vector<double> shares;
+};
+
+Result<std::vector<Line>> readLines(const std::filesystem::path& path) {
+    Result<std::string> text = io::readText(path);
+    if (!text) return tl::unexpected(text.error());
+    std::vector<Line> lines;
+    std::istringstream rows(*text);
+    rows.imbue(std::locale::classic());
+    for (std::string row; std::getline(rows, row);) {
+        std::istringstream fields(row);
+        fields.imbue(std::locale::classic());
+        Line line;
+        if (!(fields >> line.number)) {
+            return fail(ErrorCode::BadInput, fmt::format("line {} has no class", lines.size() + 1));
+        }
+        for (double share = 0.0; fields >> share;) line.shares.push_back(share);
+        if (!fields.eof()) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("line {} has what is no number", lines.size() + 1));
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+/// A target in sight, as its line has to be.
+struct Expected {
+    int object_id = 0;
+    int number = 0;
+    std::array<double, 4> box = {};  // x, y, width, height, px
+};
+
+std::vector<Expected> expectedLines(const StoredDataset& dataset, const Image16& ids) {
+    std::vector<Expected> expected;
+    for (const auto& [id, shown] : objectPixels(ids)) {
+        const StoredObject* object = dataset.object(id);
+        if (!object || object->role != "target") continue;
+        const int nyu40 = object->nyu40 == kNyuUnknown ? kNyuOtherProp : object->nyu40;
+        expected.push_back({id, nyu40 - 1, shown.box()});
+    }
+    return expected;
+}
+
+class FrameCheck {
+  public:
+    FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
+        : dataset_(dataset),
+          frame_(images.frame()),
+          findings_(findings),
+          ids_(images.image16("instance")) {}
+
+    void run() {
+        if (!ids_) return;
+        const std::vector<Expected> expected = expectedLines(dataset_, *ids_);
+        const auto boxes = linesOf("labels", expected.size());
+        const auto outlines = linesOf("labels_seg", expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            if (boxes.size() == expected.size()) compareBox(boxes[i], expected[i]);
+            if (outlines.size() == expected.size()) compareOutline(outlines[i], expected[i]);
+        }
+    }
+
+  private:
+    [[nodiscard]] std::string file(const char* folder) const {
+        return fmt::format("{}/{:06}.txt", folder, frame_);
+    }
+    void add(const char* folder, const Expected& of, std::string found, std::string expected) {
+        findings_.add({file(folder), frame_,
+                       std::array{static_cast<int>(of.box[0]), static_cast<int>(of.box[1])},
+                       fmt::format("object {}: {}", of.object_id, found), std::move(expected)});
+    }
+
+    /// As many as targets in sight, or none and a finding.
+    std::vector<Line> linesOf(const char* folder, std::size_t count) {
+        Result<std::vector<Line>> lines = readLines(dataset_.folder / file(folder));
+        if (!lines) {
+            findings_.add({file(folder), frame_, {}, lines.error().message, "labels"});
+            return {};
+        }
+        if (lines->size() != count) {
+            findings_.add({file(folder),
+                           frame_,
+                           {},
+                           fmt::format("{} lines", lines->size()),
+                           fmt::format("{}, one a target in sight", count)});
+        }
+        return std::move(*lines);
+    }
+
+    void compareBox(const Line& line, const Expected& of) {
+        if (line.number != of.number) {
+            add("labels", of, fmt::format("class {}", line.number), fmt::format("{}", of.number));
+        }
+        if (line.shares.size() != 4) {
+            return add("labels", of, fmt::format("{} numbers", line.shares.size()), "4");
+        }
+        const double width = ids_->width;
+        const double height = ids_->height;
+        const std::array<double, 4> shares = {(of.box[0] + 0.5 * of.box[2]) / width,
+                                              (of.box[1] + 0.5 * of.box[3]) / height,
+                                              of.box[2] / width, of.box[3] / height};
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (std::abs(line.shares[i] - shares[i]) <= kShareTolerance) continue;
+            return add("labels", of, fmt::format("{:.6f}", line.shares[i]),
+                       fmt::format("{:.6f}", shares[i]));
+        }
+    }
+
+    /// The outline is of a part in sight: inside the box, around at least one pixel of the object,
+    /// and of no more pixels than the object has, holes left aside.
+    void compareOutline(const Line& line, const Expected& of) {
+        const char* folder = "labels_seg";
+        if (line.number != of.number) {
+            add(folder, of, fmt::format("class {}", line.number), fmt::format("{}", of.number));
+        }
+        if (line.shares.size() < 6 || line.shares.size() % 2 != 0) {
+            return add(folder, of, fmt::format("{} numbers", line.shares.size()),
+                       "pairs, three or more");
+        }
+        for (std::size_t i = 0; i < line.shares.size(); i += 2) {
+            const double x = line.shares[i] * ids_->width;
+            const double y = line.shares[i + 1] * ids_->height;
+            const double slack = kShareTolerance * std::max(ids_->width, ids_->height);
+            const bool inside = x >= of.box[0] - slack && x <= of.box[0] + of.box[2] + slack &&
+                                y >= of.box[1] - slack && y <= of.box[1] + of.box[3] + slack;
+            if (inside && standsAtCorner(x, y, of.object_id, slack)) continue;
+            return add(folder, of, fmt::format("a corner at ({:.3f}, {:.3f}) px", x, y),
+                       "one of a pixel of the object");
+        }
+    }
+
+    /// Whether one of the four pixels around this corner shows the object.
+    [[nodiscard]] bool standsAtCorner(double x, double y, int object_id, double slack) const {
+        const int column = static_cast<int>(std::lround(x));
+        const int row = static_cast<int>(std::lround(y));
+        if (std::abs(x - column) > slack || std::abs(y - row) > slack) return false;
+        for (const auto& [dx, dy] : {std::pair{-1, -1}, {0, -1}, {-1, 0}, {0, 0}}) {
+            if (!ids_->holds(column + dx, row + dy)) continue;
+            if (ids_->at(column + dx, row + dy) == object_id) return true;
+        }
+        return false;
+    }
+
+    const StoredDataset& dataset_;
+    int frame_;
+    Findings& findings_;
+    const Image16* ids_;
+};
+
+}  // namespace
+
+CheckWork beginYolo(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
+        FrameCheck(dataset, images, findings).run();
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify
