@@ -6,6 +6,7 @@ import unittest
 import corruptions
 import format_corruptions  # noqa: F401  (adds to corruptions.ALL)
 import tiny_room
+from dataset_copy import Copy
 from program import FolderCase, run
 
 
@@ -34,7 +35,7 @@ class VerifyTest(FolderCase):
         folder = self.folder / "damaged"
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(self.dataset, folder)
-        copy = corruptions.Copy(folder)
+        copy = Copy(folder)
         function(copy)
         copy.save()
         return folder
@@ -93,7 +94,7 @@ class VerifyTest(FolderCase):
         self.assertEqual(export.returncode, 0, export.stderr)
         code, checks = self.verify(out)
         self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
-        copy = corruptions.Copy(out)
+        copy = Copy(out)
         self.assertTrue(all(frame["moving"] for frame in copy.card["frames"]))
         for frame in copy.card["frames"]:
             for moved in frame["moving"]:
