@@ -1,6 +1,7 @@
 #include "app/batch/batch_runner.h"
 
 #include "app/batch/batch_folder.h"
+#include "app/cli/command_line.h"
 #include "app/process/child_process.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
@@ -41,11 +42,9 @@ bool datasetsAreThere(const JobResult& result, const fs::path& folder) {
 /// Whether its folder may hold finished frames that a further run can build on. What refused to go
 /// on will refuse again.
 bool canGoOn(const JobResult& result) {
-    constexpr int kUsage = 2;
-    constexpr int kBadInput = 4;
     if (result.state == JobState::NotRun) return false;
     return result.state != JobState::Failed ||
-           (result.exit_code != kUsage && result.exit_code != kBadInput);
+           (result.exit_code != cli::kUsage && result.exit_code != cli::kBadInput);
 }
 
 /// The program's last sentence, from the end of what it said.
@@ -151,7 +150,8 @@ class Runner {
         if (const Status status = tryToBegin(index); !status) {
             JobResult& result = results_[index];
             result.state = JobState::Failed;
-            result.exit_code = status.error().code == ErrorCode::CannotWrite ? 6 : 4;
+            result.exit_code =
+                status.error().code == ErrorCode::CannotWrite ? cli::kCannotWrite : cli::kBadInput;
             result.message = describe(status.error());
             keepRefusal(index);
             finish(index);
