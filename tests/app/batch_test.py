@@ -241,6 +241,18 @@ class Batch(FolderCase):
                     for name, job in self.summary(folder).items()}
         self.assertEqual(numbers(self.out), numbers(whole))
 
+    def test_a_metric_that_is_no_number_is_none(self):
+        self.rooms("a.obj")
+        file = self.jobs('scenes = "rooms/*.obj"', export="")
+        self.assertEqual(run("batch", file).returncode, 0)
+        kept = self.out / "a.small/result.json"
+        result = json.loads(kept.read_text())
+        result["metrics"]["capture_rate"] = "much"
+        kept.write_text(json.dumps(result))
+        merged = run("batch", "--merge", self.out, "--require", "capture_rate>=0")
+        self.assertEqual(merged.returncode, 3, merged.stderr)
+        self.assertEqual(self.verdicts(), {"a.small": "unmet"})
+
     def test_what_another_batch_is_at_is_looked_at_again(self):
         self.rooms("a.obj", "b.obj")
         file = self.jobs('scenes = "rooms/*.obj"')
