@@ -132,6 +132,11 @@ class VerifyTest(FolderCase):
         (self.folder / "nothing").mkdir(exist_ok=True)
         self.assertFails(run("verify", self.folder / "nothing"), 4, "dataset.json")
 
+    def test_a_size_that_no_image_has_is_refused(self):
+        def widen(copy):
+            copy.card["conventions"]["intrinsics"]["width"] = 2 ** 30
+        self.assertFails(run("verify", self.damaged(widen)), 4, "conventions.intrinsics", "16384")
+
     def test_a_few_modalities_are_checked_as_far_as_they_go(self):
         out = self.folder / "few"
         export = run("export", self.folder / "room.dolly", "--out", out, "--modalities",
