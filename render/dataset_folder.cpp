@@ -290,10 +290,4 @@ Status DatasetFolder::release() {
     return io::syncFolder(folder_);
 }
 
-std::uint64_t estimateBytes(const ModalitySet& modalities, int frames, int width, int height) {
-    double bytes_per_pixel = 0.0;
-    for (const Modality* modality : modalities) bytes_per_pixel += modality->bytes_per_pixel;
-    return static_cast<std::uint64_t>(bytes_per_pixel * frames * width * height) + 1'000'000;
-}
-
 }  // namespace dollytrack::render

@@ -53,8 +53,4 @@ class DatasetFolder {
     bool marked_ = false;
 };
 
-/// A guess, on the high side of furnished rooms.
-[[nodiscard]] std::uint64_t estimateBytes(const ModalitySet& modalities, int frames, int width,
-                                          int height);
-
 }  // namespace dollytrack::render

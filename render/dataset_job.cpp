@@ -8,6 +8,7 @@
 #include "render/frame_ledger.h"
 #include "render/frame_pipeline.h"
 #include "render/frame_writer.h"
+#include "render/size_estimate.h"
 
 #include <array>
 #include <cstdio>
@@ -83,8 +84,7 @@ struct DatasetJob::Impl {
 Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalContents earlier) {
     const DatasetContents& contents = order.contents;
     const std::set<std::string> keep = filesOf(earlier.entries);
-    const std::uint64_t bytes = estimateBytes(contents.modalities, pipeline->missingCount(),
-                                              contents.camera.width_px, contents.camera.height_px);
+    const std::uint64_t bytes = estimateBytes(contents, pipeline->missingCount());
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
     if (Status status = folder->begin(contents.modalities, order.card.formats, keep); !status)
         return status;

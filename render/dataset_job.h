@@ -27,8 +27,8 @@ namespace dollytrack::render {
 struct DatasetSettings {
     std::filesystem::path folder;
     FrameRange range;
-    std::vector<std::string> modalities;  // names of modalities.h; empty: all
-    std::vector<std::string> formats;     // names of formats/formats.h; empty: all
+    std::vector<std::string> modalities;  // names of modalities.h; empty: the standard ones
+    std::vector<std::string> formats;     // names of formats/formats.h; likewise
     bool overwrite = false;               // allows a folder that holds other files; they stay
     bool resume = false;                  // continues what an export left in the folder
     CaptureRules rules;

@@ -1,6 +1,7 @@
 #include "app/batch/batch_runner.h"
 
 #include "app/batch/batch_folder.h"
+#include "app/cli/command_line.h"
 #include "app/process/child_process.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
@@ -13,8 +14,10 @@
 #include <cstring>
 #include <fstream>
 #include <list>
+#include <numeric>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace dollytrack::batch {
 namespace {
@@ -39,11 +42,9 @@ bool datasetsAreThere(const JobResult& result, const fs::path& folder) {
 /// Whether its folder may hold finished frames that a further run can build on. What refused to go
 /// on will refuse again.
 bool canGoOn(const JobResult& result) {
-    constexpr int kUsage = 2;
-    constexpr int kBadInput = 4;
     if (result.state == JobState::NotRun) return false;
     return result.state != JobState::Failed ||
-           (result.exit_code != kUsage && result.exit_code != kBadInput);
+           (result.exit_code != cli::kUsage && result.exit_code != cli::kBadInput);
 }
 
 /// The program's last sentence, from the end of what it said.
@@ -104,14 +105,26 @@ class Runner {
         : jobs_(jobs), settings_(settings), job_(job), results_(jobs.size()) {}
 
     std::vector<JobResult> run() {
-        std::size_t next = 0;
-        job_.reportItems(0, static_cast<int>(jobs_.size()));
-        while (next < jobs_.size() || !running_.empty()) {
+        std::vector<std::size_t> all(jobs_.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        runThese(all);
+        // Once nothing of ours runs that another batch could wait for in turn: of several batches
+        // at the same jobs, the one that ends last finds all of them done.
+        looks_last_ = true;
+        runThese(std::exchange(busy_, {}));
+        return std::move(results_);
+    }
+
+  private:
+    void runThese(const std::vector<std::size_t>& indices) {
+        auto next = indices.begin();
+        job_.reportItems(finished_, static_cast<int>(jobs_.size()));
+        while (next != indices.end() || !running_.empty()) {
             const bool stop = job_.cancelled();
             if (stop && running_.empty()) break;
-            while (!stop && next < jobs_.size() &&
+            while (!stop && next != indices.end() &&
                    static_cast<int>(running_.size()) < settings_.parallel) {
-                begin(next++);
+                begin(*next++);
             }
             for (auto it = running_.begin(); it != running_.end();) {
                 it = look(*it, stop) ? running_.erase(it) : std::next(it);
@@ -121,16 +134,14 @@ class Runner {
             if (!running_.empty()) std::this_thread::sleep_for(kLook);
         }
         // What the folders of the jobs hold that were not come to.
-        for (; next < jobs_.size(); ++next) {
-            const auto standing = standingOf(jobs_[next], settings_);
+        for (; next != indices.end(); ++next) {
+            const auto standing = standingOf(jobs_[*next], settings_);
             if (standing && standing->step == Standing::Step::Nothing) {
-                results_[next] = standing->found;
+                results_[*next] = standing->found;
             }
         }
-        return std::move(results_);
     }
 
-  private:
     [[nodiscard]] fs::path folderOf(std::size_t index) const {
         return settings_.folder / jobs_[index].name;
     }
@@ -139,7 +150,8 @@ class Runner {
         if (const Status status = tryToBegin(index); !status) {
             JobResult& result = results_[index];
             result.state = JobState::Failed;
-            result.exit_code = status.error().code == ErrorCode::CannotWrite ? 6 : 4;
+            result.exit_code =
+                status.error().code == ErrorCode::CannotWrite ? cli::kCannotWrite : cli::kBadInput;
             result.message = describe(status.error());
             keepRefusal(index);
             finish(index);
@@ -165,6 +177,10 @@ class Runner {
         Result<JobLock> lock = JobLock::take(folder);
         if (!lock) return tl::unexpected<Error>(std::move(lock.error()));
         if (!lock->isOurs()) {
+            if (!looks_last_) {
+                busy_.push_back(index);
+                return {};
+            }
             results_[index].state = JobState::Busy;
             results_[index].message = "another batch is at this job";
             finish(index);
@@ -291,6 +307,8 @@ class Runner {
     const JobContext& job_;
     std::vector<JobResult> results_;
     std::list<Running> running_;
+    std::vector<std::size_t> busy_;  // jobs that another batch was at
+    bool looks_last_ = false;        // at those
     int finished_ = 0;
 };
 

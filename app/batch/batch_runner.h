@@ -39,7 +39,8 @@ struct Standing {
 /// Does what is not done yet, each job by a child process, so that none of them can stop the others
 /// by crashing, hanging or taking all memory. Results come in the order of the jobs, and are kept
 /// in their folders as soon as each ends. Cancelled: what runs is stopped in a way that it can be
-/// continued, and the rest is left.
+/// continued, and the rest is left. What another batch is at is looked at once more at the end, and
+/// is Busy when it is still at it.
 [[nodiscard]] std::vector<JobResult> runJobs(const std::vector<Job>& jobs,
                                              const RunSettings& settings, const JobContext& job);
 

@@ -4,12 +4,13 @@
 #include "engine/core/natural_order.h"
 #include "engine/io/scene_format.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 #include <system_error>
 
 namespace dollytrack::batch {
@@ -155,9 +156,8 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
     std::vector<SceneFile> found = search.take();
     if (found.empty()) {
         return fail(ErrorCode::BadInput,
-                    "'" + pattern +
-                        "' names no scene; scenes are .obj, .fbx, .gltf, .glb, .dae, .ply, .stl "
-                        "and .dolly files");
+                    fmt::format("'{}' names no scene; scenes are {} and .dolly files", pattern,
+                                fmt::join(sceneExtensions(), ", ")));
     }
     return found;
 }
@@ -181,10 +181,16 @@ void nameScenes(std::vector<SceneFile>& scenes) {
         }
     }
     // Paths that differ in other characters alone.
-    std::map<std::string, int> used;
+    std::set<std::string> all;
+    for (const SceneFile& scene : scenes) all.insert(scene.name);
+    std::set<std::string> used;
     for (SceneFile& scene : scenes) {
-        const int before = used[scene.name]++;
-        if (before > 0) scene.name += fmt::format("-{}", before + 1);
+        const std::string name = scene.name;
+        for (int i = 2; used.contains(scene.name); ++i) {
+            const std::string numbered = fmt::format("{}-{}", name, i);
+            if (!all.contains(numbered)) scene.name = numbered;
+        }
+        used.insert(scene.name);
     }
 }
 

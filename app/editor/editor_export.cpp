@@ -4,6 +4,7 @@
 #include "engine/core/log.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
+#include "render/size_estimate.h"
 #include "ui/widgets/path_line.h"
 
 #include <fmt/format.h>
@@ -111,12 +112,14 @@ ui::ExportView Editor::exportView() {
     view.frame_count = frameCount();
     view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
+    const std::string& listed = panels_.export_draft.flow_distances;
+    const auto distances = static_cast<std::size_t>(1 + std::ranges::count(listed, ','));
     for (const render::Modality& one : render::modalities()) {
         const bool turned = std::ranges::find(panels_.export_draft.turned_modalities, one.name) !=
                             panels_.export_draft.turned_modalities.end();
         if (one.standard != turned) {
-            view.bytes_per_frame +=
-                one.bytes_per_pixel * view.camera.width_px * view.camera.height_px;
+            view.bytes_per_frame += render::bytesPerPixel(one, distances) * view.camera.width_px *
+                                    view.camera.height_px;
         }
     }
     view.has_tracks = hasTracks();

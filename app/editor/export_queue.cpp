@@ -236,7 +236,7 @@ void ExportQueue::loop() {
         }
         bool gone = false;
         update(id, [&](Entry& entry) { gone = entry.remove_asked; });
-        storeNote(id);
+        keepNote(id);
         if (gone) remove(id);
     }
 }
@@ -291,23 +291,22 @@ void ExportQueue::storeNewJobs() {
         // Another job may be running: it has no part in what goes wrong here.
         try {
             mark_.hold();
-            if (writeSnapshot(id)) storeNote(id);
+            if (writeSnapshot(id)) keepNote(id);
         } catch (const std::exception& e) {
             log::debug("export", std::string("A job is not kept for later: ") + e.what());
         }
     }
 }
 
-/// Nothing that happens to a note may end the job that it is of.
-void ExportQueue::storeNote(int id) {
+void ExportQueue::keepNote(int id) {
     try {
-        writeNoteOf(id);
+        writeOrRemoveNote(id);
     } catch (const std::exception& e) {
         log::debug("export", std::string("An export cannot be noted for later: ") + e.what());
     }
 }
 
-void ExportQueue::writeNoteOf(int id) {
+void ExportQueue::writeOrRemoveNote(int id) {
     noted_at_ = Clock::now();
     ExportNote note;
     bool done = false;
@@ -399,7 +398,7 @@ void ExportQueue::follow(int id, ChildProcess& process) {
         }
         if (done != noted && (noted == 0 || Clock::now() - noted_at_ > kNoteInterval)) {
             noted = done;
-            storeNote(id);
+            keepNote(id);
         }
         bool stop = false;
         {

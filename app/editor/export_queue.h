@@ -85,8 +85,9 @@ class ExportQueue {
     void loop();
     void adoptLeftJobs();
     void storeNewJobs();
-    void storeNote(int id);
-    void writeNoteOf(int id);
+    /// Nothing that happens to a job's note may end the job: what goes wrong is only logged.
+    void keepNote(int id);
+    void writeOrRemoveNote(int id);
     void removeIfGone(int id, const std::filesystem::path& file);
     void failEntry(int id, const Error& error);
     void removeFiles(const Entry& entry) const;

@@ -100,6 +100,28 @@ struct Becoming {
     _exit(127);
 }
 
+bool isStopped(pid_t child) {
+    siginfo_t found{};
+    return waitid(P_PID, static_cast<id_t>(child), &found, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+           found.si_pid == child;
+}
+
+/// Why the child could not become the program; 0 where it did, or was stopped on the way: then it
+/// runs for all that can be known, and whoever waits for it decides how long.
+int failureOf(pid_t child, int failure_end) {
+    constexpr int kLook_ms = 50;
+    pollfd watched{failure_end, POLLIN, 0};
+    while (poll(&watched, 1, kLook_ms) <= 0) {
+        if (isStopped(child)) return 0;
+    }
+    int error = 0;
+    ssize_t got = 0;
+    do {
+        got = ::read(failure_end, &error, sizeof(error));
+    } while (got < 0 && errno == EINTR);
+    return got == sizeof(error) ? error : 0;
+}
+
 tl::unexpected<Error> cannotStart(const std::string& program, int error) {
     return fail(ErrorCode::Failed,
                 std::string("The program cannot be started: ") + std::strerror(error) + ".",
@@ -134,15 +156,14 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     if (child == 0) becomeProgram(wanted);
     // Here as well: whichever comes first, a signal to the group must find it.
     setpgid(child, child);
+    // Stopped with us by the terminal while it was in our group, nobody would wake it.
+    kill(-child, SIGCONT);
     words.closeWriteEnd();
     failure.closeWriteEnd();
     ChildProcess process(child, std::exchange(words.read_end, -1));
-    int error = 0;
-    ssize_t got = 0;
-    do {
-        got = ::read(failure.read_end, &error, sizeof(error));
-    } while (got < 0 && errno == EINTR);
-    if (got == sizeof(error)) return cannotStart(command[0], error);
+    if (const int error = failureOf(child, failure.read_end); error != 0) {
+        return cannotStart(command[0], error);
+    }
     if (heard) fcntl(process.heard_end_, F_SETFL, O_NONBLOCK);
     return process;
 }

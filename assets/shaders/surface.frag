@@ -21,7 +21,7 @@ layout(location = 9) uniform float ceiling_z;
 layout(binding = 0) uniform sampler2D base_texture;
 
 layout(location = 0) out vec4 out_color;     // square root of linear; a: metallic or emission
-layout(location = 1) out vec4 out_normal;    // towards the camera's side; w: roughness
+layout(location = 1) out vec4 out_normal;    // on the side that is seen; w: roughness
 layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
 layout(location = 3) out float out_depth;    // planar depth of the label, m
 layout(location = 4) out uint out_id;
@@ -31,7 +31,19 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
+// The normal on the side that is seen, whichever way the file winds the face. That of a smoothed
+// face is turned by the face: near the outline it may look a little past the side by itself, and
+// there it is laid along the outline, for a surface that is seen does not face away.
+vec3 seenNormal(vec3 face, vec3 along) {
+    if (dot(face, along) > 0.0) face = -face;
+    vec3 n = normalize(normal_in_world);
+    if (dot(n, face) < 0.0) n = -n;
+    return normalize(n - max(dot(n, along), 0.0) * along);
+}
+
 void main() {
+    // Before anything is left away: neighbours that end early have no place to compare with.
+    vec3 face = cross(dFdx(offset_in_world), dFdy(offset_in_world));
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
@@ -43,10 +55,8 @@ void main() {
         color.rgb *= texel.rgb;
         color.a *= texel.a;
     }
-    vec3 n = normalize(normal_in_world);
-    // Walls are often one-sided, and many files wind their faces the wrong way.
     vec3 forward = vec3(camera_from_world[0].z, camera_from_world[1].z, camera_from_world[2].z);
-    if (dot(n, depth_span.y > 0.0 ? forward : offset_in_world) > 0.0) n = -n;
+    vec3 n = seenNormal(face, depth_span.y > 0.0 ? forward : normalize(offset_in_world));
     float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * surface_traits.z
                                            : 0.49 * surface_traits.y;
     out_color = vec4(color.rgb, special);

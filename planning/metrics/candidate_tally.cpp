@@ -8,16 +8,16 @@
 namespace dollytrack::planning {
 namespace {
 
-std::string nameOf(const Scene& scene, int object_id) {
-    return object_id > 0 ? scene.object(object_id).name : std::string("itself");
+/// The object, or what stands in for one where none is to blame.
+std::string nameOf(const Scene& scene, int object_id, const char* without) {
+    return object_id > 0 ? scene.object(object_id).name : std::string(without);
 }
 
 /// Why a place was no view, as in "200 places are ...".
 std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
     switch (verdict) {
         case Verdict::InObstacle:
-            return "too near to " +
-                   (object_id > 0 ? scene.object(object_id).name : std::string("a surface"));
+            return "too near to " + nameOf(scene, object_id, "a surface");
         case Verdict::OutsideRoom:
             return "outside the rooms' free space";
         case Verdict::TooClose:
@@ -29,7 +29,7 @@ std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
         case Verdict::PitchBand:
             return "outside the pitch band";
         case Verdict::OccludedBy:
-            return "hidden by " + nameOf(scene, object_id);
+            return "hidden by " + nameOf(scene, object_id, "itself");
         case Verdict::TooSmall:
             return "too far";
         case Verdict::Cropped:
@@ -120,7 +120,7 @@ std::string CandidateTally::reason(const Scene& scene) const {
             return fmt::format(
                 "Hidden at each of the {} free places tried, mostly by {}; the best shows {:.0f} "
                 "%.",
-                free(), nameOf(scene, occluder()), best);
+                free(), nameOf(scene, occluder(), "itself"), best);
         case Loss::TooSmall:
             return fmt::format(
                 "Too small in the image from each of the {} places tried that see it.", inSight());

@@ -5,6 +5,7 @@
 #include "planning/metrics/remedy_proposals.h"
 #include "planning/viewpoints/candidate_source.h"
 #include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/coarse_look.h"
 #include "planning/visibility/framing.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 
 constexpr int kDirections = 900;
 constexpr int kRandomPlaces = 4000;
-constexpr int kCoarseGrid = 14;
 constexpr std::size_t kRefined = 80;
 
 struct Reach {

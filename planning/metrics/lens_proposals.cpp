@@ -1,6 +1,7 @@
 #include "planning/metrics/proposal_parts.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/visibility/coarse_look.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,11 @@ namespace {
 constexpr double kNarrowest = 10.0;
 constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their rims
 constexpr double kWhole = 0.92;    // share of the image's length that an object may take
-constexpr int kCoarseGrid = 14;
 
 /// Nothing where no near plane fits into the camera's sphere.
 std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
-    Proposal made = proposal(what, std::nullopt);
-    set(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
+    Proposal made = unchanged(what, std::nullopt);
+    changeTo(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
     if (!keepNearInSphere(made)) return std::nullopt;
     return made;
 }
@@ -78,7 +78,7 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
         const double scale = std::max(1.0, 1.02 * std::sqrt(grow));
         return scale * p.fill > kWhole ? before : std::floor(scaled(before, scale));
     };
-    const auto places = best(
+    const auto places = bestFirst(
         what.places,
         [&](const WhatIfPlace& p) {
             const double hfov = lensFor(p);
@@ -89,7 +89,7 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
     std::vector<Proposal> proposals;
     std::map<double, std::size_t> looked;
     for (const WhatIfPlace* place : places) {
-        if (proposals.size() >= kMost || lenses.count() > 3 * kMost) break;
+        if (proposals.size() >= kMostOfAKind || lenses.count() > 3 * kMostOfAKind) break;
         const double hfov = lensFor(*place);
         const bool known =
             !proposals.empty() && proposals.back().change.params.camera.hfov_deg == hfov;
@@ -106,7 +106,7 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     const auto fits = [&](const WhatIfPlace& p) {
         return std::min(std::ceil(scaled(before, kWhole / p.fill)), kWidest);
     };
-    const auto cropped = best(
+    const auto cropped = bestFirst(
         what.places,
         [](const WhatIfPlace& p) { return p.legal() && std::isfinite(p.fill) && p.fill > kWhole; },
         [](const WhatIfPlace& p) { return -p.fill; });

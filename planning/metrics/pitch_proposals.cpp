@@ -1,6 +1,7 @@
 #include "planning/metrics/proposal_parts.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/visibility/coarse_look.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr int kCoarseGrid = 14;
 constexpr int kMoreSteps = 5;
 
 /// The pitch band with one of its ends moved outwards by steps of up to a degree: onto whole
@@ -67,12 +67,12 @@ SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked
 
 Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
     const ConstraintParams to = loosened(what.params.constraints, steep.down, steps);
-    Proposal made = proposal(what, aim(steep.place->position, what.subject.center, pitchBand(to)));
+    Proposal made = unchanged(what, aim(steep.place->position, what.subject.center, pitchBand(to)));
     ConstraintParams& band = made.change.params.constraints;
     if (steep.down) {
-        set(made, "min_pitch_deg", band.min_pitch_deg, to.min_pitch_deg);
+        changeTo(made, "min_pitch_deg", band.min_pitch_deg, to.min_pitch_deg);
     } else {
-        set(made, "max_pitch_deg", band.max_pitch_deg, to.max_pitch_deg);
+        changeTo(made, "max_pitch_deg", band.max_pitch_deg, to.max_pitch_deg);
     }
     return made;
 }

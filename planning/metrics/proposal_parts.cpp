@@ -14,9 +14,9 @@ double promise(const ViewEstimator::Estimate& seen, bool well) {
     return well ? std::min(share, seen.box_share / rules.min_box_share) : share;
 }
 
-std::vector<const WhatIfPlace*> best(const std::vector<WhatIfPlace>& places,
-                                     const std::function<bool(const WhatIfPlace&)>& fits,
-                                     const std::function<double(const WhatIfPlace&)>& order) {
+std::vector<const WhatIfPlace*> bestFirst(const std::vector<WhatIfPlace>& places,
+                                          const std::function<bool(const WhatIfPlace&)>& fits,
+                                          const std::function<double(const WhatIfPlace&)>& order) {
     std::vector<const WhatIfPlace*> chosen;
     for (const WhatIfPlace& place : places) {
         if (fits(place)) chosen.push_back(&place);
@@ -35,7 +35,7 @@ Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
     return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
 }
 
-Proposal proposal(const WhatIf& what, const std::optional<Pose>& view) {
+Proposal unchanged(const WhatIf& what, const std::optional<Pose>& view) {
     Proposal made;
     made.change.params = what.params;
     made.change.edits = what.edits;
@@ -51,7 +51,7 @@ std::string instead(const std::string& name, double value, double before) {
 
 }  // namespace
 
-void set(Proposal& made, const std::string& name, double& field, double value) {
+void changeTo(Proposal& made, const std::string& name, double& field, double value) {
     made.remedy.settings.push_back(fmt::format("{}={:.6g}", name, value));
     if (!made.remedy.text.empty()) made.remedy.text += " and ";
     made.remedy.text += instead(name, value, field);
@@ -67,7 +67,7 @@ bool keepNearInSphere(Proposal& made) {
     if (farthest >= camera.near_m) return true;
     const double near = std::floor(farthest * 1000.0) / 1000.0;
     if (near < kLeast_m) return false;
-    set(made, "near_m", camera.near_m, near);
+    changeTo(made, "near_m", camera.near_m, near);
     return true;
 }
 

@@ -25,14 +25,14 @@ bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bo
 }
 
 std::vector<Proposal> proposePins(const WhatIf& what) {
-    const auto places = best(
+    const auto places = bestFirst(
         what.places,
         [&](const WhatIfPlace& p) { return p.legal() && promise(p.seen, what.well) >= kAlmost; },
         [](const WhatIfPlace& p) { return goodness(p.seen); });
     for (std::size_t i = 0; i < std::min(kLookedAt, places.size()); ++i) {
         const Pose view = poseAt(what, *places[i]);
         if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
-        Proposal made = proposal(what, view);
+        Proposal made = unchanged(what, view);
         made.needs_pin = true;
         return {made};
     }
@@ -50,7 +50,7 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
         const double height = region->heightOf(p.position);
         return std::max(height - band.max_height_m, band.min_height_m - height);
     };
-    const auto places = best(
+    const auto places = bestFirst(
         what.places,
         [&](const WhatIfPlace& p) {
             return p.roomy && p.allowed != Verdict::Legal && promise(p.seen, what.well) >= kAlmost;
@@ -58,9 +58,9 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
         [&](const WhatIfPlace& p) { return -beyond(p); });
     std::set<std::string> proposed;
     for (std::size_t i = 0; i < std::min(4 * kLookedAt, places.size()); ++i) {
-        if (proposals.size() >= kMost) break;
+        if (proposals.size() >= kMostOfAKind) break;
         const Pose view = poseAt(what, *places[i]);
-        Proposal made = proposal(what, view);
+        Proposal made = unchanged(what, view);
         if (places[i]->allowed == Verdict::NoGo) {
             const NoGoBox* box = region->boxAt(view.position, reach);
             if (box == nullptr) continue;
@@ -72,10 +72,11 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
             const double height = region->heightOf(view.position);
             FreeSpaceParams& wider = made.change.params.free_space;
             if (height > band.max_height_m) {
-                set(made, "max_height_m", wider.max_height_m, std::ceil(height * 100.0) / 100.0);
+                changeTo(made, "max_height_m", wider.max_height_m,
+                         std::ceil(height * 100.0) / 100.0);
             } else {
-                set(made, "min_height_m", wider.min_height_m,
-                    std::max(0.0, std::floor(height * 100.0) / 100.0));
+                changeTo(made, "min_height_m", wider.min_height_m,
+                         std::max(0.0, std::floor(height * 100.0) / 100.0));
             }
         }
         if (proposed.contains(made.remedy.text)) continue;
@@ -92,7 +93,7 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
         return std::floor((p.clearance_m - SweptSphere::kMargin) * 100.0 + 1e-6) / 100.0;
     };
     const CameraParams& camera = what.params.camera;
-    const auto places = best(
+    const auto places = bestFirst(
         what.places,
         [&](const WhatIfPlace& p) {
             return !p.roomy && p.allowed == Verdict::Legal && radiusAt(p) >= kLeastRadius_m &&
@@ -102,16 +103,16 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
     std::vector<Proposal> proposals;
     std::map<double, std::size_t> looked;
     for (const WhatIfPlace* place : places) {
-        if (proposals.size() >= kMost) break;
+        if (proposals.size() >= kMostOfAKind) break;
         const double radius = radiusAt(*place);
         const bool known =
             !proposals.empty() && proposals.back().change.params.camera.camera_radius_m == radius;
         if (known || ++looked[radius] > kLookedAt) continue;
         const Pose view = poseAt(what, *place);
         if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
-        Proposal made = proposal(what, view);
+        Proposal made = unchanged(what, view);
         CameraParams& smaller = made.change.params.camera;
-        set(made, "camera_radius_m", smaller.camera_radius_m, radius);
+        changeTo(made, "camera_radius_m", smaller.camera_radius_m, radius);
         if (!keepNearInSphere(made)) continue;
         proposals.push_back(std::move(made));
     }
@@ -123,7 +124,7 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
     const auto shareWithout = [](const WhatIfPlace& p) {
         return p.seen.visible_fraction + p.seen.occluder_share;
     };
-    const auto places = best(
+    const auto places = bestFirst(
         what.places,
         [&](const WhatIfPlace& p) {
             return p.legal() && p.seen.occluder != 0 && p.seen.occluder != what.object_id &&
@@ -138,8 +139,8 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
     std::set<int> done;
     for (const WhatIfPlace* place : places) {
         const int gone = place->seen.occluder;
-        if (proposals.size() >= kMost || done.contains(gone)) continue;
-        if (!looked.contains(gone) && looked.size() == 2 * kMost) continue;
+        if (proposals.size() >= kMostOfAKind || done.contains(gone)) continue;
+        if (!looked.contains(gone) && looked.size() == 2 * kMostOfAKind) continue;
         if (++looked[gone] > kLookedAt) continue;
         // What it hides may be hidden by something else behind it: look without it.
         const auto scene_without = trials.scene(gone);
@@ -148,7 +149,7 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
             views.try_emplace(gone, *scene_without, rays_without, what.params.camera).first->second;
         const Pose view = poseAt(what, *place);
         if (!showsEnough(views_without, view, what.object_id, what.well)) continue;
-        Proposal made = proposal(what, view);
+        Proposal made = unchanged(what, view);
         made.change.without_object = gone;
         made.remedy.move_object = gone;
         made.remedy.text = fmt::format("move {} out of the way, which hides {:.0f} % of it",

@@ -5,6 +5,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/viewpoints/candidate_source.h"
+#include "planning/visibility/coarse_look.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace {
 
 constexpr int kDirections = 700;
 constexpr int kRandomPlaces = 3000;
-constexpr int kCoarseGrid = 14;
 constexpr double kLeastFill = 0.05;
 constexpr double kMostFill = 3.5;  // what a wide lens would still fit in
 constexpr double kFillStep = 1.2;

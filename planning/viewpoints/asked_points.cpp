@@ -1,5 +1,6 @@
 #include "planning/viewpoints/asked_points.h"
 
+#include "engine/core/field_list.h"
 #include "planning/free_space/free_space.h"
 #include "planning/plan_params.h"
 #include "planning/rooms/anchors.h"
@@ -25,19 +26,15 @@ std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
 }
 
 /// As the parameter has it.
-const char* nameOf(Anchors kind) {
-    switch (kind) {
-        case Anchors::Doorways:
-            return "doorways";
-        case Anchors::Openings:
-            return "openings";
-        case Anchors::Corridors:
-            return "corridors";
-        case Anchors::None:
-        case Anchors::All:
-            break;
+std::string nameOf(Anchors kind) {
+    ConstraintParams params;
+    params.anchors = kind;
+    FieldCollector fields;
+    visitConstraintParams(params, fields);
+    for (const Field& field : fields.take()) {
+        if (field.name == "anchors") return field.valueText();
     }
-    return "";
+    return {};
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ constexpr double kWorthALook = 0.7;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
 constexpr double kRidesAlong = 0.6;
+// Share of an object's box in the image, cut off at its borders, from which on it may show well.
+constexpr double kMostlyInside = 0.6;
 
 bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
     const auto extent = views.extent(pose, object_id);
@@ -26,7 +28,7 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
         Eigen::Vector2d(views.intrinsics().width, views.intrinsics().height));
     const double inside =
         image.intersection(*extent).isEmpty() ? 0.0 : image.intersection(*extent).sizes().prod();
-    return inside >= 0.6 * extent->sizes().prod() &&
+    return inside >= kMostlyInside * extent->sizes().prod() &&
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 

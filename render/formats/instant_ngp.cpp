@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,20 +36,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     root.update(lens);
     root.update(Json{
         {"aabb_scale", 1}, {"scale", scale}, {"offset", {offset.x(), offset.y(), offset.z()}}});
-    const bool depth = contains(contents.modalities, "depth");
-    if (depth) {
+    if (contains(contents.modalities, "depth")) {
         root["enable_depth_loading"] = true;
         root["integer_depth_scale"] = 0.001;  // metres a step; `scale` is applied on top
     }
-    Json frames = Json::array();
-    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        const int index = static_cast<int>(i);
-        Json frame = {{"file_path", contents.pictureFile(index)},
-                      {"transform_matrix", transformRows(contents.frames[i].camera.pose)}};
-        if (depth) frame["depth_path"] = frameFile("depth", index);
-        frames.push_back(std::move(frame));
-    }
-    root["frames"] = std::move(frames);
+    root["frames"] = transformFrames(contents, "depth_path");
     return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};
 }
 

@@ -16,17 +16,7 @@ constexpr std::array<const char*, 1> kFiles = {"transforms.json"};
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     Json root = {{"camera_model", "OPENCV"}};
     root.update(transformsLens(contents));
-    Json frames = Json::array();
-    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        const int index = static_cast<int>(i);
-        Json frame = {{"file_path", contents.pictureFile(index)},
-                      {"transform_matrix", transformRows(contents.frames[i].camera.pose)}};
-        if (contains(contents.modalities, "depth")) {
-            frame["depth_file_path"] = frameFile("depth", index);
-        }
-        frames.push_back(std::move(frame));
-    }
-    root["frames"] = std::move(frames);
+    root["frames"] = transformFrames(contents, "depth_file_path");
     return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};
 }
 

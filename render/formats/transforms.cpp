@@ -20,6 +20,19 @@ Json transformRows(const Pose& pose) {
     return rows;
 }
 
+Json transformFrames(const DatasetContents& contents, const char* depth_key) {
+    const bool depth = contains(contents.modalities, "depth");
+    Json frames = Json::array();
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        const int index = static_cast<int>(i);
+        Json frame = {{"file_path", contents.pictureFile(index)},
+                      {"transform_matrix", transformRows(contents.frames[i].camera.pose)}};
+        if (depth) frame[depth_key] = frameFile("depth", index);
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
 Json transformsLens(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     return {{"fl_x", lens.fx}, {"fl_y", lens.fy},  {"cx", lens.cx}, {"cy", lens.cy},

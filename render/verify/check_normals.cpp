@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -60,8 +61,11 @@ std::optional<Eigen::Vector3d> flatNormal(const StoredDataset& dataset,
     return -plane.normalized();  // towards the camera
 }
 
-/// The normal that the scene's corners have where the ray meets it, in the world; its sign is open.
-Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place) {
+/// The normal that the scene's corners have where a ray along a unit vector meets it, in the world,
+/// on the side that is seen; zero of a triangle without area. Of a smoothed face it may look a
+/// little past the outline, where it is laid along it.
+Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place,
+                              const Eigen::Vector3d& along) {
     const Triangle& corners = scene.triangles[hit.triangle];
     const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
     const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;
@@ -71,10 +75,12 @@ Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen
     if (area <= 0.0) return Eigen::Vector3d::Zero();
     const double b = (place - a).cross(ac).dot(face) / area;
     const double c = ab.cross(place - a).dot(face) / area;
-    return ((1.0 - b - c) * scene.normals[corners[0]].cast<double>() +
-            b * scene.normals[corners[1]].cast<double>() +
-            c * scene.normals[corners[2]].cast<double>())
-        .normalized();
+    Eigen::Vector3d normal = ((1.0 - b - c) * scene.normals[corners[0]].cast<double>() +
+                              b * scene.normals[corners[1]].cast<double>() +
+                              c * scene.normals[corners[2]].cast<double>())
+                                 .normalized();
+    if (normal.dot(face) * along.dot(face) > 0.0) normal = -normal;
+    return (normal - std::max(normal.dot(along), 0.0) * along).normalized();
 }
 
 /// One frame's normals.
@@ -169,15 +175,13 @@ class NormalImages {
         WrongPixels pixels;
         std::size_t judged = 0;
         const auto judge = [&](int x, int y, const Eigen::Vector3d& expected, double degrees,
-                               bool sign_open) {
+                               const char* by) {
             ++judged;
             const Eigen::Vector3d found = worldNormal(x, y);
-            const double along = sign_open ? std::abs(found.dot(expected)) : found.dot(expected);
-            if (along >= std::cos(degrees * kDegree)) return;
+            if (found.dot(expected) >= std::cos(degrees * kDegree)) return;
             pixels.add(x, y, [&] {
-                return WrongPixels::Text{
-                    fmt::format("{} in the world", text(found)),
-                    text(expected) + (sign_open ? ", by the scene" : ", by the depth around it")};
+                return WrongPixels::Text{fmt::format("{} in the world", text(found)),
+                                         fmt::format("{}, by {}", text(expected), by)};
             });
         };
         if (subject_.rays && images_.stored().moving.empty()) {
@@ -201,10 +205,11 @@ class NormalImages {
                 const RayHit& hit = hits[static_cast<std::size_t>(x)];
                 if (hit.object_id == 0 || isNone(image.pixel(x, y))) continue;
                 if (ids_ && ids_->at(x, y) != hit.object_id) continue;
-                const Eigen::Vector3d place =
-                    pose.toWorld(hit.distance * subject_.dataset.lens.unproject(x + 0.5, y + 0.5));
-                const Eigen::Vector3d expected = cornersNormal(*subject_.scene, hit, place);
-                if (expected.norm() > 0.5) judge(x, y, expected, 3.0, true);
+                const Eigen::Vector3d ahead = subject_.dataset.lens.unproject(x + 0.5, y + 0.5);
+                const Eigen::Vector3d expected =
+                    cornersNormal(*subject_.scene, hit, pose.toWorld(hit.distance * ahead),
+                                  (pose.rotation * ahead).normalized());
+                if (expected.norm() > 0.5) judge(x, y, expected, 3.0, "the scene");
             }
         }
     }
@@ -219,7 +224,7 @@ class NormalImages {
             for (int x = 0; x < image.width; x += kStep) {
                 if (isNone(image.pixel(x, y))) continue;
                 const auto flat = flatNormal(subject_.dataset, *depth, *ids_, x, y);
-                if (flat) judge(x, y, rotation * *flat, 75.0, false);
+                if (flat) judge(x, y, rotation * *flat, 75.0, "the depth around it");
             }
         }
     }

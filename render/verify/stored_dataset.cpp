@@ -12,6 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Of what is exported, the longest has 8192; masks of a size that only a damaged card says would
+// take all memory.
+constexpr int kLargestSide = 1 << 14;
+
 Eigen::Vector3d vectorFrom(const Json& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }
@@ -120,9 +124,13 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     fmt::format("It is damaged ({}); export the dataset again.", error.what()),
                     path.string());
     }
-    if (dataset.lens.width < 1 || dataset.lens.height < 1 || !(dataset.lens.fx > 0.0) ||
+    const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
+    if (!isSide(dataset.lens.width) || !isSide(dataset.lens.height) || !(dataset.lens.fx > 0.0) ||
         !(dataset.lens.fy > 0.0)) {
-        return fail(ErrorCode::BadInput, "The image's size or its focal length is not positive.",
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The image's sides are not 1 to {} px, or its focal length is not "
+                                "positive; export the dataset again.",
+                                kLargestSide),
                     path.string() + ": conventions.intrinsics");
     }
     return dataset;

@@ -51,6 +51,13 @@ TEST(SceneFiles, PatternsFindScenesInNaturalOrder) {
     EXPECT_TRUE(found("none.obj", folder.path())[0].starts_with("error: "));
 }
 
+// Whose names would be the folder of one job.
+TEST(SceneFiles, NumbersThatTellNamesApartAreNobodysName) {
+    const std::vector<std::string> names = namesOf({"a b.obj", "a_b.obj", "a_b_obj-2.x"});
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 3U);
+    EXPECT_EQ(names[2], "a_b_obj-2");
+}
+
 TEST(SceneFiles, MatchingNeedsNoDisk) {
     EXPECT_TRUE(matches("rooms/old/a.obj", "rooms/old/*"));
     EXPECT_TRUE(matches("rooms/old/a.obj", "**/a.obj"));

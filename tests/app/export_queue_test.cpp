@@ -2,11 +2,10 @@
 
 #include "app/editor/export_note.h"
 #include "app/editor/export_places.h"
-#include "app/editor/export_progress.h"
 #include "app/editor/owner_mark.h"
 #include "engine/io/project_file.h"
+#include "tests/app/fake_program.h"
 #include "tests/support/obj_writer.h"
-#include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -17,75 +16,20 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <functional>
 #include <map>
-#include <sstream>
 #include <thread>
 
 namespace dollytrack::editor {
 namespace {
 
 namespace fs = std::filesystem;
+using test::contentOf;
+using test::endOf;
+using test::eventually;
+using test::FakeProgram;
+using test::jobOf;
+using test::kFinish;
 using ui::ExportState;
-
-std::string contentOf(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Looks again and again, for at most a minute.
-bool eventually(const std::function<bool()>& holds) {
-    for (int i = 0; i < 6000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
-/// A program in place of the real one. The arguments are export PROJECT --out DIR --range ...
-class FakeProgram {
-  public:
-    explicit FakeProgram(const std::string& body) {
-        path_ = folder_.write("program",
-                              "#!/bin/sh\nout=\"$4\"\nmkdir -p \"$out\"\n"
-                              "echo \"$@\" > \"$out/arguments\"\n" +
-                                  body + "\n");
-        fs::permissions(path_, fs::perms::owner_all);
-    }
-    [[nodiscard]] fs::path path() const { return path_; }
-    [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-
-    [[nodiscard]] ui::ExportRequest request(const std::string& name) const {
-        ui::ExportRequest request;
-        request.name = name;
-        request.folder = file(name);
-        return request;
-    }
-
-  private:
-    test::TempFolder folder_;
-    fs::path path_;
-};
-
-constexpr const char* kFinish =
-    "echo '{\"done\":true,\"exit_code\":0,\"frames_done\":8,\"frames\":8}' >&2\n"
-    "touch \"$out/dataset.json\" \"$out/contact_sheet.jpg\"";
-
-ui::ExportJob jobOf(const ExportQueue& queue, int id) {
-    for (const ui::ExportJob& job : queue.jobs()) {
-        if (job.id == id) return job;
-    }
-    return {};
-}
-
-ExportState endOf(const ExportQueue& queue, int id) {
-    eventually([&] {
-        const ExportState state = jobOf(queue, id).state;
-        return state != ExportState::Waiting && state != ExportState::Running &&
-               state != ExportState::Stopping;
-    });
-    return jobOf(queue, id).state;
-}
 
 TEST(ExportQueue, RunsTheProgramAndReadsItsProgress) {
     const FakeProgram program(
@@ -159,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.what); });
 
 TEST(ExportQueue, SaysWhenThereIsNoProgram) {
-    const test::TempFolder folder;
+    const dollytrack::test::TempFolder folder;
     ExportQueue queue(folder.path(), folder.path() / "missing");
     const int id = queue.addFile({}, "room.dolly");
     EXPECT_EQ(endOf(queue, id), ExportState::Failed);
@@ -224,146 +168,6 @@ TEST(ExportQueue, KeepsASnapshotUntilTheJobIsRemoved) {
     EXPECT_EQ(snapshots(), 0);
     EXPECT_TRUE(queue.jobs().empty());
     EXPECT_TRUE(fs::exists(program.file("room") / "dataset.json"));
-}
-
-// Snapshots of an editor that was killed would stay for ever; those of one that runs are in use.
-TEST(ExportQueue, RemovesWhatDeadEditorsLeft) {
-    const FakeProgram program(kFinish);
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) _exit(0);
-    waitpid(child, nullptr, 0);
-    const fs::path folder = program.file("snapshots");
-    fs::create_directories(folder);
-    const auto put = [&](const std::string& name) {
-        std::ofstream(folder / name) << "{}";
-        return folder / name;
-    };
-    const std::string dead = std::to_string(child) + "-77";
-    const fs::path of_dead = put("export-" + dead + "-1.dolly");
-    const fs::path half = put("export-" + dead + "-2.dolly.tmp.5");
-    // The same number, but another process: ours began later than that.
-    const fs::path reused = put("export-" + std::to_string(getpid()) + "-1-1.dolly");
-    const OwnerMark self(folder);
-    const fs::path of_living = put("export-" + self.text() + "-99.dolly");
-    const fs::path foreign = put("room.dolly");
-    const ExportQueue queue(folder, program.path());
-    EXPECT_TRUE(eventually(
-        [&] { return !fs::exists(of_dead) && !fs::exists(half) && !fs::exists(reused); }));
-    EXPECT_TRUE(fs::exists(of_living));
-    EXPECT_TRUE(fs::exists(foreign));
-}
-
-/// An editor that queues one export of its own snapshot and one of a project file, and dies when
-/// the first has told of two frames.
-void exportAndDie(const FakeProgram& program) {
-    const pid_t editor = fork();
-    ASSERT_GE(editor, 0);
-    if (editor == 0) {
-        ExportQueue queue(program.file("snapshots"), program.path());
-        const auto project = std::make_shared<io::ProjectFile>();
-        project->scene = program.file("room.obj");
-        ui::ExportRequest request = program.request("room");
-        request.range = "0:8:1";
-        request.modalities = {"rgb"};
-        request.formats = {"coco"};
-        request.overwrite = true;
-        queue.add(request, project);
-        queue.addFile(program.request("other"), "/some/other.dolly");
-        const auto noted = [&] {
-            int frames = 0;
-            int notes = 0;
-            std::error_code not_yet;
-            for (const auto& entry : fs::directory_iterator(program.file("snapshots"), not_yet)) {
-                if (entry.path().extension() != ".json") continue;
-                const Result<ExportNote> note = readNote(entry.path());
-                ++notes;
-                if (note) frames += note->frames_done;
-            }
-            return notes == 2 && frames == 2;
-        };
-        const bool reached = eventually(noted);
-        kill(getpid(), reached ? SIGKILL : SIGABRT);
-    }
-    int status = 0;
-    waitpid(editor, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-}
-
-TEST(ExportQueue, OffersWhatAKilledEditorLeft) {
-    const FakeProgram program(
-        "[ -e \"$out/../go\" ] || {\n"
-        "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
-        "while true; do sleep 0.05; done; }\n" +
-        std::string(kFinish));
-    exportAndDie(program);
-    std::ofstream(program.file("go")) << "";
-    ExportQueue queue(program.file("snapshots"), program.path());
-    ASSERT_TRUE(eventually([&] { return queue.jobs().size() == 2; }));
-    std::vector<int> found;
-    eventually([&] {
-        for (const int id : queue.takeFound()) found.push_back(id);
-        return found.size() == 2;
-    });
-    ASSERT_EQ(found.size(), 2U);
-    EXPECT_TRUE(queue.takeFound().empty()) << "once";
-    std::map<std::string, ui::ExportJob> jobs;
-    for (const ui::ExportJob& job : queue.jobs()) jobs[job.request.name] = job;
-    EXPECT_EQ(jobs["room"].state, ExportState::Cancelled);
-    EXPECT_EQ(jobs["room"].frames_done, 2);
-    EXPECT_EQ(jobs["room"].frames, 8);
-    EXPECT_EQ(jobs["other"].frames_done, 0);
-    EXPECT_EQ(queue.unfinished(), 0) << "nothing begins unasked";
-    for (const int id : found) {
-        queue.resume(id);
-        EXPECT_EQ(endOf(queue, id), ExportState::Done);
-    }
-    const std::string words = contentOf(program.file("room") / "arguments");
-    EXPECT_NE(words.find("--range 0:8:1 --progress json --modalities rgb --formats coco "
-                         "--overwrite --resume\n"),
-              std::string::npos)
-        << words;
-    const std::string other = contentOf(program.file("other") / "arguments");
-    EXPECT_TRUE(other.starts_with("export /some/other.dolly ")) << other;
-    EXPECT_EQ(other.find("--resume"), std::string::npos) << "it had not begun: " << other;
-    for (const int id : found) queue.remove(id);
-    for (const auto& entry : fs::directory_iterator(program.file("snapshots"))) {
-        EXPECT_NE(entry.path().extension(), ".json") << entry.path();
-        EXPECT_NE(entry.path().extension(), ".dolly") << entry.path();
-    }
-}
-
-// Two editors begin at once: each job goes to one of them.
-TEST(ExportQueue, LeavesAJobToOneOfTwoEditors) {
-    const FakeProgram program(
-        "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
-        "while true; do sleep 0.05; done\n");
-    exportAndDie(program);
-    const pid_t second = fork();
-    ASSERT_GE(second, 0);
-    if (second == 0) {
-        std::size_t count = 0;
-        {
-            const ExportQueue queue(program.file("snapshots"), program.path());
-            std::this_thread::sleep_for(std::chrono::seconds(1));
-            count = queue.jobs().size();
-        }
-        _exit(static_cast<int>(count));
-    }
-    std::size_t ours = 0;
-    {
-        const ExportQueue queue(program.file("snapshots"), program.path());
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        ours = queue.jobs().size();
-    }
-    int status = 0;
-    waitpid(second, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(ours + static_cast<std::size_t>(WEXITSTATUS(status)), 2U);
-    // Whoever took the job took its snapshot as well: both are still there for the next.
-    EXPECT_EQ(std::ranges::count(fs::directory_iterator(program.file("snapshots")), ".dolly",
-                                 [](const auto& entry) { return entry.path().extension(); }),
-              1);
 }
 
 TEST(ExportQueue, TellsWhichJobWillWriteIntoAFolder) {
@@ -482,8 +286,8 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
 // The real program, on a room with two boxes: an export that is cancelled and continued makes the
 // same files as one that runs through.
 TEST(ExportQueueGl, ContinuesToTheSameBytes) {
-    const test::TempFolder folder;
-    test::ObjWriter room;
+    const dollytrack::test::TempFolder folder;
+    dollytrack::test::ObjWriter room;
     room.room({4, 3, 2.6}, true);
     room.object("table").box({2.6, 0.8, 0}, {3.4, 2.2, 0.74});
     room.object("sofa").box({0.1, 0.6, 0}, {0.9, 2.4, 0.7});

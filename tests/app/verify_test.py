@@ -6,6 +6,7 @@ import unittest
 import corruptions
 import format_corruptions  # noqa: F401  (adds to corruptions.ALL)
 import tiny_room
+from dataset_copy import Copy
 from program import FolderCase, run
 
 
@@ -34,7 +35,7 @@ class VerifyTest(FolderCase):
         folder = self.folder / "damaged"
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(self.dataset, folder)
-        copy = corruptions.Copy(folder)
+        copy = Copy(folder)
         function(copy)
         copy.save()
         return folder
@@ -93,7 +94,7 @@ class VerifyTest(FolderCase):
         self.assertEqual(export.returncode, 0, export.stderr)
         code, checks = self.verify(out)
         self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
-        copy = corruptions.Copy(out)
+        copy = Copy(out)
         self.assertTrue(all(frame["moving"] for frame in copy.card["frames"]))
         for frame in copy.card["frames"]:
             for moved in frame["moving"]:
@@ -130,6 +131,11 @@ class VerifyTest(FolderCase):
     def test_a_folder_without_a_dataset_is_said_to_be_none(self):
         (self.folder / "nothing").mkdir(exist_ok=True)
         self.assertFails(run("verify", self.folder / "nothing"), 4, "dataset.json")
+
+    def test_a_size_that_no_image_has_is_refused(self):
+        def widen(copy):
+            copy.card["conventions"]["intrinsics"]["width"] = 2 ** 30
+        self.assertFails(run("verify", self.damaged(widen)), 4, "conventions.intrinsics", "16384")
 
     def test_a_few_modalities_are_checked_as_far_as_they_go(self):
         out = self.folder / "few"

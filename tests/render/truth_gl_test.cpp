@@ -249,6 +249,54 @@ TEST_F(TruthGl, ThePairOfCamerasSeesWhatDisparitySays) {
     EXPECT_GT(agree, 0.995 * seen);
 }
 
+// A box shaded as if it were round: near its outline the normal looks past what is seen.
+TEST_F(TruthGl, NormalsAreOnTheSideThatIsSeenAlsoWhereFacesAreSmoothed) {
+    for (const Object& object : scene_.objects) {
+        if (object.structure) continue;
+        for (std::uint32_t v = object.first_vertex; v < object.first_vertex + object.vertex_count;
+             ++v) {
+            const Eigen::Vector3d out = scene_.positions[v].cast<double>() - object.box.center;
+            scene_.normals[v] = out.normalized().cast<float>();
+        }
+    }
+    exportAll(false);
+    const Intrinsics lens = makeIntrinsics(smallCamera());
+    int past_outline = 0;
+    int wrong = 0;
+    for (int frame = 0; frame < 4; ++frame) {
+        const cv::Mat normals = image(frameFile("normal_world", frame));
+        const cv::Mat instance = image(frameFile("instance", frame));
+        const Pose& camera = trajectory_.frames[static_cast<std::size_t>(frame)].pose;
+        for (int y = 0; y < lens.height; ++y) {
+            for (int x = 0; x < lens.width; ++x) {
+                const Eigen::Vector3d ahead =
+                    (camera.rotation * lens.unproject(x + 0.5, y + 0.5)).normalized();
+                const RayHit hit = rays_.cast(camera.position, ahead, 1e9, smallCamera().near_m);
+                ASSERT_NE(hit.object_id, 0);
+                const Object& object = scene_.object(hit.object_id);
+                if (object.structure || instance.at<std::uint16_t>(y, x) != object.id) continue;
+                const auto& [a, b, c] = scene_.triangles[hit.triangle];
+                Eigen::Vector3d face = (scene_.positions[b] - scene_.positions[a])
+                                           .cross(scene_.positions[c] - scene_.positions[a])
+                                           .cast<double>()
+                                           .normalized();
+                if (face.dot(ahead) > 0.0) face = -face;
+                Eigen::Vector3d out =
+                    (camera.position + hit.distance * ahead - object.box.center).normalized();
+                if (out.dot(face) < 0.0) out = -out;
+                const auto bgr = normals.at<cv::Vec3w>(y, x);
+                const Eigen::Vector3d found =
+                    Eigen::Vector3d(bgr[2], bgr[1], bgr[0]) * (2.0 / 65535.0) -
+                    Eigen::Vector3d::Ones();
+                past_outline += out.dot(ahead) > 0.05 ? 1 : 0;
+                if (found.dot(ahead) > 1e-3 || found.dot(face) < -1e-3) ++wrong;
+            }
+        }
+    }
+    EXPECT_GT(past_outline, 50);
+    EXPECT_LE(wrong, 5);
+}
+
 TEST_F(TruthGl, AContinuedExportOfEverythingEndsWithTheBytesOfAnUnbrokenOne) {
     exportAll(true);
     const auto expected = tree(folder_ / "out");

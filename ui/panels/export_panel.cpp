@@ -45,9 +45,9 @@ bool isReversed(const ExportDraft& draft) {
 
 Frames framesOf(const ExportView& view, const ExportDraft& draft) {
     if (draft.current_only) return {view.current_frame, view.current_frame + 1, 1};
+    if (isReversed(draft)) return {draft.first, draft.first, 1};
     const int last = draft.last < 0 ? view.frame_count - 1 : draft.last;
     Frames frames;
-    if (isReversed(draft)) return {draft.first, draft.first, 1};
     frames.begin = std::clamp(draft.first, 0, std::max(view.frame_count - 1, 0));
     frames.end =
         std::clamp(last + 1, frames.begin + 1, std::max(view.frame_count, frames.begin + 1));

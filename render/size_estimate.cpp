@@ -1,0 +1,24 @@
+#include "render/size_estimate.h"
+
+#include "render/encoders/encoders.h"
+
+namespace dollytrack::render {
+
+double bytesPerPixel(const Modality& modality, std::size_t flow_distances) {
+    const bool is_flow =
+        modality.encode == encodeFlowForward || modality.encode == encodeFlowBackward;
+    return modality.bytes_per_pixel * (is_flow ? static_cast<double>(flow_distances) : 1.0);
+}
+
+std::uint64_t estimateBytes(const DatasetContents& contents, int frames) {
+    constexpr std::uint64_t kOfTheWhole = 1'000'000;  // dataset.json, tables, the contact sheet
+    double bytes_per_pixel = 0.0;
+    for (const Modality* modality : contents.modalities) {
+        bytes_per_pixel += bytesPerPixel(*modality, contents.flow_distances.size());
+    }
+    const CameraParams& camera = contents.camera;
+    return kOfTheWhole + static_cast<std::uint64_t>(bytes_per_pixel * frames * camera.width_px *
+                                                    camera.height_px);
+}
+
+}  // namespace dollytrack::render

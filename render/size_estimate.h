@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/dataset_contents.h"
+#include "render/modalities.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dollytrack::render {
+
+/// Of all of a frame's files of a modality, on the high side of furnished rooms. Where flow goes to
+/// several distances a frame has several files of it.
+[[nodiscard]] double bytesPerPixel(const Modality& modality, std::size_t flow_distances);
+
+/// What the images of so many frames take.
+[[nodiscard]] std::uint64_t estimateBytes(const DatasetContents& contents, int frames);
+
+}  // namespace dollytrack::render
