@@ -1,5 +1,6 @@
 #include "render/frame_pipeline.h"
 
+#include "render/crack_filling.h"
 #include "render/light_rig.h"
 #include "render/light_volume.h"
 
@@ -69,6 +70,7 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
         if (Status status = renderer_->draw(right, *right_); !status) return status;
         right_->readRgb(record.rgb_right);
         right_->readDepth(record.depth_right_m);
+        fillRightCracks(context_, right, record);
     }
     return {};
 }
@@ -124,12 +126,15 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     RenderTarget& target = *targets_[drawn_ % targets_.size()];
     FrameRecord record = emptyRecord(missing_[drawn_]);
     target.readIds(record.instance);
+    const View view = viewOf(record.index);
+    const std::vector<CrackPixel> cracks =
+        findCracks(view, record.instance, *context_.moving.raysAt(record.index));
+    fillCracks(cracks, context_, view, record);  // before it is counted
     if (Status status = countLast(ledger); !status) return status;
     // What silhouettes a frame needs depends on the frames before it, so these must be counted in
     // their order, wherever they come from.
     countRestored(record.index);
     const std::vector<int> wanted = counter_.addFrame(record);
-    const View view = viewOf(record.index);
     placeObjects(record.index);
     if (needs(kNeedsWhole)) {
         if (Status status = drawInstances(view, record, wanted); !status) return status;
@@ -146,6 +151,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     if (needs(kNeedsRgb)) target.readRgb(record.rgb);
     if (needs(kNeedsDepth)) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;
+    fillCracks(cracks, context_, view, record);
     ++drawn_;
     return writer.write(std::move(record));
 }

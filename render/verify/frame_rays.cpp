@@ -119,6 +119,7 @@ bool FrameRays::isHair(int x, int y, int id, double metres) const {
 }
 
 bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
+    if (id > static_cast<int>(scene_.objects.size())) return false;
     const double slack = rounding_m + kDrawing * (1.0 + metres);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {

@@ -143,3 +143,11 @@ def gltf_field_of_view_of_the_width(copy):
 def relation_to_nothing(copy):
     related = next(one for one in copy.card["objects"] if one["relations"])
     related["relations"][0]["id"] = len(copy.card["objects"]) + 1
+
+
+@found_by("classes")
+def object_that_does_not_exist(copy):
+    def foreign(ids):
+        ids[20, 30] = 9999
+        return ids
+    copy.edit("instance/000001.png", foreign)

@@ -1,0 +1,116 @@
+#include "render/crack_filling.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace dollytrack::render {
+namespace {
+
+struct Neighbours {
+    int inside = 0;  // the image
+    int shown = 0;
+    std::vector<std::size_t> pixels;  // those shown
+};
+
+Neighbours neighboursOf(int x, int y, int width, int height,
+                        std::span<const std::uint16_t> labels) {
+    Neighbours found;
+    for (int row = std::max(0, y - 1); row <= std::min(height - 1, y + 1); ++row) {
+        for (int column = std::max(0, x - 1); column <= std::min(width - 1, x + 1); ++column) {
+            if (row == y && column == x) continue;
+            const std::size_t pixel =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(column);
+            ++found.inside;
+            if (labels[pixel] == 0) continue;
+            ++found.shown;
+            found.pixels.push_back(pixel);
+        }
+    }
+    return found;
+}
+
+/// The shading normal where the ray meets the triangle, on the camera's side.
+Eigen::Vector3f normalAt(const FrameContext& context, int frame, const RayHit& hit,
+                         const ViewRay& ray) {
+    const Scene& scene = context.contents.scene;
+    Eigen::Vector3d point = ray.origin + hit.distance * ray.direction;
+    Eigen::Isometry3d rest_from_now = Eigen::Isometry3d::Identity();
+    const std::vector<Eigen::Isometry3d> to_rest = context.moving.toRest(frame);
+    if (!to_rest.empty()) rest_from_now = to_rest[static_cast<std::size_t>(hit.object_id)];
+    point = rest_from_now * point;
+
+    const Triangle& corners = scene.triangles[hit.triangle];
+    const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
+    const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;
+    const Eigen::Vector3d ac = scene.positions[corners[2]].cast<double>() - a;
+    const Eigen::Vector3d across = ab.cross(ac);
+    const double v = (point - a).cross(ac).dot(across) / across.squaredNorm();
+    const double w = ab.cross(point - a).dot(across) / across.squaredNorm();
+    Eigen::Vector3d normal = (1.0 - v - w) * scene.normals[corners[0]].cast<double>() +
+                             v * scene.normals[corners[1]].cast<double>() +
+                             w * scene.normals[corners[2]].cast<double>();
+    if (!(normal.norm() > 1e-6)) normal = across;
+    normal = rest_from_now.linear().transpose() * normal.normalized();
+    if (normal.dot(ray.direction) > 0.0) normal = -normal;
+    return normal.cast<float>();
+}
+
+void copyColour(std::vector<std::uint8_t>& rgb, const CrackPixel& crack) {
+    if (!rgb.empty()) std::copy_n(&rgb[3 * crack.like], 3, &rgb[3 * crack.pixel]);
+}
+
+}  // namespace
+
+std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16_t> labels,
+                                   const RayCaster& rays) {
+    std::vector<CrackPixel> cracks;
+    const int width = view.intrinsics.width;
+    const int height = view.intrinsics.height;
+    for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
+        if (labels[pixel] != 0) continue;
+        const int x = static_cast<int>(pixel) % width;
+        const int y = static_cast<int>(pixel) / width;
+        const Neighbours around = neighboursOf(x, y, width, height, labels);
+        if (2 * around.shown <= around.inside) continue;
+        const ViewRay ray = view.rayThrough(x + 0.5, y + 0.5);
+        const RayHit hit = rays.cast(ray.origin, ray.direction,
+                                     std::numeric_limits<double>::infinity(), view.near_m);
+        if (hit.object_id == 0) continue;
+        const auto same =
+            std::find_if(around.pixels.begin(), around.pixels.end(),
+                         [&](std::size_t other) { return labels[other] == hit.object_id; });
+        cracks.push_back({pixel, same == around.pixels.end() ? around.pixels.front() : *same, hit});
+    }
+    return cracks;
+}
+
+void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
+                FrameRecord& record) {
+    for (const CrackPixel& crack : cracks) {
+        record.instance[crack.pixel] = static_cast<std::uint16_t>(crack.hit.object_id);
+        if (!record.depth_m.empty()) {
+            record.depth_m[crack.pixel] = static_cast<float>(crack.hit.distance);
+        }
+        copyColour(record.rgb, crack);
+        copyColour(record.albedo, crack);
+        if (record.normals_in_world.empty()) continue;
+        const auto width = static_cast<std::size_t>(record.width);
+        const ViewRay ray = view.rayThrough(static_cast<double>(crack.pixel % width) + 0.5,
+                                            static_cast<double>(crack.pixel / width) + 0.5);
+        record.normals_in_world[crack.pixel] = normalAt(context, record.index, crack.hit, ray);
+    }
+}
+
+void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record) {
+    std::vector<std::uint16_t> shown(record.depth_right_m.size());
+    std::transform(record.depth_right_m.begin(), record.depth_right_m.end(), shown.begin(),
+                   [](float depth) { return std::uint16_t{depth > 0.0F}; });
+    for (const CrackPixel& crack : findCracks(right, shown, *context.moving.raysAt(record.index))) {
+        record.depth_right_m[crack.pixel] = static_cast<float>(crack.hit.distance);
+        copyColour(record.rgb_right, crack);
+    }
+}
+
+}  // namespace dollytrack::render

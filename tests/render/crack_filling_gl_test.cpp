@@ -1,0 +1,96 @@
+#include "render/crack_filling.h"
+
+#include "tests/render/gl_fixture.h"
+#include "tests/support/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::render {
+namespace {
+
+/// A room of thick boxes that stand on each other: their edges lie on one line, in no common
+/// corner.
+Scene roomOfBoxes() {
+    dollytrack::test::SceneBuilder builder;
+    const dollytrack::test::SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
+    builder.object("floor", wall).box({2, 1.5, -0.05}, {4.0, 3.0, 0.1});
+    builder.object("ceiling", wall).box({2, 1.5, 2.65}, {4.0, 3.0, 0.1});
+    builder.object("wall_1", wall).box({-0.05, 1.47, 1.3}, {0.1, 3.31, 2.6});
+    builder.object("wall_2", wall).box({4.05, 1.52, 1.3}, {0.1, 3.17, 2.6});
+    builder.object("wall_3", wall).box({1.97, -0.05, 1.3}, {4.23, 0.1, 2.6});
+    builder.object("wall_4", wall).box({2.01, 3.05, 1.3}, {4.37, 0.1, 2.6});
+    builder.object("cabinet").box({1, 2.7, 0.4}, {0.83, 0.6, 0.8});
+    return builder.build();
+}
+
+std::ptrdiff_t unlabelled(const FrameRecord& frame) {
+    return std::count(frame.instance.begin(), frame.instance.end(), 0);
+}
+
+class CrackFillingGl : public test::GlTest {};
+
+// From inside a closed room every pixel shows something.
+TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
+    const Scene scene = roomOfBoxes();
+    const RayCaster rays(scene);
+    const MovingObjects still(scene, rays, {});
+    CameraParams camera;
+    camera.width_px = 320;
+    camera.height_px = 240;
+    camera.hfov_deg = 90.0;
+    const DatasetContents contents{scene, camera, {}, {}};
+    const FrameContext context{contents, still};
+    Result<OffscreenRenderer> renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+
+    std::ptrdiff_t drawn_as_nothing = 0;
+    for (int i = 0; i < 60; ++i) {
+        const double angle = 0.37 * i;
+        const Eigen::Vector3d eye(2.0 + 0.011 * i, 1.5 - 0.007 * i, 1.2 + 0.013 * i);
+        const Eigen::Vector3d target =
+            eye + Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.9 * std::sin(1.7 * i));
+        const View view = makeView(camera, lookAt(eye, target));
+        Result<FrameRecord> frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        drawn_as_nothing += unlabelled(*frame);
+
+        const std::vector<CrackPixel> cracks = findCracks(view, frame->instance, rays);
+        fillCracks(cracks, context, view, *frame);
+
+        EXPECT_EQ(unlabelled(*frame), 0) << "frame " << i;
+        for (const CrackPixel& crack : cracks) {
+            const auto x = static_cast<double>(crack.pixel % 320) + 0.5;
+            const auto y = static_cast<double>(crack.pixel / 320) + 0.5;
+            const RayHit hit =
+                rays.cast(view.pose.position, view.pose.rotation * view.intrinsics.unproject(x, y));
+            EXPECT_EQ(frame->instance[crack.pixel], hit.object_id);
+            EXPECT_NEAR(frame->depth_m[crack.pixel], hit.distance, 1e-5);
+            EXPECT_TRUE(std::equal(&frame->rgb[3 * crack.pixel], &frame->rgb[3 * crack.pixel] + 3,
+                                   &frame->rgb[3 * crack.like]));
+        }
+    }
+    EXPECT_GT(drawn_as_nothing, 0) << "this room has no cracks to be filled";
+}
+
+// Where there is nothing, and a window's corner is no crack.
+TEST_F(CrackFillingGl, WhatIsOpenStaysOpen) {
+    dollytrack::test::SceneBuilder builder;
+    builder.object("post").box({0, 2, 0}, {0.2, 0.2, 4});
+    const Scene scene = builder.build();
+    const RayCaster rays(scene);
+    CameraParams camera;
+    camera.width_px = 64;
+    camera.height_px = 48;
+    const View view = makeView(camera, lookAt({0, 0, 0}, {0, 2, 0}));
+    std::vector<std::uint16_t> labels(64 * 48, 1);
+    labels[10 * 64 + 5] = 0;   // beside the post, where rays meet nothing
+    labels[24 * 64 + 32] = 0;  // on it
+    const std::vector<CrackPixel> cracks = findCracks(view, labels, rays);
+    ASSERT_EQ(cracks.size(), 1U);
+    EXPECT_EQ(cracks[0].pixel, 24U * 64 + 32);
+    EXPECT_EQ(labels[cracks[0].like], 1);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
