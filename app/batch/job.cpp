@@ -25,6 +25,8 @@ std::vector<std::string> argumentsOf(const BatchOrder& order, const ParameterSet
     if (order.unit_m) add({"--unit", fmt::format("{}", *order.unit_m)});
     if (order.up_axis) add({"--up", *order.up_axis});
     if (order.labels) add({"--labels", fs::absolute(*order.labels).string()});
+    for (const fs::path& folder : order.models) add({"--models", fs::absolute(folder).string()});
+    if (order.annotations) add({"--annotations", fs::absolute(*order.annotations).string()});
     for (const std::string& assignment : set.assignments) add({"--set", assignment});
     if (seed) add({"--seed", std::to_string(*seed)});
     if (!planner.empty()) add({"--planner", planner});

@@ -90,6 +90,20 @@ class OrderReader {
         if (labels && !fs::exists(*order_.labels)) {
             import.refuse(import.placeOf("labels"), "there is no file '" + *labels + "'");
         }
+        Texts models;
+        import.read("models", models);
+        for (const Placed<std::string>& folder : models) {
+            order_.models.push_back(besideFile(folder.value));
+            if (!fs::is_directory(order_.models.back())) {
+                import.refuse(folder.where, "there is no folder '" + folder.value + "'");
+            }
+        }
+        std::optional<std::string> annotations;
+        import.read("annotations", annotations);
+        if (annotations) order_.annotations = besideFile(*annotations);
+        if (annotations && !fs::exists(*order_.annotations)) {
+            import.refuse(import.placeOf("annotations"), "there is no '" + *annotations + "'");
+        }
         passOn(import.finish());
     }
 

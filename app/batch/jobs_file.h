@@ -37,6 +37,8 @@ struct BatchOrder {
     std::optional<double> unit_m;
     std::optional<std::string> up_axis;
     std::optional<std::filesystem::path> labels;
+    std::vector<std::filesystem::path> models;  // folders
+    std::optional<std::filesystem::path> annotations;
     std::optional<ExportOrder> exports;  // none: the jobs only plan
     std::vector<std::string> require;
     double timeout_s = 0.0;       // of one job; 0: none

@@ -22,9 +22,7 @@ constexpr const char* kAnyFolders = "**";
 
 /// The kinds of files that a pattern picks; a room's folder holds textures and materials, too.
 bool isScene(const fs::path& path) {
-    static const std::vector<std::string> kinds = sceneExtensions();
-    const std::string ending = lowerExtension(path);
-    return ending == ".dolly" || std::find(kinds.begin(), kinds.end(), ending) != kinds.end();
+    return lowerExtension(path) == ".dolly" || isSceneFile(path);
 }
 
 using Parts = std::vector<std::string>;

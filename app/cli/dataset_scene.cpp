@@ -86,9 +86,11 @@ void asThen(const SaidOfScene& said, ImportOptions& options) {
 }
 
 Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
-                           const std::optional<std::string>& labels, const JobContext& job) {
+                           const DatasetSceneArguments& given, const JobContext& job) {
     ImportOptions options;
-    if (labels) options.labels = *labels;
+    if (given.labels) options.labels = *given.labels;
+    options.model_folders.assign(given.models.begin(), given.models.end());
+    if (given.annotations) options.annotations = *given.annotations;
     options.read_textures = false;
     options.small_volume_m3 = said.sizes.small_volume_m3;
     options.size_ratio = said.sizes.size_ratio;
@@ -105,16 +107,18 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
 }
 
 Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidOfScene& said,
-                                               const std::optional<std::string>& labels,
+                                               const DatasetSceneArguments& given,
                                                const JobContext& job) {
     if (path.extension() != ".dolly") {
-        Result<Scene> scene = importAsThen(path, said, labels, job);
+        Result<Scene> scene = importAsThen(path, said, given, job);
         if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
         return std::make_shared<const Scene>(std::move(*scene));
     }
     SceneArguments arguments;
     arguments.path = path.string();
-    arguments.labels = labels;
+    arguments.labels = given.labels;
+    arguments.models = given.models;
+    arguments.annotations = given.annotations;
     Result<OpenedScene> opened = openScene(arguments, job);
     if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
     return opened->scene;
@@ -131,6 +135,16 @@ void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& argument
         .add_option("--labels", arguments.labels,
                     "The table of names and NYU40 classes it was made with, if any")
         ->type_name("CSV");
+    command
+        .add_option("--models", arguments.models,
+                    "A folder of models that the scene was made with; may be repeated")
+        ->check(CLI::ExistingDirectory.description(""))
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option("--annotations", arguments.annotations,
+                    "The annotations that it was made with, if any")
+        ->type_name("DIR");
 }
 
 Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
@@ -145,7 +159,7 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
         opened.missing = "the scene " + said->file + " is not beside it; name it with --scene";
         return opened;
     }
-    Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments.labels, job);
+    Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     if ((*scene)->source_sha256 != said->sha256) {
         return fail(ErrorCode::BadInput,

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -20,9 +21,11 @@ namespace dollytrack::cli {
 struct DatasetSceneArguments {
     std::string path;  // scene or project; empty: looked for
     std::optional<std::string> labels;
+    std::vector<std::string> models;  // folders
+    std::optional<std::string> annotations;
 };
 
-/// --scene, --labels
+/// --scene, --labels, --models, --annotations
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments);
 
 /// The scene that the dataset shows, as it was then: with the edits that dataset.json has.

@@ -222,10 +222,11 @@ Status checkArguments(const EditArguments& arguments) {
                     "Say what to edit: give --script or --op; --list tells what.");
     }
     const SceneArguments& scene = arguments.scene;
-    if (arguments.showsOnly() && (scene.unit_m || scene.up_axis || scene.labels)) {
+    if (arguments.showsOnly() && (scene.unit_m || scene.up_axis || scene.labels ||
+                                  !scene.models.empty() || scene.annotations)) {
         return fail(ErrorCode::Usage,
-                    "Edits are listed without reading the scene; leave --unit, --up and --labels "
-                    "out.");
+                    "Edits are listed without reading the scene; leave --unit, --up, --labels, "
+                    "--models and --annotations out.");
     }
     if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",

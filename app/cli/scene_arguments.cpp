@@ -143,6 +143,15 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
     if (arguments.unit_m) stored["unit_m"] = *arguments.unit_m;
     if (arguments.up_axis) stored["up_axis"] = *arguments.up_axis;
     if (arguments.labels) stored["labels"] = std::filesystem::absolute(*arguments.labels).string();
+    if (!arguments.models.empty()) {
+        stored["model_folders"] = nlohmann::json::array();
+        for (const std::string& folder : arguments.models) {
+            stored["model_folders"].push_back(std::filesystem::absolute(folder).string());
+        }
+    }
+    if (arguments.annotations) {
+        stored["annotations"] = std::filesystem::absolute(*arguments.annotations).string();
+    }
     return stored;
 }
 
@@ -185,7 +194,8 @@ io::ProjectFile projectOf(const OpenedScene& opened) {
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("scene", arguments.path,
-                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
+                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; 3D-FRONT, SceneNet RGB-D) or "
+                    ".dolly project")
         ->required()
         ->type_name("SCENE");
     addImportArguments(command, arguments);
@@ -202,6 +212,18 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         .add_option("--labels", arguments.labels,
                     "Table of names and NYU40 classes, added to the built-in one")
         ->type_name("CSV");
+    command
+        .add_option("--models", arguments.models,
+                    "Folder with the models of a scene made of models (3D-FUTURE-model, "
+                    "ShapeNetCore.v2); may be repeated")
+        ->check(CLI::ExistingDirectory.description(""))
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option("--annotations", arguments.annotations,
+                    "Folder that says which mesh is what: Hypersim's ai_VVV_NNN")
+        ->check(CLI::ExistingPath.description(""))
+        ->type_name("DIR");
 }
 
 void addParameterArguments(CLI::App& command, SceneArguments& arguments) {

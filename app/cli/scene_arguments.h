@@ -27,7 +27,9 @@ struct SceneArguments {
     std::optional<double> unit_m;
     std::optional<std::string> up_axis;
     std::optional<std::string> labels;
-    std::vector<std::string> assignments;  // --set name=value
+    std::vector<std::string> models;         // --models folders
+    std::optional<std::string> annotations;  // a folder
+    std::vector<std::string> assignments;    // --set name=value
     std::optional<int> seed;
     std::optional<int> max_frames;
     std::optional<double> max_length_m;
@@ -41,7 +43,8 @@ struct SceneArguments {
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// --unit, --up, --labels: part of the above, for commands that take several scenes.
+/// --unit, --up, --labels, --models, --annotations: part of the above, for commands that take
+/// several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
 /// --set, --seed, --max-frames, --max-length; --ignore, --only, --start, --end, --loop
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
@@ -53,7 +56,7 @@ struct OpenedScene {
     planning::PlanParams params;
     Edits edits;           // as the project has them
     PlanEdits plan_edits;  // with the numbers that their objects have in the scene
-    nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, where given
+    nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, ..., where given
     std::string asked_start;  // the pinned point that --start names or made; empty without one
     std::string asked_end;
     nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds

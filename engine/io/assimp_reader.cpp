@@ -4,8 +4,10 @@
 #include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
+#include "engine/scene/srgb.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -87,6 +89,19 @@ class BackgroundDisposal {
     std::thread worker_;
 };
 
+/// assimp gives up the whole model when its MTL file has fewer than eight bytes, an empty line of
+/// some exporter's; without the file it goes on.
+class ModelFiles : public Assimp::DefaultIOSystem {
+  public:
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        std::error_code error;
+        if (extensionOf(file) == ".mtl" && std::filesystem::file_size(file, error) < 8) {
+            return nullptr;
+        }
+        return Assimp::DefaultIOSystem::Open(file, mode);
+    }
+};
+
 Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     for (unsigned row = 0; row < 3; ++row) {
@@ -128,10 +143,6 @@ void readFbxFrame(const aiScene& scene, RawScene& raw) {
     if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis < 3) {
         raw.file_up_axis = "xyz"[axis];
     }
-}
-
-float toLinear(float srgb) {
-    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }
 
 /// Collects each picture once, however many materials ask for it.
@@ -192,7 +203,9 @@ Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textu
     aiColor4D color(0.8F, 0.8F, 0.8F, 1.0F);
     if (source.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) {
         source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
-        if (!is_gltf) color = {toLinear(color.r), toLinear(color.g), toLinear(color.b), color.a};
+        if (!is_gltf)
+            color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b),
+                     color.a};
     }
     aiString file;
     if (source.GetTexture(aiTextureType_BASE_COLOR, 0, &file) == AI_SUCCESS ||
@@ -306,7 +319,8 @@ void useVertexColors(const aiScene& scene, const std::vector<Placement>& placeme
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             const aiColor4D& c = mesh.mColors[0][v];
-            sum += Eigen::Vector3f(toLinear(c.r), toLinear(c.g), toLinear(c.b)).cast<double>();
+            sum += Eigen::Vector3f(linearFromSrgb(c.r), linearFromSrgb(c.g), linearFromSrgb(c.b))
+                       .cast<double>();
         }
         Material material = raw.materials[part.material];
         material.base_color = (sum / mesh.mNumVertices).cast<float>();
@@ -359,7 +373,8 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
         auto importer = std::make_unique<Assimp::Importer>();
         keepOurReaders(*importer);
         importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-        importer->SetProgressHandler(new CancelWatch(job));  // the importer owns it
+        importer->SetProgressHandler(new CancelWatch(job));  // the importer owns both
+        importer->SetIOHandler(new ModelFiles);
         const aiScene* scene = importer->ReadFile(path.string(), 0);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         if (!scene || !scene->mRootNode) {

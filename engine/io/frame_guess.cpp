@@ -225,6 +225,12 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
         choice.unit_source = "given";
         return;
     }
+    // A data set's or home's own unit is no setting of an exporter.
+    if (raw.file_unit_m && !raw.objects.empty()) {
+        choice.unit_m = *raw.file_unit_m;
+        choice.unit_source = "file";
+        return;
+    }
     const int up = choice.up_axis - 'x';
     constexpr double kDoubtful = 0.35;
     constexpr double kBelievable = 0.9;  // of what a file says; rooms of usual sizes score 1

@@ -11,6 +11,14 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
     try {
         if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
         if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
+        if (settings.contains("model_folders")) {
+            for (const nlohmann::json& folder : settings["model_folders"]) {
+                options.model_folders.emplace_back(folder.get<std::string>());
+            }
+        }
+        if (settings.contains("annotations")) {
+            options.annotations = settings["annotations"].get<std::string>();
+        }
         if (settings.contains("up_axis")) {
             const auto axis = settings["up_axis"].get<std::string>();
             options.up_axis = axis.empty() ? 'y' : axis.front();

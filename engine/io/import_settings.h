@@ -7,8 +7,9 @@
 
 namespace dollytrack::io {
 
-/// The import section of a project (`unit_m`, `up_axis`, `labels`: what a person said of the scene
-/// file) as options of importScene(). Error: BadInput for a wrong type.
+/// The import section of a project (`unit_m`, `up_axis`, `labels`, `model_folders`, `annotations`:
+/// what a person said of the scene file) as options of importScene(). Error: BadInput for a wrong
+/// type.
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);
 
 }  // namespace dollytrack::io

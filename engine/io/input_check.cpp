@@ -1,5 +1,6 @@
 #include "engine/io/input_check.h"
 
+#include "engine/io/datasets/hypersim_annotations.h"
 #include "engine/io/scene_format.h"
 
 #include <algorithm>
@@ -102,6 +103,8 @@ Result<const SceneFormat*> checkSceneFile(const Path& path) {
                     where);
     }
     if (std::filesystem::is_directory(status)) {
+        const std::string hypersim = io::describeHypersimFolder(path);
+        if (!hypersim.empty()) return fail(ErrorCode::Usage, hypersim, where);
         return fail(ErrorCode::BadInput,
                     "this is a folder; name the scene file inside it (" + listOfExtensions() + ")",
                     where);

@@ -81,7 +81,8 @@ std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& l
         draft.label = labels.find(object.category);
         if (draft.label.kind == LabelKind::None) draft.label = labels.find(object.name);
         if (object.nyu40 > 0) draft.label.nyu40 = object.nyu40;
-        draft.label.kind = object.structure ? LabelKind::Structure : LabelKind::Target;
+        const bool by_word = object.nyu40 == 0 && draft.label.kind == LabelKind::Structure;
+        draft.label.kind = object.structure || by_word ? LabelKind::Structure : LabelKind::Target;
         draft.front = object.front;
         drafts.push_back(std::move(draft));
     }

@@ -66,7 +66,7 @@ struct SourceObject {
     std::string name;                      // clean text
     std::string category;                  // the source's word for its class, for the label tables
     int nyu40 = 0;                         // 0: found by the category, else by the name
-    bool structure = false;                // part of the building
+    bool structure = false;                // part of the building; else its word for it may say so
     std::vector<std::size_t> parts;        // indices into RawScene::parts
     std::optional<Eigen::Vector3d> front;  // horizontal, in the source's axes
 };
@@ -82,6 +82,7 @@ struct RawScene {
     std::optional<double> file_unit_m;  // from metadata
     char file_up_axis = 0;              // 'x', 'y', 'z'; 0: the format does not say
     std::vector<std::string> notes;
+    std::vector<std::string> warnings;  // what is missing or doubtful: the user should look
 };
 
 }  // namespace dollytrack

@@ -1,16 +1,44 @@
 #include "engine/io/scene_format.h"
 
 #include "engine/io/assimp_reader.h"
+#include "engine/io/datasets/front3d_reader.h"
+#include "engine/io/datasets/hypersim_objects.h"
+#include "engine/io/datasets/scenenet_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <fstream>
 
 namespace dollytrack {
 namespace {
 
-Result<RawScene> readModel(const std::filesystem::path& path, const ImportOptions& /*options*/,
+/// The folder with Hypersim's annotations: the one that is given, else what lies beside an OBJ
+/// file; empty without.
+Result<std::filesystem::path> annotationsFor(const std::filesystem::path& path,
+                                             const ImportOptions& options) {
+    std::error_code error;
+    if (!options.annotations || !std::filesystem::is_directory(*options.annotations, error)) {
+        return lowerExtension(path) == ".obj" && !options.annotations ? io::findHypersimBeside(path)
+                                                                      : std::filesystem::path();
+    }
+    std::filesystem::path found = io::findHypersimMesh(*options.annotations);
+    if (!found.empty()) return found;
+    return fail(ErrorCode::BadInput,
+                "there is no _detail/mesh/metadata_objects.csv in the folder of annotations",
+                options.annotations->string());
+}
+
+Result<RawScene> readModel(const std::filesystem::path& path, const ImportOptions& options,
                            const JobContext& job) {
-    return readWithAssimp(path, job);
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (!folder) return tl::unexpected(folder.error());
+    if (folder->empty()) return readWithAssimp(path, job);
+    const Result<io::HypersimAnnotations> annotations = io::readHypersimAnnotations(*folder);
+    if (!annotations) return tl::unexpected(annotations.error());
+    Result<RawScene> scene = readWithAssimp(path, job);
+    if (scene) io::applyHypersim(*annotations, *scene);
+    return scene;
 }
 
 char firstLetter(std::string_view head) {
@@ -45,6 +73,8 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"a Collada file", {".dae"}, likeCollada, readModel},
         {"a PLY file", {".ply"}, likePly, readModel},
         {"an STL file", {".stl"}, anything, readModel},
+        {"a 3D-FRONT scene", {".json"}, io::likeFront3d, io::readFront3dScene, true},
+        {"a SceneNet RGB-D scene", {".txt"}, io::likeSceneNet, io::readSceneNetScene, true},
     };
     return formats;
 }
@@ -59,6 +89,20 @@ std::vector<std::string> sceneExtensions() {
         }
     }
     return all;
+}
+
+bool isSceneFile(const std::filesystem::path& path) {
+    const std::string extension = lowerExtension(path);
+    for (const SceneFormat& format : sceneFormats()) {
+        const auto& ours = format.extensions;
+        if (std::find(ours.begin(), ours.end(), extension) == ours.end()) continue;
+        if (!format.shares_extension) return true;
+        std::ifstream in(path, std::ios::binary);
+        std::array<char, 4096> head{};
+        in.read(head.data(), head.size());
+        if (format.begins_like({head.data(), static_cast<std::size_t>(in.gcount())})) return true;
+    }
+    return false;
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

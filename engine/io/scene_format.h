@@ -21,6 +21,8 @@ struct SceneFormat {
     /// Everything the file holds, in its own axes and unit.
     Result<RawScene> (*read)(const std::filesystem::path& path, const ImportOptions& options,
                              const JobContext& job);
+    /// Files of quite another kind have the extension, too: patterns pick only what begins like it.
+    bool shares_extension = false;
 };
 
 /// Every kind that can be read. Where several share an extension the first that fits counts.
@@ -28,6 +30,10 @@ const std::vector<SceneFormat>& sceneFormats();
 
 /// The extensions of all formats, each once, in order: what file dialogs and patterns pick.
 std::vector<std::string> sceneExtensions();
+
+/// Whether a pattern of files should pick this one: by its extension, and by its first bytes where
+/// the extension is not the format's alone.
+bool isSceneFile(const std::filesystem::path& path);
 
 /// ".GLTF" of "room.GLTF" as ".gltf".
 std::string lowerExtension(const std::filesystem::path& path);

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/frame_guess.h"
+#include "engine/io/import_labels.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
 #include "engine/io/piece_merge.h"
@@ -129,16 +130,6 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
     noteMerges(merges, drafts, report);
 }
 
-Result<LabelTable> labelTable(const ImportOptions& options) {
-    LabelTable table = LabelTable::builtIn();
-    if (options.labels) {
-        if (Status added = table.addFile(*options.labels); !added) {
-            return tl::unexpected(added.error());
-        }
-    }
-    return table;
-}
-
 Status checkOptions(const ImportOptions& options) {
     if (options.unit_m && !(*options.unit_m > 0.0 && *options.unit_m < 1e6)) {
         return fail(ErrorCode::Usage, "metres per unit must be above 0 and below 1e6", "unit_m");
@@ -157,7 +148,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (Status ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
     const Result<const SceneFormat*> format = checkSceneFile(path);
     if (!format) return tl::unexpected(format.error());
-    const Result<LabelTable> labels = labelTable(options);
+    const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
 
     // A reader works on one core; the other can hash meanwhile.
@@ -184,6 +175,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
 
     const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
     scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
+    scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
+                                 raw.warnings.end());
     scene.report.unit_m = frame.unit_m;
     scene.report.unit_source = frame.unit_source;
     scene.report.up_axis = std::string(1, frame.up_axis);

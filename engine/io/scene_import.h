@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace dollytrack {
 
@@ -14,13 +15,17 @@ struct ImportOptions {
     std::optional<double> unit_m = std::nullopt;  // metres per source unit; else found out
     std::optional<char> up_axis = std::nullopt;   // 'x', 'y' or 'z'; else found out
     std::optional<std::filesystem::path> labels =
-        std::nullopt;              // a label table added to the built-in one
+        std::nullopt;  // a label table added to the built-in one
+    /// Where the models of scenes made of models are: 3D-FUTURE-model, ShapeNetCore and the like.
+    std::vector<std::filesystem::path> model_folders = {};
+    /// A folder that says which mesh is what: Hypersim's ai_VVV_NNN or its _detail.
+    std::optional<std::filesystem::path> annotations = std::nullopt;
     bool read_textures = true;     // else they are named, but empty
     double small_volume_m3 = 0.1;  // smaller objects are small
     double size_ratio = 5.0;       // also small: this many times smaller than what carries it
 };
 
-/// Reads an OBJ, FBX, glTF/GLB, DAE, PLY or STL file into a scene: objects, classes, boxes,
+/// Reads a scene file of one of the kinds of scene_format.h into a scene: objects, classes, boxes,
 /// fronts, unit and up axis found, everything repaired or doubtful said in Scene::report.
 /// The only door to third-party model readers.
 Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options = {},

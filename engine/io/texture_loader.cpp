@@ -187,10 +187,15 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
     if (requests.empty()) return set;
     fs::path folder = scene_path.parent_path();
     if (folder.empty()) folder = ".";
-    const bool needs_files =
-        std::any_of(requests.begin(), requests.end(),
-                    [](const TextureRequest& request) { return request.embedded.empty(); });
-    const auto files = needs_files ? indexFolder(folder) : std::map<std::string, fs::path>{};
+    const auto folderOf = [&](const TextureRequest& request) {
+        return request.folder.empty() ? folder : request.folder;
+    };
+    std::map<fs::path, std::map<std::string, fs::path>> files;  // by the folder they are below
+    for (const TextureRequest& request : requests) {
+        if (!request.embedded.empty()) continue;
+        const auto [at, is_new] = files.try_emplace(folderOf(request));
+        if (is_new) at->second = indexFolder(at->first);
+    }
 
     enum class State { Missing, Broken, Found };
     std::vector<State> states(requests.size(), State::Missing);
@@ -208,7 +213,8 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
         }
         std::vector<std::uint8_t> bytes = request.embedded;
         if (bytes.empty()) {
-            const auto path = locate(request.name, folder, files);
+            const fs::path below = folderOf(request);
+            const auto path = locate(request.name, below, files.at(below));
             if (!path) return;
             bytes = readBytes(*path);
         }

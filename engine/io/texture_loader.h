@@ -17,8 +17,9 @@ struct TextureSet {
 };
 
 /// Finds and decodes what the materials ask for, in parallel: bytes inside the file, else a file
-/// beside `scene_path`, in its subfolders, or with another case or folder but the same name. Links
-/// out of that folder are not followed. Sides over 1024 px are made smaller by area averaging.
+/// in the request's folder (beside `scene_path` where it has none), in its subfolders, or with
+/// another case or folder but the same name. Links out of that folder are not followed. Sides over
+/// 1024 px are made smaller by area averaging.
 TextureSet loadTextures(const std::filesystem::path& scene_path,
                         const std::vector<TextureRequest>& requests, const JobContext& job);
 

@@ -11,8 +11,10 @@
 
 namespace dollytrack {
 
-/// assets/labels/nyu40.csv, made a string at build time.
-extern const char* const kBuiltInLabels;
+/// The files of assets/labels, made strings at build time.
+extern const char* const kNyu40Labels;
+extern const char* const kFront3dLabels;
+extern const char* const kShapeNetLabels;
 
 namespace {
 
@@ -52,21 +54,37 @@ std::string trim(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
 }
 
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
 std::string join(const std::vector<std::string>& words, std::size_t first, std::size_t count) {
     std::string text = words[first];
     for (std::size_t i = 1; i < count; ++i) text += ' ' + words[first + i];
     return text;
 }
 
+bool isPreposition(const std::string& word) {
+    static constexpr std::array<std::string_view, 6> kWords = {"with", "of", "for",
+                                                               "in",   "on", "without"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+}  // namespace
+
 bool isStructureClass(int nyu40) {
     return nyu40 == kNyuWall || nyu40 == kNyuFloor || nyu40 == kNyuCeiling || nyu40 == kNyuDoor ||
            nyu40 == kNyuWindow || nyu40 == kNyuOtherStructure;
 }
 
-bool isPreposition(const std::string& word) {
-    static constexpr std::array<std::string_view, 6> kWords = {"with", "of", "for",
-                                                               "in",   "on", "without"};
-    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+namespace {
+
+/// "bunk beds" as a pattern has it: "bunk bed"; empty without a word.
+std::string asWords(const std::string& name) {
+    std::vector<std::string> words = splitWords(name);
+    for (std::string& word : words) word = singular(std::move(word));
+    return words.empty() ? std::string() : join(words, 0, words.size());
 }
 
 }  // namespace
@@ -115,8 +133,10 @@ std::string withoutNumber(std::string_view name) {
 const LabelTable& LabelTable::builtIn() {
     static const LabelTable table = [] {
         LabelTable made;
-        // A test reads every line of it, so it cannot fail here.
-        static_cast<void>(made.add(kBuiltInLabels, "nyu40.csv"));
+        // A test reads every line of them, so they cannot fail here.
+        static_cast<void>(made.add(kNyu40Labels, "nyu40.csv"));
+        static_cast<void>(made.add(kFront3dLabels, "front3d.csv"));
+        static_cast<void>(made.add(kShapeNetLabels, "shapenet.csv"));
         return made;
     }();
     return table;
@@ -136,8 +156,11 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
             return fail(ErrorCode::BadInput,
                         "a label line is \"pattern,class[,structure|target|part|weak]\"", place);
         }
+        const bool whole_name = columns[0].starts_with('=');
         std::vector<std::string> words = splitWords(columns[0]);
-        if (words.empty()) return fail(ErrorCode::BadInput, "the pattern has no letters", place);
+        if (whole_name ? columns[0].size() == 1 : words.empty()) {
+            return fail(ErrorCode::BadInput, "the pattern has no letters", place);
+        }
         for (std::string& word : words) word = singular(std::move(word));
 
         Entry entry;
@@ -161,8 +184,14 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
             return fail(ErrorCode::BadInput,
                         "\"" + kind + "\" is not structure, target, part or weak", place);
         }
+        if (whole_name) {
+            whole_names_[lower(trim(columns[0].substr(1)))] = entry;
+            continue;
+        }
         longest_ = std::max(longest_, words.size());
-        entries_[join(words, 0, words.size())] = entry;
+        const std::string text = join(words, 0, words.size());
+        entries_[text] = entry;
+        std::erase_if(whole_names_, [&](const auto& one) { return asWords(one.first) == text; });
     }
     return {};
 }
@@ -178,6 +207,10 @@ Status LabelTable::addFile(const std::filesystem::path& path) {
 }
 
 Label LabelTable::find(std::string_view name) const {
+    const auto whole = whole_names_.find(lower(trim(name)));
+    if (whole != whole_names_.end()) {
+        return {whole->second.kind, whole->second.nyu40, whole->first};
+    }
     std::vector<std::string> words = splitWords(name);
     for (std::string& word : words) word = singular(std::move(word));
 

@@ -28,10 +28,12 @@ struct Label {
 /// Finds the NYU40 class of a name. Names are split into words at capitals, digits and signs
 /// ("SofaC_01" gives sofa, c); of the patterns found in it the one that ends last counts, and of
 /// those the longest ("coffee_table_book" is a book, "coffee_table_01" a coffee table). Words
-/// after "with", "of", "for", "in", "on" describe and do not count.
+/// after "with", "of", "for", "in", "on" describe and do not count. A line "=text" is for the name
+/// that is just that text, capitals aside, and goes before all words: categories and numbers of
+/// data sets.
 class LabelTable {
   public:
-    /// The table that comes with the program.
+    /// The tables that come with the program: assets/labels/*.csv.
     static const LabelTable& builtIn();
 
     /// Reads lines "pattern,class[,structure|target|part|weak]"; '#' starts a comment. The class is
@@ -40,16 +42,20 @@ class LabelTable {
     Status addFile(const std::filesystem::path& path);
 
     [[nodiscard]] Label find(std::string_view name) const;
-    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+    [[nodiscard]] std::size_t size() const { return entries_.size() + whole_names_.size(); }
 
   private:
     struct Entry {
         LabelKind kind = LabelKind::Target;
         int nyu40 = 0;
     };
-    std::map<std::string, Entry, std::less<>> entries_;  // words in singular, joined by a space
-    std::size_t longest_ = 1;                            // words in the longest pattern
+    std::map<std::string, Entry, std::less<>> entries_;      // words in singular, one space between
+    std::map<std::string, Entry, std::less<>> whole_names_;  // lower case
+    std::size_t longest_ = 1;                                // words in the longest pattern
 };
+
+/// Whether things of this class are part of the building: wall, floor, ceiling, door, window, ...
+bool isStructureClass(int nyu40);
 
 /// "SofaC_01.002" gives {"sofa", "c"}: lower case, no digits.
 std::vector<std::string> splitWords(std::string_view name);

@@ -54,6 +54,58 @@ TEST(LabelTable, UserLinesReplaceAndAdd) {
     EXPECT_EQ(table.find("curtain_1").kind, LabelKind::Structure);
 }
 
+TEST(LabelTable, WholeNamesGoBeforeWords) {
+    LabelTable table = LabelTable::builtIn();
+    ASSERT_TRUE(table.add("=Desk/Lamp,desk\n=04379243,lamp\n", "mine.csv"));
+    EXPECT_EQ(table.find(" desk/LAMP").nyu40, nyu40FromName("desk"));
+    EXPECT_EQ(table.find("desk/lamp_2").nyu40, nyu40FromName("lamp"));
+    EXPECT_EQ(table.find("04379243").nyu40, nyu40FromName("lamp"));
+    // A user's words go before whole names that came with the program.
+    EXPECT_EQ(table.find("Wine Cooler").nyu40, nyu40FromName("cabinet"));
+    ASSERT_TRUE(table.add("wine coolers,refrigerator\n", "mine.csv"));
+    EXPECT_EQ(table.find("Wine Cooler").nyu40, nyu40FromName("refrigerator"));
+    EXPECT_FALSE(table.add("=,lamp\n", "mine.csv"));
+}
+
+struct DatasetCase {
+    const char* category;
+    const char* nyu40;
+};
+
+// What the data sets' makers call their things; the classes are ours.
+TEST(LabelTable, KnowsTheCategoriesOfDataSets) {
+    for (const DatasetCase& c : std::initializer_list<DatasetCase>{
+             {"Bookcase / jewelry Armoire", "bookshelf"},
+             {"Drawer Chest / Corner cabinet", "cabinet"},
+             {"Sideboard / Side Cabinet / Console Table", "cabinet"},
+             {"Cabinet/Shelf/Desk", "cabinet"},
+             {"Pier/Stool", "chair"},
+             {"Lounge Chair / Cafe Chair / Office Chair", "chair"},
+             {"Footstool / Sofastool / Bed End Stool / Stool", "chair"},
+             {"Three-Seat / Multi-seat Sofa", "sofa"},
+             {"Chaise Longue Sofa", "sofa"},
+             {"King-size Bed", "bed"},
+             {"Nightstand", "night stand"},
+             {"Corner/Side Table", "table"},
+             {"TV Stand", "cabinet"},
+             {"Pendant Lamp", "lamp"},
+             {"Others", "otherfurniture"},
+             {"e7a0801e-7abd-4634-b3bc-8777342d124e", "lamp"},
+             {"24670BF9-9c9f-41ae-b190-f5f65eab4ddb", "bed"},
+             {"d6bba626-68d1-4bd7-a32a-bd21457e54a0", "otherfurniture"},
+             {"WallInner", "wall"},
+             {"SlabTop", "ceiling"},
+             {"CustomizedFeatureWall", "wall"},
+             {"03001627", "chair"},
+             {"04256520", "sofa"},
+             {"03928116", "otherfurniture"},
+             {"02691156", "otherprop"},
+             {"20000039", "table"}}) {
+        const Label label = LabelTable::builtIn().find(c.category);
+        EXPECT_EQ(nyu40Name(label.nyu40), c.nyu40) << c.category;
+    }
+}
+
 TEST(LabelTable, NamesTheLineThatIsWrong) {
     LabelTable table;
     const Status status = table.add("sofa,sofa\nlamp,candelabrum\n", "mine.csv");
@@ -66,6 +118,9 @@ TEST(LabelTable, BuiltInTableIsReadToItsEnd) {
     EXPECT_GT(LabelTable::builtIn().size(), 1500U);
     // From the last lines of the file: an error on the way would have stopped before them.
     EXPECT_EQ(LabelTable::builtIn().find("paneling").kind, LabelKind::Weak);
+    EXPECT_EQ(LabelTable::builtIn().find("c280a0a3-4a30-4683-8f8d-f55da3f7b53a").kind,
+              LabelKind::Weak);
+    EXPECT_EQ(LabelTable::builtIn().find("20000041").kind, LabelKind::Target);
 }
 
 TEST(Names, LoseTheirNumbers) {

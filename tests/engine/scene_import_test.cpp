@@ -71,6 +71,17 @@ TEST(SceneImport, ReadsANamedRoom) {
         Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 3, 2.6)), 1e-5));
 }
 
+// Some exporters leave a single line end there, which assimp takes for a broken model.
+TEST(SceneImport, ReadsAModelWhoseMtlFileIsAsGoodAsEmpty) {
+    const TempFolder folder;
+    for (const char* text : {"", "\n", "# none\n", "# no materials\n"}) {
+        static_cast<void>(folder.write("room.mtl", text));
+        const Scene scene =
+            imported(folder.write("room.obj", "mtllib room.mtl\n" + bedroom(1.0, true)));
+        EXPECT_EQ(scene.objects.size(), 11U) << '"' << text << '"';
+    }
+}
+
 TEST(SceneImport, KeepsEachObjectsVerticesAndTrianglesTogether) {
     const TempFolder folder;
     const Scene scene = imported(folder.write("room.obj", bedroom(1.0, true)));

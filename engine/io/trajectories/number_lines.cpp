@@ -23,7 +23,7 @@ Result<std::string> readText(const std::filesystem::path& path) {
     }
     std::ifstream file(path, std::ios::binary);
     if (std::filesystem::is_directory(path, error) || !file) {
-        return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
+        return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
     }
     // A pipe has no size to ask for, so the bytes are counted as they come.
     std::string text;
@@ -31,12 +31,11 @@ Result<std::string> readText(const std::filesystem::path& path) {
     while (file.read(part.data(), part.size()) || file.gcount() > 0) {
         text.append(part.data(), static_cast<std::size_t>(file.gcount()));
         if (text.size() > kLargest) {
-            return fail(ErrorCode::BadInput, "It is larger than 512 MiB; no trajectory is.",
-                        path.string());
+            return fail(ErrorCode::BadInput, "It is larger than 512 MiB.", path.string());
         }
     }
     if (file.bad()) {
-        return fail(ErrorCode::BadInput, "The trajectory cannot be read.", path.string());
+        return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
     }
     return text;
 }

@@ -1,0 +1,98 @@
+#include "engine/io/datasets/bounded_json.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/trajectories/number_lines.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr int kDeepest = 64;
+constexpr std::size_t kMostValues = 50'000'000;
+
+/// Brackets and commas outside of texts, which bound depth and number of values.
+Status checkShape(std::string_view text, const std::string& where) {
+    int depth = 0;
+    std::size_t values = 1;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted) {
+            if (c == '\\') ++i;
+            if (c == '"') quoted = false;
+            continue;
+        }
+        if (c == '"') quoted = true;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (c == ',' || c == '[' || c == '{') ++values;
+        if (depth > kDeepest) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("The file is nested more than {} deep; no scene is.", kDeepest),
+                        where);
+        }
+        if (values > kMostValues) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("The file holds more than {} values.", kMostValues), where);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<nlohmann::json> parseBoundedJson(std::string_view text, const std::string& where) {
+    if (Status fits = checkShape(text, where); !fits) return tl::unexpected(fits.error());
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& error) {
+        return fail(
+            ErrorCode::BadInput,
+            "The file is no JSON (" + cleanText(error.what()) + "); it is damaged or was cut off.",
+            where);
+    }
+}
+
+Result<nlohmann::json> readBoundedJson(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
+    return parseBoundedJson(*text, path.string());
+}
+
+std::optional<double> numberIn(const nlohmann::json& value) {
+    double number = 0.0;
+    if (value.is_number()) {
+        number = value.get<double>();
+    } else if (value.is_string()) {
+        const auto& text = value.get_ref<const std::string&>();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    } else {
+        return std::nullopt;
+    }
+    if (!std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+const nlohmann::json::array_t& listIn(const nlohmann::json& object, const char* key) {
+    static const nlohmann::json::array_t nothing;
+    if (!object.is_object()) return nothing;
+    const auto found = object.find(key);
+    return found != object.end() && found->is_array()
+               ? found->get_ref<const nlohmann::json::array_t&>()
+               : nothing;
+}
+
+std::string textIn(const nlohmann::json& object, const char* key) {
+    if (!object.is_object()) return {};
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string()
+               ? cleanText(found->get_ref<const std::string&>())
+               : std::string();
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,251 @@
+#include "engine/io/datasets/front3d_furniture.h"
+
+#include "engine/io/datasets/model_info.h"
+#include "engine/io/datasets/model_library.h"
+#include "engine/io/datasets/object_names.h"
+#include "engine/io/model_placement.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <map>
+#include <set>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// "bed/king-size bed" of a title, "Cabinet/Shelf/Desk" of a category: the word that names it.
+std::string nameOf(const Front3dFurniture& piece, const ModelInfo& info) {
+    const std::string& category = info.category.empty() ? piece.category : info.category;
+    std::string name = piece.title.empty() ? category.substr(0, category.find('/'))
+                                           : piece.title.substr(piece.title.rfind('/') + 1);
+    while (!name.empty() && name.back() == ' ') name.pop_back();
+    while (!name.empty() && name.front() == ' ') name.erase(0, 1);
+    return name.empty() ? "furniture" : name;
+}
+
+/// The first of what is said of it that is a thing's class; else a part of the building, else a
+/// vague word. The title goes before the scene's own category, which may be a place ("Living
+/// room").
+std::string categoryOf(const Front3dFurniture& piece, const ModelInfo& info,
+                       const LabelTable& labels) {
+    const std::array<const std::string*, 6> words = {&info.category,    &piece.title,
+                                                     &piece.category,   &info.super_category,
+                                                     &info.category_id, &piece.category_id};
+    for (const LabelKind wanted : {LabelKind::Target, LabelKind::Structure, LabelKind::Weak}) {
+        for (const std::string* word : words) {
+            if (!word->empty() && labels.find(*word).kind == wanted) return *word;
+        }
+    }
+    return {};
+}
+
+fs::path modelOf(const std::vector<fs::path>& folders,
+                 std::initializer_list<const std::string*> ids) {
+    for (const std::string* id : ids) {
+        if (!isPlainName(*id)) continue;
+        if (const auto file = findBelow(folders, fs::path(*id) / "raw_model.obj")) return *file;
+    }
+    return {};
+}
+
+/// ToolBox and ATISS paint every model with the picture beside it, whatever its MTL file says.
+void paintWithTexture(const fs::path& file, RawScene& model) {
+    const fs::path folder = file.parent_path();
+    const bool has_picture = std::any_of(model.materials.begin(), model.materials.end(),
+                                         [](const Material& m) { return m.texture >= 0; });
+    std::error_code error;
+    if (has_picture || !fs::is_regular_file(folder / "texture.png", error)) return;
+    TextureRequest request;
+    request.name = "texture.png";
+    request.folder = folder;
+    for (Material& material : model.materials) {
+        material.texture = static_cast<int>(model.textures.size());
+        material.base_color.setOnes();
+    }
+    model.textures.push_back(std::move(request));
+}
+
+/// What was left out, for the report: "Bed (jid ...) x 2".
+class LeftOut {
+  public:
+    void add(const std::string& name, const std::string& jid) {
+        ++all_;
+        if (++counts_[name + (jid.empty() ? "" : " (" + jid + ")")] == 1) {
+            order_.push_back(name + (jid.empty() ? "" : " (" + jid + ")"));
+        }
+    }
+    [[nodiscard]] std::size_t count() const { return all_; }
+    [[nodiscard]] std::string list() const {
+        std::vector<std::string> names;
+        for (const std::string& name : order_) {
+            const int count = counts_.at(name);
+            names.push_back(count == 1 ? name : name + " x " + std::to_string(count));
+        }
+        return listOf(names, 100);
+    }
+
+  private:
+    std::size_t all_ = 0;
+    std::map<std::string, int> counts_;
+    std::vector<std::string> order_;
+};
+
+/// One piece in its place.
+struct Placed {
+    const Front3dChild* child = nullptr;
+    const Front3dFurniture* piece = nullptr;
+    std::size_t model = kNone;
+};
+
+class Furnishing {
+  public:
+    Furnishing(const Front3dScene& source, const LabelTable& labels,
+               const std::vector<fs::path>& folders, RawScene& scene)
+        : source_(source), labels_(labels), folders_(folders), scene_(scene) {
+        for (const Front3dFurniture& piece : source.furniture)
+            pieces_.try_emplace(piece.uid, &piece);
+        says_valid_ = std::any_of(source.furniture.begin(), source.furniture.end(),
+                                  [](const Front3dFurniture& p) { return p.valid.has_value(); });
+        readInfo();
+    }
+
+    void choose() {
+        for (const Front3dChild& child : source_.children) {
+            const auto found = pieces_.find(child.ref);
+            if (found == pieces_.end()) continue;  // a mesh, or nothing
+            used_.insert(found->second);
+            choose(child, *found->second);
+        }
+    }
+
+    Status place(const std::string& where, const JobContext& job) {
+        if (Status read = library_.read(job); !read) return read;
+        std::map<std::size_t, ModelPlacement> placements;
+        TriangleBudget budget;
+        ObjectNames names;
+        for (const Placed& one : placed_) {
+            const ModelInfo& info = infoOf(*one.piece);
+            const std::string base = nameOf(*one.piece, info);
+            RawScene* model = library_.model(one.model);
+            if (!model) {
+                unreadable_.add(base, one.piece->jid);
+                continue;
+            }
+            if (Status fits = budget.take(*model, where); !fits) return fits;
+            auto at = placements.find(one.model);
+            if (at == placements.end()) {
+                paintWithTexture(library_.path(one.model), *model);
+                at = placements.try_emplace(one.model, *model, scene_).first;
+            }
+            SourceObject object;
+            object.name = names.next(base);
+            object.category = categoryOf(*one.piece, info, labels_);
+            object.parts = at->second.place(object.name, one.child->scene_from_model);
+            object.front = one.child->turn * Eigen::Vector3d::UnitZ();
+            scene_.objects.push_back(std::move(object));
+        }
+        return {};
+    }
+
+    void report() const {
+        const auto say = [](std::vector<std::string>& to, const LeftOut& what, const char* one,
+                            const char* many) {
+            if (what.count() == 0) return;
+            to.push_back(counted(what.count(), one, many) + ": " + what.list());
+        };
+        say(scene_.warnings, missing_, "piece of furniture has no model and was left out",
+            "pieces of furniture have no model and were left out");
+        if (missing_with_size_ > 0) {
+            scene_.notes.push_back("of what has no model " + std::to_string(missing_with_size_) +
+                                   (missing_with_size_ == 1 ? " has" : " have") +
+                                   " a size; no box is put in its place");
+        }
+        if (missing_.count() > 0) {
+            scene_.notes.push_back(
+                "models are looked up as 3D-FUTURE-model/<jid>/raw_model.obj beside the scene, "
+                "beside its folder and below the folders given as --models");
+        }
+        say(scene_.warnings, unreadable_,
+            "piece of furniture was left out because its model cannot be read",
+            "pieces of furniture were left out because their models cannot be read");
+        say(scene_.notes, invalid_, "piece of furniture is marked as not valid and was left out",
+            "pieces of furniture are marked as not valid and were left out");
+        say(scene_.notes, unsaid_,
+            "piece of furniture is not marked as valid, others are; it was left out",
+            "pieces of furniture are not marked as valid, others are; they were left out");
+        const std::size_t unused = pieces_.size() - used_.size();
+        if (unused > 0) {
+            scene_.notes.push_back(counted(unused,
+                                           "piece of the list of furniture stands in no room",
+                                           "pieces of the list of furniture stand in no room"));
+        }
+    }
+
+  private:
+    void readInfo() {
+        const fs::path file = findModelInfo(folders_);
+        if (file.empty()) return;
+        Result<std::map<std::string, ModelInfo>> read = readModelInfo(file);
+        if (read) {
+            info_ = std::move(*read);
+        } else {
+            scene_.warnings.push_back("the categories were left out: " + describe(read.error()));
+        }
+    }
+
+    [[nodiscard]] const ModelInfo& infoOf(const Front3dFurniture& piece) const {
+        static const ModelInfo nothing;
+        const auto found = info_.find(piece.jid);
+        return found == info_.end() ? nothing : found->second;
+    }
+
+    void choose(const Front3dChild& child, const Front3dFurniture& piece) {
+        const std::string name = nameOf(piece, infoOf(piece));
+        if (says_valid_ && !piece.valid.value_or(false)) {
+            (piece.valid ? invalid_ : unsaid_).add(name, piece.jid);
+            return;
+        }
+        const fs::path file = modelOf(folders_, {&piece.jid, &child.replace_jid});
+        if (file.empty()) {
+            missing_.add(name, piece.jid);
+            missing_with_size_ += piece.has_size;
+            return;
+        }
+        placed_.push_back({&child, &piece, library_.add(file)});
+    }
+
+    const Front3dScene& source_;
+    const LabelTable& labels_;
+    const std::vector<fs::path>& folders_;
+    RawScene& scene_;
+    std::map<std::string, const Front3dFurniture*> pieces_;
+    std::set<const Front3dFurniture*> used_;
+    std::map<std::string, ModelInfo> info_;
+    bool says_valid_ = false;
+    ModelLibrary library_;
+    std::vector<Placed> placed_;
+    LeftOut missing_;
+    LeftOut unreadable_;
+    LeftOut invalid_;
+    LeftOut unsaid_;
+    std::size_t missing_with_size_ = 0;
+};
+
+}  // namespace
+
+Status addFront3dFurniture(const Front3dScene& source, const LabelTable& labels,
+                           const std::vector<fs::path>& model_folders, const std::string& where,
+                           const JobContext& job, RawScene& scene) {
+    Furnishing furnishing(source, labels, model_folders, scene);
+    furnishing.choose();
+    if (Status placed = furnishing.place(where, job); !placed) return placed;
+    furnishing.report();
+    return {};
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,41 @@
+#include "engine/io/datasets/model_info.h"
+
+#include "engine/io/datasets/bounded_json.h"
+
+namespace dollytrack::io {
+namespace {
+
+constexpr const char* kName = "model_info.json";
+
+ModelInfo infoOf(const nlohmann::json& entry) {
+    return {textIn(entry, "category"), textIn(entry, "super-category"),
+            textIn(entry, "category_id")};
+}
+
+}  // namespace
+
+Result<std::map<std::string, ModelInfo>> readModelInfo(const std::filesystem::path& path) {
+    const Result<nlohmann::json> read = readBoundedJson(path);
+    if (!read) return tl::unexpected(read.error());
+    std::map<std::string, ModelInfo> models;
+    if (read->is_object()) {
+        for (const auto& [jid, entry] : read->items()) models[jid] = infoOf(entry);
+    } else if (read->is_array()) {
+        for (const nlohmann::json& entry : *read) models[textIn(entry, "model_id")] = infoOf(entry);
+    } else {
+        return fail(ErrorCode::BadInput, "It is no list of models.", path.string());
+    }
+    return models;
+}
+
+std::filesystem::path findModelInfo(const std::vector<std::filesystem::path>& folders) {
+    std::error_code error;
+    for (const std::filesystem::path& folder : folders) {
+        for (const std::filesystem::path& place : {folder, folder.parent_path()}) {
+            if (std::filesystem::is_regular_file(place / kName, error)) return place / kName;
+        }
+    }
+    return {};
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,126 @@
+#include "engine/io/datasets/model_library.h"
+
+#include "engine/io/assimp_reader.h"
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostTriangles = 60'000'000;
+
+bool staysInside(const fs::path& relative) {
+    const fs::path normal = relative.lexically_normal();
+    return !normal.empty() && normal.is_relative() && *normal.begin() != "..";
+}
+
+/// Whether a file, its links followed, lies in the folder, its links followed.
+bool isBelow(const fs::path& file, const fs::path& folder) {
+    std::error_code error;
+    const fs::path real_folder = fs::canonical(folder, error);
+    if (error) return false;
+    const fs::path real_file = fs::canonical(file, error);
+    if (error) return false;
+    const fs::path way = real_file.lexically_relative(real_folder);
+    return !way.empty() && *way.begin() != "..";
+}
+
+std::size_t countTriangles(const RawScene& model) {
+    std::size_t count = 0;
+    for (const MeshPart& part : model.parts) count += part.triangles.size();
+    return count;
+}
+
+}  // namespace
+
+bool isPlainName(const std::string& text) {
+    return !text.empty() && text.size() <= 128 && text.find("..") == std::string::npos &&
+           std::all_of(text.begin(), text.end(), [](char c) {
+               return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ||
+                      c == '.';
+           });
+}
+
+std::vector<fs::path> foldersFor(const fs::path& scene, const std::vector<fs::path>& given,
+                                 const std::vector<std::string>& usual) {
+    std::vector<fs::path> folders;
+    const auto add = [&](const fs::path& folder) {
+        std::error_code error;
+        if (!fs::is_directory(folder, error)) return;
+        const fs::path tidy = folder.lexically_normal();
+        if (std::find(folders.begin(), folders.end(), tidy) == folders.end()) {
+            folders.push_back(tidy);
+        }
+    };
+    for (const fs::path& folder : given) {
+        add(folder);
+        for (const std::string& name : usual) add(folder / name);
+    }
+    std::error_code error;
+    const fs::path beside = fs::absolute(scene, error).lexically_normal().parent_path();
+    for (const fs::path& folder : {beside, beside.parent_path()}) {
+        for (const std::string& name : usual) add(folder / name);
+    }
+    return folders;
+}
+
+std::optional<fs::path> findBelow(const std::vector<fs::path>& folders, const fs::path& relative) {
+    if (!staysInside(relative)) return std::nullopt;
+    for (const fs::path& folder : folders) {
+        const fs::path file = folder / relative;
+        std::error_code error;
+        if (fs::is_regular_file(file, error) && isBelow(file, folder)) return file;
+    }
+    return std::nullopt;
+}
+
+std::size_t ModelLibrary::add(const fs::path& path) {
+    const auto [at, is_new] = numbers_.try_emplace(path, paths_.size());
+    if (is_new) paths_.push_back(path);
+    return at->second;
+}
+
+Status ModelLibrary::read(const JobContext& job) {
+    models_.resize(paths_.size());
+    reasons_.resize(paths_.size());
+    parallelFor(paths_.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
+        Result<RawScene> read = readWithAssimp(paths_[i], job);
+        if (!read) {
+            reasons_[i] = read.error().message;
+            return;
+        }
+        models_[i] = std::move(*read);
+        if (countTriangles(models_[i]) == 0) reasons_[i] = "it holds no triangle";
+        fs::path folder = paths_[i].parent_path();
+        if (folder.filename() == "models") folder = folder.parent_path();
+        for (TextureRequest& texture : models_[i].textures) texture.folder = folder;
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+    return {};
+}
+
+RawScene* ModelLibrary::model(std::size_t index) {
+    return reasons_[index].empty() ? &models_[index] : nullptr;
+}
+
+const std::string& ModelLibrary::reason(std::size_t index) const {
+    return reasons_[index];
+}
+
+Status TriangleBudget::take(const RawScene& model, const std::string& where) {
+    used_ += countTriangles(model);
+    if (used_ > kMostTriangles) {
+        return fail(ErrorCode::BadInput,
+                    "the scene places models of more than " + std::to_string(kMostTriangles) +
+                        " triangles in all",
+                    where);
+    }
+    return {};
+}
+
+}  // namespace dollytrack::io
