@@ -1,6 +1,7 @@
 #include "engine/io/assimp_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/assimp_files.h"
 #include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
@@ -351,12 +352,11 @@ Result<RawScene> convert(const aiScene& scene, const Path& path, const JobContex
     return raw;
 }
 
-}  // namespace
-
-Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
+/// Reads `path` with an importer that is set up to find it.
+Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
+                      const JobContext& job) {
     const std::string where = path.filename().string();
     try {
-        auto importer = std::make_unique<Assimp::Importer>();
         keepOurReaders(*importer);
         importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
         importer->SetProgressHandler(new CancelWatch(job));  // the importer owns it
@@ -382,6 +382,29 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
                         "); export it again, preferably as glTF",
                     where);
     }
+}
+
+}  // namespace
+
+Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
+    return read(std::make_unique<Assimp::Importer>(), path, job);
+}
+
+Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
+                                const JobContext& job) {
+    auto importer = std::make_unique<Assimp::Importer>();
+    importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
+    Result<RawScene> raw = read(std::move(importer), name, job);
+    if (!raw) return raw;
+    const Path folder = Path(name).parent_path();
+    for (TextureRequest& request : raw->textures) {
+        if (!request.embedded.empty()) continue;
+        std::string relative = request.name;
+        std::replace(relative.begin(), relative.end(), '\\', '/');
+        const auto bytes = files.read((folder / relative).generic_string());
+        if (bytes && *bytes) request.embedded = **bytes;
+    }
+    return raw;
 }
 
 }  // namespace dollytrack

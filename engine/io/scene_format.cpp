@@ -1,6 +1,7 @@
 #include "engine/io/scene_format.h"
 
 #include "engine/io/assimp_reader.h"
+#include "engine/io/homes/home_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -33,6 +34,9 @@ bool likeCollada(std::string_view head) {
 bool likePly(std::string_view head) {
     return head.starts_with("ply");
 }
+bool likeZip(std::string_view head) {
+    return head.starts_with("PK");
+}
 
 }  // namespace
 
@@ -45,6 +49,8 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"a Collada file", {".dae"}, likeCollada, readModel},
         {"a PLY file", {".ply"}, likePly, readModel},
         {"an STL file", {".stl"}, anything, readModel},
+        {"a Sweet Home 3D home", {".sh3d"}, likeZip, homes::readHome},
+        {"a home's Home.xml", {".xml"}, homes::looksLikeHomeXml, homes::readHome},
     };
     return formats;
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace dollytrack {
 
@@ -14,15 +15,17 @@ struct ImportOptions {
     std::optional<double> unit_m = std::nullopt;  // metres per source unit; else found out
     std::optional<char> up_axis = std::nullopt;   // 'x', 'y' or 'z'; else found out
     std::optional<std::filesystem::path> labels =
-        std::nullopt;              // a label table added to the built-in one
+        std::nullopt;  // a label table added to the built-in one
+    /// Where models are looked up that the scene only names: folders or archives.
+    std::vector<std::filesystem::path> model_folders = {};
     bool read_textures = true;     // else they are named, but empty
     double small_volume_m3 = 0.1;  // smaller objects are small
     double size_ratio = 5.0;       // also small: this many times smaller than what carries it
 };
 
-/// Reads an OBJ, FBX, glTF/GLB, DAE, PLY or STL file into a scene: objects, classes, boxes,
-/// fronts, unit and up axis found, everything repaired or doubtful said in Scene::report.
-/// The only door to third-party model readers.
+/// Reads an OBJ, FBX, glTF/GLB, DAE, PLY or STL file or a Sweet Home 3D home into a scene: objects,
+/// classes, boxes, fronts, unit and up axis found, everything repaired or doubtful said in
+/// Scene::report. The only door to third-party model readers.
 Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options = {},
                           const JobContext& job = {});
 
