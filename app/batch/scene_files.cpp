@@ -83,7 +83,7 @@ class Search {
                 }
             } else if (fits(entry.name, parts_[at])) {
                 const bool last = at + 1 == parts_.size();
-                if (last && !entry.folder && isScene(entry.name)) {
+                if (last && !entry.folder && isScene(base_ / folder / entry.name)) {
                     found_.push_back({folder / entry.name, below / entry.name, {}});
                 } else if (!last && entry.folder) {
                     status = look(folder / entry.name, at + 1, below / entry.name);

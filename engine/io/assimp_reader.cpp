@@ -1,6 +1,7 @@
 #include "engine/io/assimp_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/assimp_files.h"
 #include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
@@ -89,13 +90,13 @@ class BackgroundDisposal {
     std::thread worker_;
 };
 
-/// assimp gives up the whole model when its MTL file has fewer than eight bytes, an empty line of
-/// some exporter's; without the file it goes on.
+/// The files of the machine, but for such MTL files as assimp takes amiss.
 class ModelFiles : public Assimp::DefaultIOSystem {
   public:
     Assimp::IOStream* Open(const char* file, const char* mode) override {
         std::error_code error;
-        if (extensionOf(file) == ".mtl" && std::filesystem::file_size(file, error) < 8) {
+        if (extensionOf(file) == ".mtl" &&
+            std::filesystem::file_size(file, error) < kLeastMaterialBytes) {
             return nullptr;
         }
         return Assimp::DefaultIOSystem::Open(file, mode);
@@ -365,16 +366,14 @@ Result<RawScene> convert(const aiScene& scene, const Path& path, const JobContex
     return raw;
 }
 
-}  // namespace
-
-Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
+/// Reads `path` with an importer that is set up to find it.
+Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
+                      const JobContext& job) {
     const std::string where = path.filename().string();
     try {
-        auto importer = std::make_unique<Assimp::Importer>();
         keepOurReaders(*importer);
         importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-        importer->SetProgressHandler(new CancelWatch(job));  // the importer owns both
-        importer->SetIOHandler(new ModelFiles);
+        importer->SetProgressHandler(new CancelWatch(job));  // the importer owns it
         const aiScene* scene = importer->ReadFile(path.string(), 0);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         if (!scene || !scene->mRootNode) {
@@ -397,6 +396,31 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
                         "); export it again, preferably as glTF",
                     where);
     }
+}
+
+}  // namespace
+
+Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
+    auto importer = std::make_unique<Assimp::Importer>();
+    importer->SetIOHandler(new ModelFiles);  // the importer owns it
+    return read(std::move(importer), path, job);
+}
+
+Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
+                                const JobContext& job) {
+    auto importer = std::make_unique<Assimp::Importer>();
+    importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
+    Result<RawScene> raw = read(std::move(importer), name, job);
+    if (!raw) return raw;
+    const Path folder = Path(name).parent_path();
+    for (TextureRequest& request : raw->textures) {
+        if (!request.embedded.empty()) continue;
+        std::string relative = request.name;
+        std::replace(relative.begin(), relative.end(), '\\', '/');
+        const auto bytes = files.read((folder / relative).generic_string());
+        if (bytes && *bytes) request.embedded = **bytes;
+    }
+    return raw;
 }
 
 }  // namespace dollytrack

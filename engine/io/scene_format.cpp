@@ -4,6 +4,7 @@
 #include "engine/io/datasets/front3d_reader.h"
 #include "engine/io/datasets/hypersim_objects.h"
 #include "engine/io/datasets/scenenet_reader.h"
+#include "engine/io/homes/home_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +62,9 @@ bool likeCollada(std::string_view head) {
 bool likePly(std::string_view head) {
     return head.starts_with("ply");
 }
+bool likeZip(std::string_view head) {
+    return head.starts_with("PK");
+}
 
 }  // namespace
 
@@ -75,6 +79,8 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"an STL file", {".stl"}, anything, readModel},
         {"a 3D-FRONT scene", {".json"}, io::likeFront3d, io::readFront3dScene, true},
         {"a SceneNet RGB-D scene", {".txt"}, io::likeSceneNet, io::readSceneNetScene, true},
+        {"a Sweet Home 3D home", {".sh3d"}, likeZip, homes::readHome},
+        {"a home's Home.xml", {".xml"}, homes::looksLikeHomeXml, homes::readHome},
     };
     return formats;
 }

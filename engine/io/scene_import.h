@@ -16,7 +16,8 @@ struct ImportOptions {
     std::optional<char> up_axis = std::nullopt;   // 'x', 'y' or 'z'; else found out
     std::optional<std::filesystem::path> labels =
         std::nullopt;  // a label table added to the built-in one
-    /// Where the models of scenes made of models are: 3D-FUTURE-model, ShapeNetCore and the like.
+    /// Where the models of scenes made of models are: 3D-FUTURE-model, ShapeNetCore and the
+    /// like; homes take archives, too.
     std::vector<std::filesystem::path> model_folders = {};
     /// A folder that says which mesh is what: Hypersim's ai_VVV_NNN or its _detail.
     std::optional<std::filesystem::path> annotations = std::nullopt;

@@ -72,7 +72,7 @@ class DatasetsTest(program.FolderCase):
         self.assertIn("house", result.stdout)
         self.assertNotIn("notes", result.stdout)
         jobs.write_text('out = "made"\nscenes = ["houses/*"]\n[import]\nmodels = ["nowhere"]\n')
-        self.assertFails(program.run("batch", jobs, "--dry-run"), 2, "jobs.toml:4", "nowhere")
+        self.assertFails(program.run("batch", jobs, "--dry-run"), 4, "jobs.toml:4", "nowhere")
 
     def test_hypersim_without_geometry_says_what_is_there(self):
         detail = self.folder / "ai_001_001" / "_detail" / "mesh"

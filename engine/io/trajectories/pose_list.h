@@ -41,5 +41,6 @@ Result<PoseList> readColmap(const PoseFile& file);
 Result<PoseList> readTransforms(const PoseFile& file);
 Result<PoseList> readFront3d(const PoseFile& file);
 Result<PoseList> readHypersim(const PoseFile& file);
+Result<PoseList> readSweetHome(const PoseFile& file);
 
 }  // namespace dollytrack::io

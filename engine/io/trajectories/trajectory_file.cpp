@@ -29,6 +29,8 @@ constexpr std::array kFormats = {
                      FileWorld::YUp, readSceneNet},
     TrajectoryFormat{"tartanair", "TartanAir: tx ty tz qx qy qz qw in NED", FileWorld::Ned,
                      readTartanAir},
+    TrajectoryFormat{"sweethome3d", "Sweet Home 3D: the views stored in .sh3d or Home.xml",
+                     FileWorld::Scene, readSweetHome},
 };
 
 constexpr std::array<std::pair<const char*, FileWorld>, 5> kWorlds = {{
@@ -77,6 +79,7 @@ const TrajectoryFormat* byName(const std::filesystem::path& path) {
     }
     const std::string extension = path.extension().string();
     if (extension == ".hdf5" || extension == ".h5") return formatNamed("hypersim");
+    if (extension == ".sh3d") return formatNamed("sweethome3d");
     return path.filename() == "images.txt" ? formatNamed("colmap") : nullptr;
 }
 
@@ -86,6 +89,7 @@ const TrajectoryFormat* byContent(const PoseFile& file) {
     if (first == std::string::npos) return nullptr;
     if (file.text[first] == '[') return formatNamed("3d-front");
     if (file.text[first] == '{') return formatNamed("transforms");
+    if (file.text[first] == '<') return formatNamed("sweethome3d");
     if (file.text.find("#first three elements") != std::string::npos) {
         return formatNamed("scenenet");
     }

@@ -24,13 +24,14 @@ inline std::string lShapedModel() {
              {"1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"}) {
             text += "f";
             for (const char* c = face; *c != '\0'; c += c[1] == '\0' ? 1 : 2) {
-                text += " " + std::to_string(*c - '0' + first);
+                text += ' ';
+                text += std::to_string(*c - '0' + first);
             }
             text += "\n";
         }
         return text;
     };
-    return "o model\n" + box(0, -1.0, 1.0, -0.5, 0.5) + box(8, 0.5, 1.0, 0.5, 1.5);
+    return std::string("o model\n") + box(0, -1.0, 1.0, -0.5, 0.5) + box(8, 0.5, 1.0, 0.5, 1.5);
 }
 
 /// A 3D-FRONT house of one room, 6 x 2.6 x 5 m, with a wardrobe built in and three sofas: one

@@ -1,0 +1,62 @@
+#include "engine/io/homes/furniture_placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::homes {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::AlignedBox3d;
+using Eigen::AngleAxisd;
+using Eigen::Translation3d;
+using Eigen::Vector3d;
+
+AlignedBox3d moved(const AlignedBox3d& box, const Affine3d& transform) {
+    AlignedBox3d result;
+    for (int i = 0; i < 8; ++i) {
+        result.extend(transform * box.corner(static_cast<AlignedBox3d::CornerType>(i)));
+    }
+    return result;
+}
+
+/// The model in a box of unit size around 0.
+Affine3d unitFromModel(const HomePiece& piece, const AlignedBox3d& bounds) {
+    Affine3d centred(Translation3d(-bounds.center()));
+    AlignedBox3d box = moved(bounds, centred);
+    if (piece.model_rotation) {
+        Affine3d turn = Affine3d::Identity();
+        turn.linear() = *piece.model_rotation;
+        centred = turn * centred;
+        box = moved(bounds, centred);
+        if (piece.centered_at_origin) centred = Translation3d(-box.center()) * centred;
+    }
+    const Vector3d size = box.sizes().cwiseMax(1e-3);
+    return Eigen::Scaling(Vector3d(size.cwiseInverse())) * centred;
+}
+
+}  // namespace
+
+Affine3d sourceFromModel(const HomePiece& piece, const AlignedBox3d& bounds,
+                         double level_elevation) {
+    const Vector3d size(piece.mirrored ? -piece.width : piece.width, piece.height, piece.depth);
+    Affine3d sized = Eigen::Scaling(size) * unitFromModel(piece, bounds);
+    double height = piece.height;
+    if (piece.pitch != 0.0 || piece.roll != 0.0) {
+        const Affine3d tilt(piece.pitch != 0.0 ? AngleAxisd(-piece.pitch, Vector3d::UnitX())
+                                               : AngleAxisd(-piece.roll, Vector3d::UnitZ()));
+        const AlignedBox3d box = moved(bounds, tilt * sized);
+        sized = Translation3d(-box.center()) * tilt * sized;
+        height = box.sizes().y();
+    }
+    const Vector3d place(piece.position.x(), level_elevation + piece.elevation + 0.5 * height,
+                         piece.position.y());
+    // Clockwise on a page whose y runs down is a turn the other way about the upward axis.
+    return Translation3d(place) * AngleAxisd(-piece.angle, Vector3d::UnitY()) * sized;
+}
+
+Vector3d frontOf(const HomePiece& piece) {
+    return {-std::sin(piece.angle), 0.0, std::cos(piece.angle)};
+}
+
+}  // namespace dollytrack::homes

@@ -1,0 +1,95 @@
+#include "engine/io/homes/model_library.h"
+
+#include "engine/io/assimp_reader.h"
+#include "engine/io/homes/standard_colors.h"
+#include "engine/io/scene_format.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace dollytrack::homes {
+namespace {
+
+/// Files of a home may lack their extension: what they begin with tells.
+bool looksLikeObj(const std::vector<std::uint8_t>& bytes) {
+    const std::string head(
+        bytes.begin(),
+        bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 4096)));
+    if (head.find('\0') != std::string::npos) return false;
+    const auto starts_line = [&](std::string_view start) {
+        const auto at = head.find(start);
+        return at != std::string::npos && (at == 0 || head[at - 1] == '\n');
+    };
+    return starts_line("v ") || starts_line("g ") || starts_line("o ") || starts_line("usemtl ") ||
+           starts_line("mtllib ");
+}
+
+/// The files of one place, with one of them also under a name that has its extension.
+class NamedFiles : public FileSource {
+  public:
+    NamedFiles(const FileSource& files, std::string alias, std::string name)
+        : files_(files), alias_(std::move(alias)), name_(std::move(name)) {}
+    [[nodiscard]] Result<std::optional<std::vector<std::uint8_t>>> read(
+        const std::string& name) const override {
+        return files_.read(name == alias_ ? name_ : name);
+    }
+    [[nodiscard]] std::vector<std::string> names() const override { return files_.names(); }
+
+  private:
+    const FileSource& files_;
+    std::string alias_;
+    std::string name_;
+};
+
+}  // namespace
+
+ModelLibrary::Entry ModelLibrary::read(const std::string& name, const JobContext& job) const {
+    Entry entry;
+    entry.why = "is not among the home's files";
+    for (const FileSource* place : places_) {
+        const auto bytes = place->read(name);
+        if (!bytes) entry.why = bytes.error().message;
+        if (!bytes || !*bytes) continue;
+        std::string readable = name;
+        static const std::vector<std::string> known = {".obj", ".dae", ".fbx", ".gltf",
+                                                       ".glb", ".ply", ".stl"};
+        const std::string extension = lowerExtension(name);
+        if (std::find(known.begin(), known.end(), extension) == known.end()) {
+            if (!looksLikeObj(**bytes)) {
+                entry.why = "is of a kind that cannot be read; OBJ, DAE and glTF can";
+                continue;
+            }
+            readable += ".obj";
+        }
+        Result<RawScene> raw = readWithAssimp(NamedFiles(*place, readable, name), readable, job);
+        if (!raw) {
+            entry.why = raw.error().message;
+            continue;
+        }
+        auto model = std::make_unique<FurnitureModel>();
+        model->raw = std::move(*raw);
+        for (const MeshPart& part : model->raw.parts) {
+            if (!part.triangles.empty()) model->bounds.extend(part.bounds.cast<double>());
+        }
+        if (model->bounds.isEmpty()) {
+            entry.why = "holds no triangle";
+            continue;
+        }
+        giveStandardColors(model->raw);
+        model->raw.repairs = {};
+        entry.model = std::move(model);
+        return entry;
+    }
+    return entry;
+}
+
+const FurnitureModel* ModelLibrary::find(const std::string& name, const JobContext& job,
+                                         std::string& why) {
+    auto found = entries_.find(name);
+    if (found == entries_.end()) found = entries_.emplace(name, read(name, job)).first;
+    why = found->second.why;
+    return found->second.model.get();
+}
+
+}  // namespace dollytrack::homes
