@@ -69,7 +69,7 @@ struct ObjectGeometry {
     const float* vertices = nullptr;  // Embree's own copy
     const unsigned* indices = nullptr;
     std::uint32_t first_triangle = 0;
-    RTCScene alone = nullptr;  // a scene of its own, for meetsObject()
+    RTCScene alone = nullptr;  // a scene of its own, for questions about it alone
 
     [[nodiscard]] Eigen::Vector3d corner(unsigned triangle, unsigned k) const {
         const float* v = vertices + 3UL * indices[3UL * triangle + k];
@@ -287,6 +287,12 @@ bool RayCaster::sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) con
 
 ClosestPoint RayCaster::closest(const Eigen::Vector3d& point, double max_distance) const {
     return findSurface(impl_->scene, impl_->objects, point, max_distance, false);
+}
+
+ClosestPoint RayCaster::closestOn(int object_id, const Eigen::Vector3d& point,
+                                  double max_distance) const {
+    const auto index = static_cast<std::size_t>(object_id) - 1;
+    return findSurface(impl_->objects[index].alone, impl_->objects, point, max_distance, false);
 }
 
 bool RayCaster::isClear(const Eigen::Vector3d& point, double distance) const {

@@ -65,6 +65,11 @@ class RayCaster {
         const Eigen::Vector3d& point,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 
+    /// The same of one object's surface, whatever else is nearer.
+    [[nodiscard]] ClosestPoint closestOn(
+        int object_id, const Eigen::Vector3d& point,
+        double max_distance = std::numeric_limits<double>::infinity()) const;
+
     /// Whether no surface lies nearer than `distance`; quicker than to ask for the closest one.
     [[nodiscard]] bool isClear(const Eigen::Vector3d& point, double distance) const;
 

@@ -87,23 +87,27 @@ bool FrameRays::isDepthOn(std::uint32_t triangle, int x, int y, double metres, d
     return std::abs(metres - at_centre) <= slack + kNudge * std::min(slope, kMostSlope);
 }
 
+/// Of things that share a surface each is near it. An id of 0 stands for any object.
+bool FrameRays::isNear(int id, const Eigen::Vector3d& point, double radius_m) const {
+    const ClosestPoint near =
+        id == 0 ? rays_.closest(point, radius_m) : rays_.closestOn(id, point, radius_m);
+    return near.object_id != 0;
+}
+
 /// Whether the point shown is as near to a surface as drawing is to the truth: of a surface seen
-/// along itself its depth is not. An id of 0 stands for any object.
+/// along itself its depth is not.
 bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) const {
     const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
-    const ClosestPoint near =
-        rays_.closest(pose_.position + metres * along, slack * along.norm() + 0.0005);
-    return near.object_id != 0 && (id == 0 || near.object_id == id);
+    return isNear(id, pose_.position + metres * along, slack * along.norm() + 0.0005);
 }
 
 /// Whether the pixel shows a thin thing seen along itself: rays pass beside what is drawn there,
 /// and what is drawn is a little beside the thing. Only where several surfaces meet, so that no
 /// wall is excused.
 bool FrameRays::isHair(int x, int y, int id, double metres) const {
-    constexpr double kBeside_m = 0.005;
+    constexpr double kBeside_m = 0.01;
     const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
-    const ClosestPoint near = rays_.closest(pose_.position + metres * along, kBeside_m);
-    if (near.object_id == 0 || (id != 0 && near.object_id != id)) return false;
+    if (!isNear(id, pose_.position + metres * along, kBeside_m)) return false;
     double least = kFarthest, most = 0.0;
     for (const double dy : {-0.7, 0.0, 0.7}) {
         for (const double dx : {-0.7, 0.0, 0.7}) {

@@ -43,6 +43,7 @@ class FrameRays {
                                                            const StoredFrame& frame);
     [[nodiscard]] Eigen::Vector3d alongWorld(double x, double y) const;
     [[nodiscard]] double planeDepth(std::uint32_t triangle, double x, double y) const;
+    [[nodiscard]] bool isNear(int id, const Eigen::Vector3d& point, double radius_m) const;
     [[nodiscard]] bool isBeside(int x, int y, int id, double metres, double slack) const;
     [[nodiscard]] bool isHair(int x, int y, int id, double metres) const;
     [[nodiscard]] bool isDepthOn(std::uint32_t triangle, int x, int y, double metres,
