@@ -33,6 +33,35 @@ double farthestDepth(const StoredFrame& frame, const StoredObject& object) {
     return farthest;
 }
 
+void checkBoxes(const StoredDataset& dataset, FrameImages& images, const Image16& ids,
+                const FrameImages::Depth& depth, Findings& findings) {
+    const StoredFrame& frame = images.stored();
+    WrongPixels wrong;
+    for (int y = 0; y < ids.height; ++y) {
+        for (int x = 0; x < ids.width; ++x) {
+            const StoredObject* object = dataset.object(ids.at(x, y));
+            const double metres = depth.metres.at(x, y);
+            if (!object || metres <= 0.0) continue;
+            const Eigen::Vector3d along = dataset.lens.unproject(x + 0.5, y + 0.5);
+            Eigen::Vector3d point = frame.pose.toWorld(metres * along);
+            if (const Eigen::Isometry3d* moved = frame.movement(object->id)) {
+                point = moved->inverse() * point;
+            }
+            // The box is that of the exact corners; a surface seen along itself is drawn up to
+            // a millimetre beside it.
+            const double margin = depth.rounding_m * along.norm() + 0.002 + 1e-4 * metres;
+            if (object->box.contains(point, margin)) continue;
+            wrong.add(x, y, [&] {
+                return WrongPixels::Text{
+                    fmt::format("{:.4g} m, which is {:.3g} m outside the box of object {} ({})",
+                                metres, object->box.distance(point), object->id, object->name),
+                    "a point of the object"};
+            });
+        }
+    }
+    wrong.report(imageFile(depth.modality, images.frame()), images.frame(), findings);
+}
+
 }  // namespace
 
 CheckWork beginClasses(const Subject& subject, Findings& /*findings*/) {
@@ -107,34 +136,10 @@ CheckWork beginObjectBoxes(const Subject& subject, Findings& /*findings*/) {
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
         const Image16* ids = images.image16("instance");
-        const FrameImages::Depth* depth = images.depth();
-        if (!ids || !depth) return;
-        const StoredFrame& frame = images.stored();
-        WrongPixels wrong;
-        for (int y = 0; y < ids->height; ++y) {
-            for (int x = 0; x < ids->width; ++x) {
-                const StoredObject* object = dataset.object(ids->at(x, y));
-                const double metres = depth->metres.at(x, y);
-                if (!object || metres <= 0.0) continue;
-                const Eigen::Vector3d along = dataset.lens.unproject(x + 0.5, y + 0.5);
-                Eigen::Vector3d point = frame.pose.toWorld(metres * along);
-                if (const Eigen::Isometry3d* moved = frame.movement(object->id)) {
-                    point = moved->inverse() * point;
-                }
-                // The box is that of the exact corners; a surface seen along itself is drawn up to
-                // a millimetre beside it.
-                const double margin = depth->rounding_m * along.norm() + 0.002 + 1e-4 * metres;
-                if (object->box.contains(point, margin)) continue;
-                wrong.add(x, y, [&] {
-                    return WrongPixels::Text{
-                        fmt::format("{:.4g} m, which is {:.3g} m outside the box of object {} ({})",
-                                    metres, object->box.distance(point), object->id, object->name),
-                        "a point of the object"};
-                });
-            }
+        if (!ids) return;
+        for (const FrameImages::Depth* depth : images.depths()) {
+            checkBoxes(dataset, images, *ids, *depth, findings);
         }
-        wrong.report(imageFile(dataset.has("depth") ? "depth" : "depth_exr", images.frame()),
-                     images.frame(), findings);
     };
     return work;
 }

@@ -29,5 +29,11 @@ CheckWork beginInstances(const Subject& subject, Findings& findings);
 CheckWork beginYolo(const Subject& subject, Findings& findings);
 CheckWork beginBop(const Subject& subject, Findings& findings);
 CheckWork beginGltf(const Subject& subject, Findings& findings);
+CheckWork beginColmap(const Subject& subject, Findings& findings);
+CheckWork beginTransforms(const Subject& subject, Findings& findings);
+CheckWork beginCameraJson(const Subject& subject, Findings& findings);
+CheckWork beginTum(const Subject& subject, Findings& findings);
+CheckWork beginKitti(const Subject& subject, Findings& findings);
+CheckWork beginTartanAir(const Subject& subject, Findings& findings);
 
 }  // namespace dollytrack::verify

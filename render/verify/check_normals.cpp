@@ -116,8 +116,11 @@ class NormalImages {
                 const bool nothing = isNone(pixel);
                 if (ids_ && nothing != (ids_->at(x, y) == 0)) {
                     none.add(x, y, [&] {
-                        return WrongPixels::Text{nothing ? "no normal" : text(normalFrom(pixel)),
-                                                 fmt::format("that of object {}", ids_->at(x, y))};
+                        return nothing
+                                   ? WrongPixels::Text{"no normal", fmt::format("that of object {}",
+                                                                                ids_->at(x, y))}
+                                   : WrongPixels::Text{text(normalFrom(pixel)),
+                                                       "none, as the pixel shows no object"};
                     });
                 }
                 if (nothing) continue;

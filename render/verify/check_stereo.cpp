@@ -1,28 +1,14 @@
 #include "render/verify/check_list.h"
 #include "render/verify/other_view.h"
+#include "render/verify/right_camera.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace dollytrack::verify {
 namespace {
-
-std::optional<double> baselineOf(const StoredDataset& dataset) {
-    for (const char* const modality : {"disparity", "rgb_right", "depth_right"}) {
-        const auto convention = dataset.convention(modality);
-        if (dataset.has(modality) && convention.is_object() && convention.contains("baseline_m")) {
-            return convention["baseline_m"].get<double>();
-        }
-    }
-    return std::nullopt;
-}
-
-Pose rightOf(const Pose& left, double baseline_m) {
-    return {left.position + baseline_m * (left.rotation * Eigen::Vector3d::UnitX()), left.rotation};
-}
 
 /// One frame's pair of pictures.
 class StereoPair {

@@ -96,21 +96,23 @@ CheckWork beginExactDepth(const Subject& /*subject*/, Findings& /*findings*/) {
         const ImageF* exact = images.imageF("depth_exr");
         const Image16* rounded = images.image16("depth");
         if (!exact || !rounded) return;
+        const std::string exact_file = imageFile("depth_exr", images.frame());
+        const std::string rounded_file = imageFile("depth", images.frame());
         WrongPixels wrong;
         for (int y = 0; y < exact->height; ++y) {
             for (int x = 0; x < exact->width; ++x) {
                 const double metres = exact->at(x, y);
-                const double expected = metres > 65.5355 ? 0.0 : 1000.0 * metres;
-                const double found = rounded->at(x, y);
-                const bool none = metres == 0.0;
-                if (none ? found == 0.0 : std::abs(found - expected) <= 0.5 + 1e-3) continue;
+                const std::uint16_t millimetres = rounded->at(x, y);
+                if (isRounded(metres, millimetres)) continue;
                 wrong.add(x, y, [&] {
-                    return WrongPixels::Text{fmt::format("{:.6f} m", metres),
-                                             fmt::format("{:.3f} m, as in depth", found * 0.001)};
+                    return WrongPixels::Text{
+                        fmt::format("{:.6f} m in {}, {:.3f} m in {}", metres, exact_file,
+                                    millimetres * 0.001, rounded_file),
+                        "one depth in both; either may be wrong"};
                 });
             }
         }
-        wrong.report(imageFile("depth_exr", images.frame()), images.frame(), findings);
+        wrong.report(exact_file + ", " + rounded_file, images.frame(), findings);
     };
     return work;
 }

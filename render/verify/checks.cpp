@@ -23,6 +23,12 @@ constexpr std::array kInstances = {"instances", "instance"};
 constexpr std::array kYolo = {"yolo", "instance"};
 constexpr std::array kBop = {"bop", "instance"};
 constexpr std::array kGltf = {"gltf"};
+constexpr std::array kCameraJson = {"camera_json"};
+constexpr std::array kTransforms = {"nerfstudio", "instant_ngp"};
+constexpr std::array kColmap = {"colmap"};
+constexpr std::array kTum = {"tum"};
+constexpr std::array kKitti = {"kitti"};
+constexpr std::array kTartanAir = {"tartanair"};
 
 constexpr std::array kChecks = {
     Check{"files", "every file is there with its hash, and no other", Names{}, Names{}, false,
@@ -72,6 +78,18 @@ constexpr std::array kChecks = {
           Names{}, false, beginBop},
     Check{"gltf", "the animated camera and things are where dataset.json has them", kGltf, Names{},
           false, beginGltf},
+    Check{"camera_json", "lens, planes and targets of camera.json are the frames'", kCameraJson,
+          Names{}, false, beginCameraJson},
+    Check{"transforms", "lens and names are the frames', and the room is in the unit cube", Names{},
+          kTransforms, false, beginTransforms},
+    Check{"colmap", "lens and names are the frames', and the points lie on what these show",
+          kColmap, Names{}, false, beginColmap},
+    Check{"tum", "TUM's depth is the depth, and its lists name each frame's pictures", kTum,
+          Names{}, false, beginTum},
+    Check{"kitti", "KITTI's projections are the lens's, its motions what depth and poses say",
+          kKitti, Names{}, false, beginKitti},
+    Check{"tartanair", "TartanAir's pictures, depth, classes and motions are the frames'",
+          kTartanAir, Names{}, false, beginTartanAir},
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dollytrack::verify {
 namespace {
@@ -40,7 +42,22 @@ std::string take(Result<Image<T>> read, const Intrinsics& lens, Image<T>& image)
     return problem;
 }
 
+FrameImages::Depth fromMillimetres(const Image16& image) {
+    FrameImages::Depth depth{{image.width, image.height, 1, {}}, 0.0005 + 1e-6, "depth"};
+    depth.metres.values.reserve(image.values.size());
+    for (const std::uint16_t value : image.values) {
+        depth.metres.values.push_back(static_cast<float>(value * 0.001));
+    }
+    return depth;
+}
+
 }  // namespace
+
+bool isRounded(double metres, std::uint16_t millimetres) {
+    if (metres == 0.0) return millimetres == 0;
+    const double expected = metres > 65.5355 ? 0.0 : 1000.0 * metres;
+    return std::abs(millimetres - expected) <= 0.5 + 1e-3;
+}
 
 std::span<const ImageKind> imageKinds() {
     return kKinds;
@@ -131,17 +148,27 @@ const FrameImages::Depth* FrameImages::depth() {
     if (depth_) return depth_->metres.values.empty() ? nullptr : depth_.get();
     depth_ = std::make_unique<Depth>();
     if (const ImageF* exact = imageF("depth_exr")) {
-        depth_->metres = *exact;
-        depth_->rounding_m = 1e-6;
+        *depth_ = {*exact, 1e-6, "depth_exr"};
     } else if (const Image16* rounded = image16("depth")) {
-        depth_->metres = {rounded->width, rounded->height, 1, {}};
-        depth_->metres.values.reserve(rounded->values.size());
-        for (const std::uint16_t value : rounded->values) {
-            depth_->metres.values.push_back(static_cast<float>(value * 0.001));
-        }
-        depth_->rounding_m = 0.0005 + 1e-6;
+        *depth_ = fromMillimetres(*rounded);
     }
     return depth();
+}
+
+std::vector<const FrameImages::Depth*> FrameImages::depths() {
+    std::vector<const Depth*> all;
+    if (depth()) all.push_back(depth());
+    const ImageF* exact = imageF("depth_exr");
+    const Image16* rounded = image16("depth");
+    if (!exact || !rounded) return all;
+    if (!other_depth_) {
+        const bool same = std::equal(exact->values.begin(), exact->values.end(),
+                                     rounded->values.begin(), rounded->values.end(), isRounded);
+        other_depth_ = std::make_unique<Depth>();
+        if (!same) *other_depth_ = fromMillimetres(*rounded);
+    }
+    if (!other_depth_->metres.values.empty()) all.push_back(other_depth_.get());
+    return all;
 }
 
 FrameImages& FrameImages::other(int frame) {

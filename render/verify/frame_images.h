@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dollytrack::verify {
 
@@ -24,6 +25,10 @@ struct ImageKind {
 /// All modalities that have one image a frame under its number.
 std::span<const ImageKind> imageKinds();
 const ImageKind* imageKind(std::string_view modality);
+
+/// Whether an image in millimetres may have this for an exact depth; 0 is none, and beyond what the
+/// image can hold.
+bool isRounded(double metres, std::uint16_t millimetres);
 
 /// "depth/000012.png"
 std::string imageFile(const ImageKind& kind, int frame);
@@ -56,8 +61,12 @@ class FrameImages {
     struct Depth {
         ImageF metres;
         double rounding_m = 0.0;
+        const char* modality = "depth";  // whose images it is from
     };
     [[nodiscard]] const Depth* depth();
+    /// Each depth that there is to look at: the above and, where millimetres beside exact depth are
+    /// not that depth rounded, these as well.
+    [[nodiscard]] std::vector<const Depth*> depths();
 
     /// Another frame of the same dataset.
     [[nodiscard]] FrameImages& other(int frame);
@@ -77,6 +86,7 @@ class FrameImages {
     std::map<std::string, Entry, std::less<>> entries_;
     std::map<std::string, Entry, std::less<>> masks_;
     std::unique_ptr<Depth> depth_;
+    std::unique_ptr<Depth> other_depth_;
     std::map<int, std::unique_ptr<FrameImages>> others_;
 };
 

@@ -5,6 +5,7 @@ import unittest
 
 import corruptions
 import format_corruptions  # noqa: F401  (adds to corruptions.ALL)
+import reader_corruptions  # noqa: F401
 import tiny_room
 from dataset_copy import Copy
 from program import FolderCase, run
@@ -51,7 +52,7 @@ class VerifyTest(FolderCase):
         self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
 
     def test_each_corruption_is_found_by_the_check_that_should(self):
-        self.assertGreaterEqual(len(corruptions.ALL), 30)
+        self.assertGreaterEqual(len(corruptions.ALL), 80)
         for name, check, function in corruptions.ALL:
             with self.subTest(name):
                 code, checks = self.verify(self.damaged(function))

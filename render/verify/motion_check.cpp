@@ -1,0 +1,76 @@
+#include "render/verify/motion_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr double kTolerance_px = 0.01;
+
+}  // namespace
+
+std::vector<Followed> followAll(const StoredDataset& dataset, FrameImages& images,
+                                const FrameImages::Depth& depth, const OtherView& to) {
+    const StoredFrame& from = images.stored();
+    const Image16* ids = images.image16("instance");
+    const bool moves = !from.moving.empty() || !to.frame.moving.empty();
+    std::vector<Followed> followed(depth.metres.values.size());
+    std::size_t i = 0;
+    for (int y = 0; y < depth.metres.height; ++y) {
+        for (int x = 0; x < depth.metres.width; ++x, ++i) {
+            const double metres = depth.metres.values[i];
+            if (!(metres > 0.0)) continue;
+            const Eigen::Isometry3d motion =
+                moves && ids ? to.motion(from, ids->values[i]) : Eigen::Isometry3d::Identity();
+            followed[i] = follow(dataset, from, x, y, metres, depth.rounding_m, to, motion);
+        }
+    }
+    return followed;
+}
+
+void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
+                  const std::vector<Followed>& followed, const MotionFile& file,
+                  Findings& findings) {
+    WrongPixels pixels;
+    std::size_t i = 0;
+    for (int y = 0; y < motions.height; ++y) {
+        for (int x = 0; x < motions.width; ++x, ++i) {
+            const float* uv = motions.pixel(x, y);
+            const bool unknown =
+                std::abs(uv[0]) > kUnknownMotion || std::abs(uv[1]) > kUnknownMotion;
+            const bool nothing = !(depth.metres.values[i] > 0.0F);
+            const auto found = [&] {
+                return unknown ? std::string("no motion")
+                               : fmt::format("({:.4g}, {:.4g}) px", uv[0], uv[1]);
+            };
+            if (nothing) {
+                if (!unknown) {
+                    pixels.add(x, y, [&] {
+                        return WrongPixels::Text{found(), "no motion, as nothing is seen"};
+                    });
+                }
+                continue;
+            }
+            const Followed& to = followed[i];
+            // What is behind the other camera has no place in its picture.
+            if (to.behind) continue;
+            const Eigen::Vector2d expected = to.at - Eigen::Vector2d(x + 0.5, y + 0.5);
+            if (unknown && expected.cwiseAbs().maxCoeff() >= file.largest_px) continue;
+            const double off = (Eigen::Vector2d(uv[0], uv[1]) - expected).norm();
+            // Single precision ends at a ten-millionth of motions far out of the picture.
+            const double allowed =
+                kTolerance_px + file.rounding_px + to.off_px + 1e-6 * expected.norm();
+            if (!unknown && off <= allowed) continue;
+            pixels.add(x, y, [&] {
+                return WrongPixels::Text{
+                    found(), fmt::format("({:.4f}, {:.4f}) px, by depth and poses", expected.x(),
+                                         expected.y())};
+            });
+        }
+    }
+    pixels.report(file.name, file.frame, findings);
+}
+
+}  // namespace dollytrack::verify
