@@ -120,8 +120,12 @@ std::vector<fs::path> datasetsIn(const fs::path& folder) {
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {folder};
     std::vector<fs::path> rooms;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (entry.is_directory(error)) rooms.push_back(entry.path());
+    // A loop over the iterator itself would throw where reading the folder fails half-way.
+    fs::directory_iterator at(folder, error);
+    while (!error && at != fs::directory_iterator()) {
+        std::error_code unknown;
+        if (at->is_directory(unknown)) rooms.push_back(at->path());
+        at.increment(error);
     }
     std::sort(rooms.begin(), rooms.end());
     return rooms.empty() ? std::vector{folder} : rooms;
