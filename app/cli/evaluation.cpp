@@ -86,6 +86,7 @@ Result<Trajectory> readEstimate(const std::string& path) {
     if (holdsNoPose(*text)) return Trajectory{};
     io::TrajectoryReading reading;
     reading.world = "z-up";  // as it is: it is aligned anyway, or has to be in our world
+    reading.has_options = false;
     Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
     if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
     if (!loaded->timed) {

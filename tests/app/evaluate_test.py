@@ -244,6 +244,14 @@ class EvaluateTest(FolderCase):
         timeless = self.folder / "timeless.txt"
         timeless.write_text("1 0 0 0 0 1 0 0 0 0 1 0\n")
         self.assertFails(run("-q", "evaluate", dataset, "--estimated", timeless), 4, "no times")
+        bad = self.folder / "bad.txt"
+        far = self.folder / "far.txt"
+        bad.write_text("nothing of the kind\n")
+        far.write_text("0 1e9 0 0 0 0 0 1\n")
+        for path, word in [(bad, "no trajectory"), (far, "1000 km")]:
+            refused = run("-q", "evaluate", dataset, "--estimated", path)
+            self.assertFails(refused, 4, word, path.name)
+            self.assertNotIn("--trajectory", refused.stderr)  # evaluate has no such options
         self.assertFails(run("-q", "evaluate", dataset, "--estimated", "nowhere.txt"), 4,
                          "nowhere.txt")
         good = self.write("good2.txt", self.times, self.positions, self.rotations)
