@@ -39,6 +39,8 @@ Status addReconstruction(const EvaluateArguments& arguments, const verify::Store
         Result<std::vector<Eigen::Vector3d>> cloud = io::readPlyPoints(arguments.clouds[i]);
         if (!cloud) return tl::unexpected<Error>(std::move(cloud.error()));
         RunFigures& run = runs[i];
+        // Where a cloud belongs is not known without its trajectory.
+        if (!run.error.measured) continue;
         for (Eigen::Vector3d& point : *cloud) point = run.error.world_from_estimate * point;
         run.cloud = arguments.clouds[i];
         run.reconstruction = cloudError(*cloud, *scene->rays);
@@ -68,6 +70,7 @@ Result<ExitCode> runEvaluate(EvaluateArguments arguments, const Session& session
         RunFigures run;
         run.name = path;
         run.error = trajectoryError(truth, *estimate, arguments.settings);
+        run.not_measured = whyNotMeasured(truth, *estimate, run.error, arguments.settings);
         run.success = isSuccess(run.error, arguments.limits);
         runs.push_back(std::move(run));
     }
