@@ -33,6 +33,18 @@ class Arguments(FolderCase):
                          "10:5", "ends before")
         self.assertFalse((self.folder / "x").exists())
 
+    def test_help_tells_defaults_and_what_is_given_once_each(self):
+        text = run("evaluate", "--help").stdout
+        for name, default in [("--max-dt", "0.02"), ("--delta", "1"), ("--align", "se3"),
+                              ("--min-tracked", "0.8"), ("--max-ate", "0.5")]:
+            line = next(line for line in text.splitlines() if line.strip().startswith(name))
+            self.assertIn("=" + default, line)
+        self.assertIn("--estimated FILE", text)
+        self.assertNotIn(" ...", text)
+        self.assertNotIn(" ...", run("export", "--help").stdout)
+        # What takes several at once still says so.
+        self.assertIn(" ...", run("compare", "--help").stdout)
+
 
 if __name__ == "__main__":
     unittest.main()
