@@ -106,7 +106,9 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
 Result<DatasetSummary> DatasetJob::Impl::finish() {
     DatasetSummary summary;
     summary.frames = frameCount();
-    summary.contact_sheet = settings.folder / "contact_sheet.jpg";
+    if (order.contents.pictureModality().is_picture) {
+        summary.contact_sheet = settings.folder / "contact_sheet.jpg";
+    }
     if (already_counted) {
         summary.counted = *already_counted;
         return summary;

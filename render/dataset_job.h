@@ -60,7 +60,7 @@ struct DatasetSummary {
     int frames = 0;
     CaptureMetrics counted;               // from the pixels
     std::vector<ObjectCapture> captures;  // empty when nothing was left to do
-    std::filesystem::path contact_sheet;
+    std::filesystem::path contact_sheet;  // empty where no modality is a picture
 };
 
 /// Renders a trajectory into a labelled dataset: begin, step() until it returns false, finish().

@@ -159,6 +159,9 @@ std::string sheets(const Report& report) {
     std::string text;
     for (const ReportRow& row : report.rows) {
         for (const WrittenDataset& dataset : row.result.datasets) {
+            const auto place = report.jobs_folder / row.job.name / dataset.folder;
+            std::error_code error;  // not every dataset has pictures to show
+            if (!std::filesystem::exists(place / "contact_sheet.jpg", error)) continue;
             const std::string link = report.linkTo(row, dataset.folder + "/contact_sheet.jpg");
             text += fmt::format(
                 "<figure><a href=\"{}\"><img loading=\"lazy\" src=\"{}\" alt=\"\"></a>"

@@ -42,7 +42,9 @@ nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::str
                            const nlohmann::json& planned) {
     return {{"out", folder},
             {"frames", summary.frames},
-            {"contact_sheet", summary.contact_sheet.string()},
+            {"contact_sheet", summary.contact_sheet.empty()
+                                  ? nlohmann::json()
+                                  : nlohmann::json(summary.contact_sheet.string())},
             {"planned", planned},
             {"counted", captureMetricsJson(summary.counted)}};
 }
@@ -72,7 +74,9 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
         fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
                    planned.value("frames", 0), summary.frames);
     }
-    fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+    if (!summary.contact_sheet.empty()) {
+        fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+    }
 }
 
 /// One line a room: rates of all targets say nothing of one room's.
@@ -95,7 +99,9 @@ void printChoices() {
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
     fmt::print("*: written where none is named; the name 'all' stands for all.\n");
-    fmt::print("dataset.json, which describes the dataset, and a contact sheet come with each.\n");
+    fmt::print(
+        "dataset.json, which describes the dataset, comes with each; so does a contact sheet where "
+        "any of them is a picture.\n");
 }
 
 template <class Row>
