@@ -189,6 +189,9 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
 
     Result<std::vector<RoomExport>> exports = roomExports(*planned);
     if (!exports) return tl::unexpected<Error>(exports.error());
+    if (Status status = checkRooms(*exports, *range, arguments.folds); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     for (RoomExport& one : *exports) {  // what is written of the room, not what was planned
         const int count = static_cast<int>(one.trajectory.frames.size());
         one.about["frames"] = render::framesOf(*range, count).size();

@@ -115,26 +115,45 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
                     std::move(*results)};
 }
 
+/// What is to be verified, and what should be there to be.
+struct Datasets {
+    std::vector<fs::path> folders;
+    std::vector<std::string> missing;  // rooms without a dataset
+};
+
 /// The datasets in a folder: itself, or one a room.
-std::vector<fs::path> datasetsIn(const fs::path& folder) {
+Result<Datasets> datasetsIn(const fs::path& folder) {
     std::error_code error;
-    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {folder};
-    std::vector<fs::path> rooms;
-    // A loop over the iterator itself would throw where reading the folder fails half-way.
-    fs::directory_iterator at(folder, error);
-    while (!error && at != fs::directory_iterator()) {
-        std::error_code unknown;
-        if (at->is_directory(unknown)) rooms.push_back(at->path());
-        at.increment(error);
+    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder))
+        return Datasets{{folder}, {}};
+    const auto rooms = roomFolders(folder);
+    if (!rooms) return tl::unexpected<Error>(rooms.error());
+    Datasets found;
+    for (const fs::path& room : *rooms) {
+        if (fs::exists(room / "dataset.json", error)) {
+            found.folders.push_back(room);
+        } else {
+            found.missing.push_back(room.filename().string());
+        }
     }
-    std::sort(rooms.begin(), rooms.end());
-    return rooms.empty() ? std::vector{folder} : rooms;
+    return found;
+}
+
+nlohmann::json toJson(nlohmann::json datasets, const std::vector<std::string>& missing,
+                      bool sound) {
+    if (datasets.size() == 1 && missing.empty()) return std::move(datasets[0]);
+    nlohmann::json all = {{"sound", sound}, {"datasets", std::move(datasets)}};
+    if (!missing.empty()) all["missing"] = missing;
+    return all;
 }
 
 Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& session) {
     const JobContext job = session.job();
-    const std::vector<fs::path> folders = datasetsIn(arguments.folder);
-    bool sound = true;
+    const Result<Datasets> datasets = datasetsIn(arguments.folder);
+    if (!datasets) return tl::unexpected<Error>(datasets.error());
+    const std::vector<fs::path>& folders = datasets->folders;
+    const std::vector<std::string>& missing = datasets->missing;
+    bool sound = missing.empty();
     nlohmann::json all = nlohmann::json::array();
     for (std::size_t i = 0; i < folders.size(); ++i) {
         const auto share = [&](std::size_t n) {
@@ -151,9 +170,13 @@ Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& sess
         }
     }
     if (arguments.as_json) {
-        fmt::print("{}\n", jsonText(folders.size() == 1
-                                        ? all[0]
-                                        : nlohmann::json{{"sound", sound}, {"datasets", all}}));
+        fmt::print("{}\n", jsonText(toJson(std::move(all), missing, sound)));
+    } else if (!missing.empty()) {
+        fmt::print(
+            "UNFINISHED: {} of {} rooms in rooms.json ha{} no complete dataset: {}; 'export "
+            "--resume' goes on\n",
+            missing.size(), missing.size() + folders.size(), missing.size() == 1 ? "s" : "ve",
+            fmt::join(missing, ", "));
     }
     return sound ? kDone : kBadInput;
 }

@@ -58,6 +58,51 @@ class ExportFolder(FolderCase):
                 # The pictures below the title, which are not all of one shade.
                 self.assertGreater(sheet[60:].std(), 10)
 
+    # --- a dataset a room
+
+    def two_rooms(self):
+        """A project with a trajectory a room."""
+        project = self.folder / "two_rooms.dolly"
+        if not project.exists():
+            scene = self.folder / "two_rooms.obj"
+            tiny_room.write_two(scene)
+            made = run("plan", scene, "-o", project, "--set", "rooms=each", "--max-frames", 10,
+                       *SIZE, "--json")
+            self.assertEqual(made.returncode, 0, made.stderr)
+        rooms = json.loads(project.read_text())["result"]["metrics"]["rooms"]
+        return project, rooms
+
+    def test_too_few_frames_of_a_room_are_said_before_any_is_rendered(self):
+        project, rooms = self.two_rooms()
+        self.assertGreater(len(rooms), 1)
+        fewest = min(rooms, key=lambda room: room["frames"])
+        for arguments, word in [(["--folds", fewest["frames"] + 1], "--folds"),
+                                (["--range", f"{fewest['frames']}:"], "--range")]:
+            out = self.new_folder()
+            self.assertFails(run("-q", "export", project, "--out", out, *arguments), 2,
+                             fewest["name"], word)
+            self.assertFalse(out.exists())
+
+    def test_rooms_that_were_not_come_to_are_missed(self):
+        project, rooms = self.two_rooms()
+        out = self.new_folder()
+        made = run("-q", "export", project, "--out", out, "--modalities", "instance")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(run("-q", "verify", out).returncode, 0)
+        last = rooms[-1]["name"]
+        (out / last / "dataset.json").unlink()
+        for _ in range(2):  # unfinished, and not begun
+            verified = run("-q", "verify", out)
+            self.assertEqual(verified.returncode, 4, verified.stdout)
+            self.assertIn("UNFINISHED", verified.stdout)
+            self.assertIn(last, verified.stdout.splitlines()[-1])
+            report = json.loads(run("-q", "verify", out, "--json").stdout)
+            self.assertFalse(report["sound"])
+            self.assertEqual(report["missing"], [last])
+            shutil.rmtree(out / last, ignore_errors=True)
+        (out / "rooms.json").write_text('{"rooms": [{"name": "../elsewhere"}]}')
+        self.assertFails(run("-q", "verify", out), 4, "elsewhere", "rooms.json")
+
 
 if __name__ == "__main__":
     unittest.main()
