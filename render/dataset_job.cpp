@@ -159,6 +159,11 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     impl->folder.emplace(std::move(*folder));
+    if (!impl->settings.overwrite && !impl->settings.resume) {
+        if (Status status = impl->folder->checkNotComplete(); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
 
     const DatasetIdentity identity = identityOf(impl->order, impl->settings, origin);
     Earlier earlier;
@@ -230,7 +235,7 @@ Status checkSettings(const DatasetSettings& settings) {
     if (Status status = checkNeeds(*formats, *modalities); !status) return status;
     const Result<DatasetFolder> folder = DatasetFolder::claim(settings.folder, settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
-    return {};
+    return settings.overwrite || settings.resume ? Status() : folder->checkNotComplete();
 }
 
 Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const Scene& scene,

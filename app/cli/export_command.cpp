@@ -165,6 +165,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (Status status = render::checkSettings(checked); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    checked.overwrite = arguments.overwrite;
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
 
@@ -214,6 +215,13 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
             printSummary(*summary, arguments.out, planned->metrics);
         }
         return kDone;
+    }
+    for (const RoomExport& one : *exports) {
+        checked.folder = settings.folder / one.room;
+        if (!std::filesystem::exists(checked.folder)) continue;
+        if (Status status = render::checkSettings(checked); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
     }
     if (Status status = claimForRooms(arguments.out, *exports); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
@@ -294,14 +302,15 @@ void addExportCommand(CLI::App& app, Session& session) {
     command->add_flag("--resume", arguments->resume,
                       "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,
-                      "Write into a folder that holds other files; they stay");
+                      "Replace a complete dataset; write among other files, which stay");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
         "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"
         "changed here or its scene file has changed: then it is planned again, with a warning.\n"
         "An export that is stopped keeps its finished frames; the same command with --resume goes "
         "on\n"
-        "from there and ends with the same files. Without it, an unfinished dataset begins anew.\n"
+        "from there and ends with the same files. Without it, an unfinished dataset begins anew;\n"
+        "a complete one is replaced only with --overwrite.\n"
         "Planned with rooms=each, every room becomes a dataset in a folder of its own, "
         "DIR/room_1.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");

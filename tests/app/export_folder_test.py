@@ -58,6 +58,25 @@ class ExportFolder(FolderCase):
                 # The pictures below the title, which are not all of one shade.
                 self.assertGreater(sheet[60:].std(), 10)
 
+    # --- a complete dataset
+
+    def test_a_complete_dataset_is_not_replaced_unasked(self):
+        out = self.new_folder()
+        self.export(out, "--modalities", "rgb")
+        before = hashes(out)
+        for arguments in [[], ["--range", "0:2"], ["--modalities", "rgb"]]:
+            refused = run("-q", "export", self.project, "--out", out, *arguments)
+            self.assertFails(refused, 2, f"complete dataset of {FRAMES} frames", "--overwrite",
+                             "--resume", "another folder")
+            self.assertEqual(hashes(out), before)
+        # The same one is found complete, another one is told so.
+        self.export(out, "--modalities", "rgb", "--resume")
+        self.assertFails(run("-q", "export", self.project, "--out", out, "--range", "0:2",
+                             "--resume"), 2, "something else", "--overwrite")
+        self.assertEqual(hashes(out), before)
+        self.export(out, "--range", "0:2", "--overwrite")
+        self.assertEqual(len(list((out / "rgb").iterdir())), 2)
+
     # --- a dataset a room
 
     def two_rooms(self):
@@ -89,6 +108,14 @@ class ExportFolder(FolderCase):
         made = run("-q", "export", project, "--out", out, "--modalities", "instance")
         self.assertEqual(made.returncode, 0, made.stderr)
         self.assertEqual(run("-q", "verify", out).returncode, 0)
+        before = hashes(out)
+        shutil.rmtree(out / rooms[0]["name"])
+        again = run("-q", "export", project, "--out", out, "--modalities", "instance")
+        self.assertFails(again, 2, "complete dataset", rooms[1]["name"])
+        self.assertFalse((out / rooms[0]["name"]).exists())  # said before any is rendered
+        again = run("-q", "export", project, "--out", out, "--modalities", "instance", "--resume")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(hashes(out), before)
         last = rooms[-1]["name"]
         (out / last / "dataset.json").unlink()
         for _ in range(2):  # unfinished, and not begun
