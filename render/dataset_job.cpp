@@ -117,6 +117,10 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         return fail(ErrorCode::Failed, "finish() came before the last frame");
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
+    if (!folder->isThere()) {  // what is written now would make it again, without pictures
+        return fail(ErrorCode::CannotWrite, "the dataset cannot be finished",
+                    settings.folder.string());
+    }
     DatasetContents& contents = order.contents;
     DatasetCard& card = order.card;
     summary.captures = bestCaptures(contents.scene, pipeline->views(), settings.rules);
@@ -224,7 +228,11 @@ int DatasetJob::keep() {
     const Status synced = impl_->ledger->sync();
     if (!drained) log::debug("export", describe(drained.error()));
     if (!synced) log::debug("export", describe(synced.error()));
-    return impl_->ledger->finishedCount();
+    return folderIsThere() ? impl_->ledger->finishedCount(impl_->folder->path()) : 0;
+}
+
+bool DatasetJob::folderIsThere() const {
+    return impl_->folder->isThere();
 }
 
 Status checkSettings(const DatasetSettings& settings) {
@@ -253,6 +261,8 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
             error.message += "; " + std::to_string(kept) + " of " +
                              std::to_string(dataset->frameCount()) +
                              " frames are finished, --resume continues after them";
+        } else if (!dataset->folderIsThere()) {
+            error.message += "; the folder was removed meanwhile, and what was finished with it";
         }
         return tl::unexpected<Error>(std::move(error));
     };

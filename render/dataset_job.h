@@ -98,6 +98,9 @@ class DatasetJob {
     /// entered in the journal. How many need not be rendered again.
     int keep();
 
+    /// Whether nobody has taken the folder away since begin().
+    [[nodiscard]] bool folderIsThere() const;
+
   private:
     struct Impl;
     explicit DatasetJob(std::unique_ptr<Impl> impl);

@@ -77,6 +77,22 @@ class ExportFolder(FolderCase):
         self.export(out, "--range", "0:2", "--overwrite")
         self.assertEqual(len(list((out / "rgb").iterdir())), 2)
 
+    def test_a_folder_that_was_taken_away_is_not_to_be_continued(self):
+        out = self.new_folder()
+        process = start("-q", "export", self.room, "--out", out, "--max-frames", 60,
+                        "--formats", "camera_json")
+        journal = out / ".dollytrack-export"
+        self.assertTrue(wait_for(lambda: process.poll() is not None or (
+            journal.exists() and journal.read_bytes().count(b"\n") > 2)))
+        process.send_signal(signal.SIGSTOP)
+        shutil.rmtree(out)
+        process.send_signal(signal.SIGCONT)
+        _, errors = process.communicate()
+        self.assertEqual(process.returncode, 6, errors)
+        self.assertIn("was removed meanwhile", errors)
+        self.assertNotIn("--resume", errors)
+        self.assertFalse(out.exists())
+
     # --- a dataset a room
 
     def two_rooms(self):
