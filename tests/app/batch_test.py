@@ -167,6 +167,13 @@ class Batch(FolderCase):
                                            "bath.small.uniform": "unmet"})
         suite = xml.etree.ElementTree.parse(self.out / "junit.xml").getroot().find("testsuite")
         self.assertEqual(suite.get("failures"), "1")
+        # Of its log the page shows the end, but not how far it was 30 times.
+        log = self.out / "bath.small.uniform" / "log.txt"
+        log.write_text("note: a word of its own\n" + " 41 %  frames, 0:12 left\n" * 30)
+        self.assertEqual(run("batch", file, *asked).returncode, 3)
+        page = (self.out / "index.html").read_text()
+        self.assertIn("note: a word of its own", page)
+        self.assertNotIn("41 %  frames", page)
         # Asked anew of what is there; nothing is made again.
         again = run("batch", file)
         self.assertEqual(again.returncode, 0, again.stderr)
@@ -381,6 +388,7 @@ class Batch(FolderCase):
             ("seeds = [1, 1]\n", 3, "twice"),
             ('planners = ["dollytrack",\n "unifrm"]\n', 4, "uniform"),
             ('require = ["well_captured_rate>"]\n', 3, "condition"),
+            ('require = ["frames>=1",\n "well_captured_rat>=0.5"]\n', 4, "well_captured_rate"),
             ("timeout_s = -1\n", 3, "number"),
             ('[[set]]\nname = "a"\nset = { fil = 1 }\n', 5, "fill"),
             ('[[set]]\nname = "a"\nset = { fill = 7 }\n', 5, "0.1 .. 1"),
