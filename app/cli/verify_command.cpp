@@ -30,7 +30,24 @@ struct Verified {
     std::size_t frames = 0;
     std::size_t files = 0;
     std::vector<CheckResult> results;
+    std::string no_scene;  // why there is none; what needs it is not proven
+
+    /// Checks that a scene would allow.
+    [[nodiscard]] std::ptrdiff_t unproven() const {
+        if (no_scene.empty()) return 0;
+        return std::count_if(results.begin(), results.end(),
+                             [&](const CheckResult& result) { return result.skipped == no_scene; });
+    }
 };
+
+/// "sound", and what that leaves out.
+std::string verdictOf(const Verified& verified) {
+    if (!verify::isSound(verified.results)) return "DAMAGED";
+    const auto unproven = verified.unproven();
+    if (unproven == 0) return "sound";
+    return fmt::format("sound as far as it goes: {} check{} the scene; name it with --scene",
+                       unproven, unproven == 1 ? " needs" : "s need");
+}
 
 const char* statusOf(const CheckResult& result) {
     if (result.failed()) return "failed";
@@ -64,6 +81,7 @@ nlohmann::json toJson(const Verified& verified) {
             {"frames", verified.frames},
             {"files", verified.files},
             {"sound", verify::isSound(verified.results)},
+            {"unproven_without_scene", verified.unproven()},
             {"checks", std::move(checks)}};
 }
 
@@ -99,7 +117,7 @@ void print(const Verified& verified, int show) {
         }
     }
     fmt::print("\n{} passed, {} failed, {} skipped: {}\n\n", passed, failed, skipped,
-               failed == 0 ? "sound" : "DAMAGED");
+               verdictOf(verified));
 }
 
 Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& arguments,
@@ -112,7 +130,7 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
                                          scene->missing, job.stage(0.1, 1.0, "frames"));
     if (!results) return tl::unexpected<Error>(std::move(results.error()));
     return Verified{folder.string(), dataset->frames.size(), dataset->sha256s.size() + 1,
-                    std::move(*results)};
+                    std::move(*results), scene->missing};
 }
 
 /// What is to be verified, and what should be there to be.
@@ -207,7 +225,9 @@ void addVerifyCommand(CLI::App& app, Session& session) {
         "Say what is checked, and nothing else");
     command->footer(
         "Ends with 0 when every check that could be made has passed, with 4 when one has not.\n"
-        "A check is skipped when the dataset lacks the files for it, or the scene is not at hand.\n"
+        "A check is skipped when the dataset lacks the files for it, or the scene is not at hand: "
+        "it is\n"
+        "looked for beside the dataset, in the working folder and where a batch had it from.\n"
         "Example: dollytrack verify dataset --scene room.glb");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runVerify(*arguments, session); };

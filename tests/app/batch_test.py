@@ -112,6 +112,20 @@ class Batch(FolderCase):
             "--max-frames", 6, "--set", "width_px=64", "--set", "height_px=48", "--out", by_hand)
         self.assertEqual(hashes(self.out / "kitchen.small.uniform.seed2/dataset"),
                          hashes(by_hand))
+        # Its scene is found where the batch had it from; elsewhere, what is not proven is said.
+        dataset = self.out / "kitchen.small.dollytrack.seed2/dataset"
+        elsewhere = self.place / "elsewhere"
+        shutil.copytree(dataset, elsewhere)
+        verified = run("-q", "verify", dataset)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        self.assertTrue(verified.stdout.strip().endswith(": sound"), verified.stdout)
+        verified = run("-q", "verify", elsewhere)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        last = verified.stdout.strip().splitlines()[-1]
+        self.assertIn("sound as far as it goes", last)
+        self.assertIn("--scene", last)
+        self.assertGreater(json.loads(run("-q", "verify", elsewhere, "--json").stdout)
+                           ["unproven_without_scene"], 0)
         card = json.loads((by_hand / "dataset.json").read_text())
         metrics = self.summary()["kitchen.small.uniform.seed2"]["metrics"]
         self.assertEqual(metrics["counted.capture_rate"],
