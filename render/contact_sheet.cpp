@@ -24,6 +24,18 @@ void writeText(cv::Mat& page, const std::string& text, int x, int y, double size
                 cv::LINE_AA);
 }
 
+/// Disparity is bright where it is large, near; black is nothing.
+cv::Mat disparityPicture(const cv::Mat& disparity) {
+    double largest = 1.0;
+    cv::minMaxLoc(disparity, nullptr, &largest);
+    cv::Mat grey;
+    disparity.convertTo(grey, CV_8U, 215.0 / std::max(largest, 1.0), 40.0);
+    grey.setTo(0, disparity == 0);
+    cv::Mat bgr;
+    cv::cvtColor(grey, bgr, cv::COLOR_GRAY2BGR);
+    return bgr;
+}
+
 /// Bright is near; black is nothing.
 cv::Mat depthPicture(const cv::Mat& millimetres) {
     double farthest = 1.0;
@@ -70,9 +82,15 @@ cv::Mat labelPicture(const cv::Mat& labels, const Color& color) {
 /// 8-bit BGR of an image that was read unchanged.
 cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
     if (image.type() == CV_8UC3) return image;
+    if (image.type() == CV_16UC3) {  // normals, places in an object
+        cv::Mat bgr;
+        image.convertTo(bgr, CV_8U, 1.0 / 257.0);
+        return bgr;
+    }
     if (image.type() == CV_16UC1) {
-        return modality == "depth" ? depthPicture(image)
-                                   : labelPicture<std::uint16_t>(image, idColor);
+        if (modality == "depth" || modality == "depth_right") return depthPicture(image);
+        if (modality == "disparity") return disparityPicture(image);
+        return labelPicture<std::uint16_t>(image, idColor);
     }
     return labelPicture<std::uint8_t>(
         image, [](int label) { return classColor(std::min(label, kNyu40Count)); });

@@ -44,10 +44,14 @@ struct DatasetContents {
     FoldSettings folds = {};
     std::filesystem::path folder = {};  // where the images are, for what is made from them
 
-    /// What other files show or refer to: the colour pictures, else the first there are.
+    /// What other files show or refer to: the colour pictures, else the first there are, else the
+    /// first of what is no picture.
     [[nodiscard]] const Modality& pictureModality() const {
         for (const Modality* modality : modalities) {
             if (std::string_view(modality->name) == "rgb") return *modality;
+        }
+        for (const Modality* modality : modalities) {
+            if (modality->is_picture) return *modality;
         }
         return *modalities.front();
     }

@@ -62,9 +62,11 @@ Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetConte
     for (const DatasetFile& file : *folds) {
         if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
     }
-    const auto sheet = contactSheet(folder, contents, title);
-    if (!sheet) return tl::unexpected(sheet.error());
-    if (Status status = put(kSheet, *sheet); !status) return status;
+    if (contents.pictureModality().is_picture) {
+        const auto sheet = contactSheet(folder, contents, title);
+        if (!sheet) return tl::unexpected(sheet.error());
+        if (Status status = put(kSheet, *sheet); !status) return status;
+    }
 
     const nlohmann::ordered_json json = datasetCardJson(contents, card);
     const std::string text =

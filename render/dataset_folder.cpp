@@ -135,6 +135,25 @@ bool isOurCard(const fs::path& path) {
     }
 }
 
+/// How many frames a dataset.json of ours lists.
+std::size_t framesListed(const fs::path& path) {
+    using Json = nlohmann::json;
+    std::size_t count = 0;
+    std::string section;
+    const auto count_only = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth == 1 && event == Json::parse_event_t::key) section = parsed.get<std::string>();
+        const bool begins = event == Json::parse_event_t::object_start;
+        if (begins && depth == 2 && section == "frames") ++count;
+        return depth < 2;
+    };
+    try {
+        std::ifstream file(path, std::ios::binary);
+        if (Json::parse(file, count_only, false).is_discarded()) return 0;
+    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
+    }
+    return count;
+}
+
 Status makeFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -227,6 +246,21 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
 
 bool DatasetFolder::isComplete() const {
     return isOurCard(folder_ / "dataset.json");
+}
+
+Status DatasetFolder::checkNotComplete() const {
+    if (!isComplete()) return {};
+    const std::size_t frames = framesListed(folder_ / "dataset.json");
+    return fail(ErrorCode::Usage,
+                "the folder holds a complete dataset of " + std::to_string(frames) + " frame" +
+                    (frames == 1 ? "" : "s") +
+                    "; choose another folder, give --overwrite to replace it, or --resume to check "
+                    "that it is the one wanted",
+                folder_.string());
+}
+
+bool DatasetFolder::isThere() const {
+    return lock_ >= 0 && isAt(lock_, journal());
 }
 
 Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const {

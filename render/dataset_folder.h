@@ -31,6 +31,12 @@ class DatasetFolder {
     /// Whether a dataset.json of ours stands in it: the dataset is complete.
     [[nodiscard]] bool isComplete() const;
 
+    /// Usage when a complete dataset stands in it: it is not replaced unasked. Says what it is.
+    [[nodiscard]] Status checkNotComplete() const;
+
+    /// Whether the folder is what claim() locked: nobody has taken it away.
+    [[nodiscard]] bool isThere() const;
+
     /// Whether `bytes` more fit on the disk once begin() has removed what is not kept.
     [[nodiscard]] Status checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const;
 

@@ -106,7 +106,9 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
 Result<DatasetSummary> DatasetJob::Impl::finish() {
     DatasetSummary summary;
     summary.frames = frameCount();
-    summary.contact_sheet = settings.folder / "contact_sheet.jpg";
+    if (order.contents.pictureModality().is_picture) {
+        summary.contact_sheet = settings.folder / "contact_sheet.jpg";
+    }
     if (already_counted) {
         summary.counted = *already_counted;
         return summary;
@@ -115,6 +117,10 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         return fail(ErrorCode::Failed, "finish() came before the last frame");
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
+    if (!folder->isThere()) {  // what is written now would make it again, without pictures
+        return fail(ErrorCode::CannotWrite, "the dataset cannot be finished",
+                    settings.folder.string());
+    }
     DatasetContents& contents = order.contents;
     DatasetCard& card = order.card;
     summary.captures = bestCaptures(contents.scene, pipeline->views(), settings.rules);
@@ -157,6 +163,11 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     impl->folder.emplace(std::move(*folder));
+    if (!impl->settings.overwrite && !impl->settings.resume) {
+        if (Status status = impl->folder->checkNotComplete(); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
 
     const DatasetIdentity identity = identityOf(impl->order, impl->settings, origin);
     Earlier earlier;
@@ -217,7 +228,11 @@ int DatasetJob::keep() {
     const Status synced = impl_->ledger->sync();
     if (!drained) log::debug("export", describe(drained.error()));
     if (!synced) log::debug("export", describe(synced.error()));
-    return impl_->ledger->finishedCount();
+    return folderIsThere() ? impl_->ledger->finishedCount(impl_->folder->path()) : 0;
+}
+
+bool DatasetJob::folderIsThere() const {
+    return impl_->folder->isThere();
 }
 
 Status checkSettings(const DatasetSettings& settings) {
@@ -228,7 +243,7 @@ Status checkSettings(const DatasetSettings& settings) {
     if (Status status = checkNeeds(*formats, *modalities); !status) return status;
     const Result<DatasetFolder> folder = DatasetFolder::claim(settings.folder, settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
-    return {};
+    return settings.overwrite || settings.resume ? Status() : folder->checkNotComplete();
 }
 
 Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const Scene& scene,
@@ -246,6 +261,8 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
             error.message += "; " + std::to_string(kept) + " of " +
                              std::to_string(dataset->frameCount()) +
                              " frames are finished, --resume continues after them";
+        } else if (!dataset->folderIsThere()) {
+            error.message += "; the folder was removed meanwhile, and what was finished with it";
         }
         return tl::unexpected<Error>(std::move(error));
     };

@@ -29,8 +29,8 @@ struct DatasetSettings {
     FrameRange range;
     std::vector<std::string> modalities;  // names of modalities.h; empty: the standard ones
     std::vector<std::string> formats;     // names of formats/formats.h; likewise
-    bool overwrite = false;               // allows a folder that holds other files; they stay
-    bool resume = false;                  // continues what an export left in the folder
+    bool overwrite = false;  // replaces a complete dataset; allows other files, which stay
+    bool resume = false;     // continues what an export left in the folder
     CaptureRules rules;
     double imu_rate_hz = 200.0;             // samples a second in imu.csv
     std::vector<int> flow_distances = {1};  // in frames of the dataset
@@ -60,7 +60,7 @@ struct DatasetSummary {
     int frames = 0;
     CaptureMetrics counted;               // from the pixels
     std::vector<ObjectCapture> captures;  // empty when nothing was left to do
-    std::filesystem::path contact_sheet;
+    std::filesystem::path contact_sheet;  // empty where no modality is a picture
 };
 
 /// Renders a trajectory into a labelled dataset: begin, step() until it returns false, finish().
@@ -72,8 +72,8 @@ class DatasetJob {
     /// Checks and locks the folder, finds what an earlier export left, computes the light and loads
     /// the scene. Scene, trajectory and rays must outlive the job. The job owns the context, which
     /// must be current. Errors: Usage (names, range; `resume` where the folder holds frames of
-    /// something else), BadInput (`resume` where a complete dataset was damaged), CannotWrite,
-    /// Cancelled.
+    /// something else; a complete dataset without `resume` and `overwrite`), BadInput (`resume`
+    /// where a complete dataset was damaged), CannotWrite, Cancelled.
     [[nodiscard]] static Result<DatasetJob> begin(std::unique_ptr<gl::Context> context,
                                                   const Scene& scene, const RayCaster& rays,
                                                   const Trajectory& trajectory,
@@ -97,6 +97,9 @@ class DatasetJob {
     /// In the place of finish(), to stop early: lets the frames on their way be finished and
     /// entered in the journal. How many need not be rendered again.
     int keep();
+
+    /// Whether nobody has taken the folder away since begin().
+    [[nodiscard]] bool folderIsThere() const;
 
   private:
     struct Impl;

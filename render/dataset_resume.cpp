@@ -48,7 +48,7 @@ tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& fi
                 "the dataset is complete, but " +
                     (count == 1 ? std::string("this file is")
                                 : "this and " + std::to_string(count - 1) + " more files are") +
-                    " missing or damaged; export it again without --resume",
+                    " missing or damaged; export it again with --overwrite in place of --resume",
                 (folder.path() / file).string());
 }
 
@@ -87,7 +87,9 @@ Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetO
     if (!differing.empty()) {
         return fail(ErrorCode::Usage,
                     "the folder holds a complete dataset of something else (it differs in " +
-                        differing + "); choose another folder, or leave out --resume to replace it",
+                        differing +
+                        "); choose another folder, or give --overwrite in place of --resume to "
+                        "replace it",
                     folder.path().string());
     }
     try {

@@ -1,5 +1,6 @@
 #include "render/frame_ledger.h"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -18,7 +19,6 @@ struct Row {
 struct FrameLedger::Impl {
     DatasetJournal journal;
     std::vector<Row> rows;
-    int finished = 0;
     mutable std::mutex mutex;
 
     Impl(DatasetJournal to, int frame_count)
@@ -30,7 +30,6 @@ struct FrameLedger::Impl {
         if (!row.written || !row.counted) return {};
         if (Status status = journal.append(row.entry); !status) return status;
         row.finished = true;
-        ++finished;
         return {};
     }
 };
@@ -41,7 +40,6 @@ FrameLedger::FrameLedger(DatasetJournal journal, int frame_count,
     for (int i = 0; i < frame_count; ++i) impl_->row(i).entry.index = i;
     for (auto& [index, entry] : restored) {
         impl_->row(index) = {std::move(entry), true, true, true};
-        ++impl_->finished;
     }
 }
 FrameLedger::~FrameLedger() = default;
@@ -70,9 +68,15 @@ Status FrameLedger::addCounted(int index, std::vector<ObjectView> views,
     return impl_->finishIfComplete(row);
 }
 
-int FrameLedger::finishedCount() const {
+int FrameLedger::finishedCount(const std::filesystem::path& folder) const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->finished;
+    const auto isThere = [&](const auto& file) {
+        std::error_code error;
+        return std::filesystem::exists(folder / file.first, error);
+    };
+    return static_cast<int>(std::ranges::count_if(impl_->rows, [&](const Row& row) {
+        return row.finished && std::ranges::all_of(row.entry.sha256s, isThere);
+    }));
 }
 
 Status FrameLedger::sync() {

@@ -2,6 +2,7 @@
 
 #include "render/dataset_journal.h"
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,8 @@ class FrameLedger {
     [[nodiscard]] Status addCounted(int index, std::vector<ObjectView> views,
                                     std::vector<int> well_shown);
 
-    [[nodiscard]] int finishedCount() const;
+    /// Finished frames whose files are still in the folder.
+    [[nodiscard]] int finishedCount(const std::filesystem::path& folder) const;
     [[nodiscard]] Status sync();
 
     /// Hands out what is known of a frame; the ledger keeps no copy.

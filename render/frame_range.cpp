@@ -36,7 +36,14 @@ Result<FrameRange> parseFrameRange(const std::string& text) {
     range.begin = parts[0].value_or(0);
     range.end = parts[1];
     range.step = parts[2].value_or(1);
-    if (range.step < 1 || (range.end && *range.end <= range.begin)) return refuse();
+    if (range.step < 1) return refuse();
+    if (range.end && *range.end <= range.begin) {
+        return fail(ErrorCode::Usage,
+                    "\"" + text +
+                        "\" ends before its first frame; the end, which is not among the "
+                        "frames, comes after the beginning, as in 5:10",
+                    "--range");
+    }
     return range;
 }
 

@@ -19,7 +19,7 @@ constexpr std::array<Modality, 15> kModalities = {{
      instanceConvention},
     {"semantic", "8-bit NYU40 classes", 0.04, true, 0, encodeSemantic, semanticConvention},
     {"depth_exr", "32-bit float depth along the viewing axis, in metres (OpenEXR)", 2.5, false,
-     kNeedsDepth, encodeDepthExr, depthExrConvention},
+     kNeedsDepth, encodeDepthExr, depthExrConvention, false},
     {"normal_camera", "16-bit surface normals in the camera's axes", 2.0, false, kNeedsSurfaces,
      encodeNormalCamera, normalCameraConvention},
     {"normal_world", "16-bit surface normals in the world's axes", 1.0, false, kNeedsSurfaces,
@@ -29,9 +29,9 @@ constexpr std::array<Modality, 15> kModalities = {{
     {"object_coordinates", "16-bit place within the object's own box", 4.0, false, kNeedsDepth,
      encodeObjectCoordinates, objectCoordinatesConvention},
     {"flow_forward", "optical flow to later frames, with occlusion (Middlebury .flo)", 8.1, false,
-     kNeedsDepth, encodeFlowForward, flowForwardConvention},
+     kNeedsDepth, encodeFlowForward, flowForwardConvention, false},
     {"flow_backward", "optical flow to earlier frames, with occlusion (Middlebury .flo)", 8.1,
-     false, kNeedsDepth, encodeFlowBackward, flowBackwardConvention},
+     false, kNeedsDepth, encodeFlowBackward, flowBackwardConvention, false},
     {"rgb_right", "8-bit colour pictures of the stereo pair's right camera", 1.2, false,
      kNeedsRight, encodeRgbRight, rgbRightConvention},
     {"depth_right", "16-bit depth of the right camera, in millimetres", 0.3, false, kNeedsRight,
@@ -39,7 +39,7 @@ constexpr std::array<Modality, 15> kModalities = {{
     {"disparity", "16-bit stereo disparity, with occlusion (KITTI's PNG)", 0.6, false, kNeedsDepth,
      encodeDisparity, disparityConvention},
     {"amodal", "masks of whole objects, hidden parts included (JSON of run lengths)", 0.1, false,
-     kNeedsWhole, encodeAmodal, amodalConvention},
+     kNeedsWhole, encodeAmodal, amodalConvention, false},
 }};
 
 }  // namespace

@@ -30,6 +30,8 @@ struct Modality {
     Result<std::vector<FrameFile>> (*encode)(const FrameContext& context, const FrameRecord& frame);
     /// What dataset.json says of the files.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
+
+    bool is_picture = true;  // a PNG file a frame, which contact sheets can show
 };
 
 /// All there are; the order is that of the files.

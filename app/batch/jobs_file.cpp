@@ -208,6 +208,7 @@ class OrderReader {
             }
         }
         order_.require = valuesOf(texts);
+        for (const auto& one : texts) order_.require_places.push_back(one.where);
     }
 
     /// What is said in two places would count in one of them.

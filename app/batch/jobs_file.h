@@ -41,8 +41,9 @@ struct BatchOrder {
     std::optional<std::filesystem::path> annotations;
     std::optional<ExportOrder> exports;  // none: the jobs only plan
     std::vector<std::string> require;
-    double timeout_s = 0.0;       // of one job; 0: none
-    std::uint64_t memory_mb = 0;  // likewise
+    std::vector<std::string> require_places;  // of each, "jobs.toml:12"
+    double timeout_s = 0.0;                   // of one job; 0: none
+    std::uint64_t memory_mb = 0;              // likewise
 };
 
 /// Reads a jobs file, README.md has an example, and looks for its scenes. All names and values are

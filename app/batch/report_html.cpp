@@ -6,6 +6,7 @@
 #include <deque>
 #include <fstream>
 #include <map>
+#include <string_view>
 
 namespace dollytrack::batch {
 namespace {
@@ -128,14 +129,23 @@ std::string meanTable(const Report& report) {
     return text + "</tbody></table>\n";
 }
 
+/// " 41 %  frames, 0:12 left": of a long run they are all that a log holds.
+bool isProgress(std::string_view line) {
+    const std::size_t digit = line.find_first_not_of(' ');
+    if (digit == std::string_view::npos) return false;
+    const std::size_t after = line.find_first_not_of("0123456789", digit);
+    return after != std::string_view::npos && after > digit && line.substr(after, 4) == " %  ";
+}
+
 std::string endOfLog(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::deque<std::string> lines;
     for (std::string line; std::getline(file, line);) {
+        if (isProgress(line)) continue;
         lines.push_back(std::move(line));
         if (lines.size() > kLogLines) lines.pop_front();
     }
-    std::string text;
+    std::string text = lines.empty() ? "It says nothing but how far it was.\n" : "";
     for (const std::string& line : lines) text += asMarkup(line) + "\n";
     return text;
 }
@@ -159,6 +169,9 @@ std::string sheets(const Report& report) {
     std::string text;
     for (const ReportRow& row : report.rows) {
         for (const WrittenDataset& dataset : row.result.datasets) {
+            const auto place = report.jobs_folder / row.job.name / dataset.folder;
+            std::error_code error;  // not every dataset has pictures to show
+            if (!std::filesystem::exists(place / "contact_sheet.jpg", error)) continue;
             const std::string link = report.linkTo(row, dataset.folder + "/contact_sheet.jpg");
             text += fmt::format(
                 "<figure><a href=\"{}\"><img loading=\"lazy\" src=\"{}\" alt=\"\"></a>"

@@ -165,8 +165,10 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
     Result<BatchOrder> order = batch::readJobsFile(arguments.file);
     if (!order) return tl::unexpected<Error>(std::move(order.error()));
     BatchList all{batch::jobsOf(*order), order->require};
-    if (Status status = batch::checkRequirements(order->require, all.jobs); !status) {
-        return fail(ErrorCode::BadInput, describe(status.error()), arguments.file);
+    for (std::size_t i = 0; i < order->require.size(); ++i) {
+        if (Status status = batch::checkRequirements({order->require[i]}, all.jobs); !status) {
+            return fail(ErrorCode::BadInput, status.error().message, order->require_places[i]);
+        }
     }
     all.require.insert(all.require.end(), arguments.require.begin(), arguments.require.end());
     if (Status status = batch::checkRequirements(all.require, all.jobs); !status) {

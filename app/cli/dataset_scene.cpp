@@ -9,7 +9,11 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <exception>
 #include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::cli {
 namespace {
@@ -60,14 +64,40 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
     return said;
 }
 
+/// Where the jobs of a batch had the scene from, if the dataset is of one: its folder is
+/// BATCH/JOB/dataset, or of a room in there, and BATCH/jobs.json lists the jobs.
+std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
+    std::vector<fs::path> folders;
+    std::error_code error;
+    fs::path job = fs::absolute(dataset / "", error).lexically_normal().parent_path();
+    for (int up = 0; up < 2; ++up) {
+        job = job.parent_path();
+        const fs::path list = job.parent_path() / "jobs.json";
+        if (!fs::is_regular_file(list, error)) continue;
+        try {
+            std::ifstream file(list, std::ios::binary);
+            const auto json = nlohmann::json::parse(file, nullptr, false);
+            if (!json.is_object() || json.value("format", "") != "dollytrack-batch") continue;
+            for (const auto& one : json.at("jobs")) {
+                if (one.at("name").get<std::string>() != job.filename().string()) continue;
+                folders.push_back(fs::path(one.at("scene").get<std::string>()).parent_path());
+            }
+        } catch (const std::exception&) {  // damaged, or unreadable: it is looked for elsewhere
+        }
+    }
+    return folders;
+}
+
 /// The named file where one would leave it; empty when it is nowhere, or no longer the same.
 fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::error_code error;
     const fs::path name = fs::path(said.file).filename();
     if (name.empty()) return {};
-    for (const fs::path& folder :
-         {dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
-          fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)}) {
+    std::vector<fs::path> folders = {
+        dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
+        fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)};
+    for (fs::path& folder : foldersOfBatch(dataset)) folders.push_back(std::move(folder));
+    for (const fs::path& folder : folders) {
         const fs::path path = folder / name;
         if (!fs::is_regular_file(path, error)) continue;
         const Result<std::string> is = io::sha256OfFile(path);

@@ -39,6 +39,8 @@ Status addReconstruction(const EvaluateArguments& arguments, const verify::Store
         Result<std::vector<Eigen::Vector3d>> cloud = io::readPlyPoints(arguments.clouds[i]);
         if (!cloud) return tl::unexpected<Error>(std::move(cloud.error()));
         RunFigures& run = runs[i];
+        // Where a cloud belongs is not known without its trajectory.
+        if (!run.error.measured) continue;
         for (Eigen::Vector3d& point : *cloud) point = run.error.world_from_estimate * point;
         run.cloud = arguments.clouds[i];
         run.reconstruction = cloudError(*cloud, *scene->rays);
@@ -68,6 +70,7 @@ Result<ExitCode> runEvaluate(EvaluateArguments arguments, const Session& session
         RunFigures run;
         run.name = path;
         run.error = trajectoryError(truth, *estimate, arguments.settings);
+        run.not_measured = whyNotMeasured(truth, *estimate, run.error, arguments.settings);
         run.success = isSuccess(run.error, arguments.limits);
         runs.push_back(std::move(run));
     }
@@ -110,27 +113,32 @@ void addEvaluateCommand(CLI::App& app, Session& session) {
                      "Turn and move the estimate onto the truth (se3), scale it, too (sim3), or "
                      "take it as it is")
         ->check(CLI::IsMember({"se3", "sim3", "none"}))
-        ->type_name("se3|sim3|none");
+        ->type_name("se3|sim3|none")
+        ->capture_default_str();
     command
         ->add_option("--max-dt", arguments->settings.max_dt_s,
                      "Most that the time of a pose may be off its frame's, s")
         ->check(CLI::Range(0.0, 1e6).description("0 .. 1e6"))
-        ->type_name("SECONDS");
+        ->type_name("SECONDS")
+        ->capture_default_str();
     command
         ->add_option("--delta", arguments->settings.delta,
                      "Frames over which a relative error is measured")
         ->check(CLI::Range(1, 1'000'000).description("1 .. 1000000"))
-        ->type_name("FRAMES");
+        ->type_name("FRAMES")
+        ->capture_default_str();
     command
         ->add_option("--min-tracked", arguments->limits.min_tracked,
                      "A run that has a pose for less than this share of the frames has failed")
         ->check(CLI::Range(0.0, 1.0).description("0 .. 1"))
-        ->type_name("SHARE");
+        ->type_name("SHARE")
+        ->capture_default_str();
     command
         ->add_option("--max-ate", arguments->limits.max_ate_m,
                      "A run with a larger absolute error (RMSE, m) has failed")
         ->check(CLI::Range(0.0, 1e6).description("0 .. 1e6"))
-        ->type_name("METRES");
+        ->type_name("METRES")
+        ->capture_default_str();
     addDatasetSceneArguments(*command, arguments->scene);
     command->add_flag("--json", arguments->as_json, "Print the figures as JSON");
     command->footer(
@@ -138,7 +146,9 @@ void addEvaluateCommand(CLI::App& app, Session& session) {
         "ones\n"
         "those of the motions over --delta frames. A point cloud is aligned with its run's "
         "trajectory.\n"
-        "An estimate without any pose is a run that has failed, not an error.\n"
+        "An estimate without any pose is a run that has failed, not an error: the exit code is 0 "
+        "even\n"
+        "when all runs have failed; success_rate of --json tells.\n"
         "Example: dollytrack evaluate dataset --estimated CameraTrajectory.txt --cloud map.ply");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runEvaluate(*arguments, session); };

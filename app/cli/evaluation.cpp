@@ -19,6 +19,13 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr std::size_t kNameWidth = 24;
 
 nlohmann::json toJson(const ErrorFigures& figures, double factor) {
+    if (figures.count == 0) {  // not 0, which is the best there is
+        return {{"rmse", nullptr},
+                {"mean", nullptr},
+                {"median", nullptr},
+                {"max", nullptr},
+                {"count", 0}};
+    }
     return {{"rmse", factor * figures.rmse},
             {"mean", factor * figures.mean},
             {"median", factor * figures.median},
@@ -41,10 +48,12 @@ nlohmann::json toJson(const RunFigures& run) {
                           {"frames", run.error.frames},
                           {"tracked", run.error.matches.size()},
                           {"tracked_share", run.error.trackedShare()},
-                          {"alignment", toJson(run.error.world_from_estimate)},
+                          {"alignment", run.error.measured ? toJson(run.error.world_from_estimate)
+                                                           : nlohmann::json()},
                           {"ate_m", toJson(run.error.absolute_m, 1.0)},
                           {"rpe_m", toJson(run.error.relative_m, 1.0)},
                           {"rpe_deg", toJson(run.error.relative_rad, kDegrees)}};
+    if (!run.not_measured.empty()) one["reason"] = run.not_measured;
     if (run.reconstruction) {
         one["reconstruction"] = {{"cloud", run.cloud},
                                  {"points", run.reconstruction->points},
@@ -54,6 +63,28 @@ nlohmann::json toJson(const RunFigures& run) {
         if (run.completeness) one["reconstruction"]["completeness_5cm"] = *run.completeness;
     }
     return one;
+}
+
+/// A number in a column of its own, however large; '-' for one that is not there.
+std::string cell(double value, bool known, int decimals) {
+    constexpr std::size_t kWidth = 9;
+    std::string text = known ? fmt::format("{:.{}f}", value, decimals) : "-";
+    if (text.size() > kWidth) text = fmt::format("{:.2e}", value);
+    return fmt::format(" {:>{}}", text, kWidth);
+}
+
+std::string row(const RunFigures& run) {
+    const TrajectoryError& error = run.error;
+    const ErrorFigures& ate = error.absolute_m;
+    std::string text = fmt::format("  {}", inColumn(run.name, kNameWidth));
+    text += cell(100.0 * error.trackedShare(), true, 1);
+    text += cell(error.world_from_estimate.scale, error.measured, 4);
+    for (const double value : {ate.rmse, ate.mean, ate.median, ate.max}) {
+        text += cell(1e3 * value, ate.count > 0, 1);
+    }
+    text += cell(1e3 * error.relative_m.rmse, error.relative_m.count > 0, 2);
+    text += cell(kDegrees * error.relative_rad.rmse, error.relative_rad.count > 0, 3);
+    return text + (run.success ? "  success\n" : "  FAILED\n");
 }
 
 bool holdsNoPose(const std::string& text) {
@@ -86,6 +117,7 @@ Result<Trajectory> readEstimate(const std::string& path) {
     if (holdsNoPose(*text)) return Trajectory{};
     io::TrajectoryReading reading;
     reading.world = "z-up";  // as it is: it is aligned anyway, or has to be in our world
+    reading.has_options = false;
     Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
     if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
     if (!loaded->timed) {
@@ -97,8 +129,31 @@ Result<Trajectory> readEstimate(const std::string& path) {
     return std::move(loaded->trajectory);
 }
 
+std::string whyNotMeasured(const Trajectory& truth, const Trajectory& estimate,
+                           const TrajectoryError& error, const TrajectoryErrorSettings& settings) {
+    if (error.measured) return {};
+    if (estimate.frames.empty()) return "it holds no pose";
+    if (truth.frames.empty()) return "the dataset has no frame";
+    if (!error.matches.empty()) {
+        return fmt::format("only {} of its poses {} to a frame, and fewer than {} fit anything",
+                           error.matches.size(), error.matches.size() == 1 ? "belongs" : "belong",
+                           posesNeeded(settings.alignment));
+    }
+    const double from = truth.frames.front().time_s;
+    const double to = truth.frames.back().time_s;
+    const double first = estimate.frames.front().time_s;
+    const double last = estimate.frames.back().time_s;
+    const std::string times =
+        fmt::format("the dataset lasts from {:.2f} to {:.2f} s, the file from {:.2f} to {:.2f} s",
+                    from, to, first, last);
+    if (first > to + settings.max_dt_s || last < from - settings.max_dt_s) {
+        return "no time in common: " + times;
+    }
+    return fmt::format("no pose within {:g} s of a frame (--max-dt): {}", settings.max_dt_s, times);
+}
+
 bool isSuccess(const TrajectoryError& error, const SuccessLimits& limits) {
-    return !error.matches.empty() && error.trackedShare() >= limits.min_tracked &&
+    return error.measured && error.trackedShare() >= limits.min_tracked &&
            error.absolute_m.rmse <= limits.max_ate_m;
 }
 
@@ -120,22 +175,21 @@ std::string evaluationText(const std::vector<RunFigures>& runs, const SuccessLim
                            const TrajectoryErrorSettings& settings) {
     std::string text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "  {} {:>8} {:>7} {:>32} {:>20}\n", inColumn("", kNameWidth), "tracked",
-                   "scale", "absolute error, mm", "relative, RMSE");
-    fmt::format_to(out, "  {} {:>8} {:>7} {:>8}{:>8}{:>8}{:>8} {:>10}{:>10}\n",
-                   inColumn("run", kNameWidth), "%", "", "RMSE", "mean", "median", "max", "mm",
-                   "deg");
-    for (const RunFigures& run : runs) {
-        const ErrorFigures& ate = run.error.absolute_m;
-        fmt::format_to(out,
-                       "  {} {:>8.1f} {:>7.4f} {:>8.1f}{:>8.1f}{:>8.1f}{:>8.1f} {:>10.2f}{:>10.3f}"
-                       "  {}\n",
-                       inColumn(run.name, kNameWidth), 100.0 * run.error.trackedShare(),
-                       run.error.world_from_estimate.scale, 1e3 * ate.rmse, 1e3 * ate.mean,
-                       1e3 * ate.median, 1e3 * ate.max, 1e3 * run.error.relative_m.rmse,
-                       kDegrees * run.error.relative_rad.rmse, run.success ? "success" : "FAILED");
+    const std::string no_name = inColumn("", kNameWidth);
+    fmt::format_to(out, "  {} {:>9} {:>9} {:>39} {:>19}\n", no_name, "tracked", "scale",
+                   "absolute error, mm", "relative, RMSE");
+    fmt::format_to(out, "  {}", inColumn("run", kNameWidth));
+    for (const char* head : {"%", "", "RMSE", "mean", "median", "max", "mm", "deg"}) {
+        fmt::format_to(out, " {:>9}", head);
     }
-    fmt::format_to(out, "\nrelative errors are of motions over {} frame{}\n", settings.delta,
+    text += "\n";
+    for (const RunFigures& run : runs) text += row(run);
+    for (const RunFigures& run : runs) {
+        if (run.not_measured.empty()) continue;
+        fmt::format_to(out, "\nno errors of {}: {}", run.name, run.not_measured);
+    }
+    text += "\n";
+    fmt::format_to(out, "relative errors are of motions over {} frame{}\n", settings.delta,
                    settings.delta == 1 ? "" : "s");
     for (const RunFigures& run : runs) {
         if (!run.reconstruction) continue;
@@ -155,6 +209,9 @@ std::string evaluationText(const std::vector<RunFigures>& runs, const SuccessLim
                    "success rate {:.1f} %: runs that track {:g} % of the frames or more "
                    "(--min-tracked) with an RMSE of {:g} m or less (--max-ate)\n",
                    100.0 * successRate(runs), 100.0 * limits.min_tracked, limits.max_ate_m);
+    if (successRate(runs) == 0.0) {
+        text += "no run was a success; that is a result, so the exit code is 0\n";
+    }
     return text;
 }
 

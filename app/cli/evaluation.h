@@ -23,6 +23,7 @@ struct SuccessLimits {
 struct RunFigures {
     std::string name;  // of its file
     TrajectoryError error;
+    std::string not_measured;  // why there are no errors, in a sentence; empty where there are
     bool success = false;
     std::string cloud;  // of its point cloud; empty without one
     std::optional<CloudError> reconstruction;
@@ -35,6 +36,10 @@ Trajectory trueTrajectory(const verify::StoredDataset& dataset);
 /// A file of timed poses. One without any pose is what a program leaves that never began to track:
 /// an empty trajectory. Errors: BadInput, also for a file without times.
 Result<Trajectory> readEstimate(const std::string& path);
+
+/// Why an estimate has no errors; empty where it has.
+std::string whyNotMeasured(const Trajectory& truth, const Trajectory& estimate,
+                           const TrajectoryError& error, const TrajectoryErrorSettings& settings);
 
 bool isSuccess(const TrajectoryError& error, const SuccessLimits& limits);
 

@@ -42,7 +42,9 @@ nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::str
                            const nlohmann::json& planned) {
     return {{"out", folder},
             {"frames", summary.frames},
-            {"contact_sheet", summary.contact_sheet.string()},
+            {"contact_sheet", summary.contact_sheet.empty()
+                                  ? nlohmann::json()
+                                  : nlohmann::json(summary.contact_sheet.string())},
             {"planned", planned},
             {"counted", captureMetricsJson(summary.counted)}};
 }
@@ -72,7 +74,9 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
         fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
                    planned.value("frames", 0), summary.frames);
     }
-    fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+    if (!summary.contact_sheet.empty()) {
+        fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+    }
 }
 
 /// One line a room: rates of all targets say nothing of one room's.
@@ -95,7 +99,9 @@ void printChoices() {
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
     fmt::print("*: written where none is named; the name 'all' stands for all.\n");
-    fmt::print("dataset.json, which describes the dataset, and a contact sheet come with each.\n");
+    fmt::print(
+        "dataset.json, which describes the dataset, comes with each; so does a contact sheet where "
+        "any of them is a picture.\n");
 }
 
 template <class Row>
@@ -159,6 +165,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (Status status = render::checkSettings(checked); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    checked.overwrite = arguments.overwrite;
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
 
@@ -183,6 +190,9 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
 
     Result<std::vector<RoomExport>> exports = roomExports(*planned);
     if (!exports) return tl::unexpected<Error>(exports.error());
+    if (Status status = checkRooms(*exports, *range, arguments.folds); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     for (RoomExport& one : *exports) {  // what is written of the room, not what was planned
         const int count = static_cast<int>(one.trajectory.frames.size());
         one.about["frames"] = render::framesOf(*range, count).size();
@@ -205,6 +215,13 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
             printSummary(*summary, arguments.out, planned->metrics);
         }
         return kDone;
+    }
+    for (const RoomExport& one : *exports) {
+        checked.folder = settings.folder / one.room;
+        if (!std::filesystem::exists(checked.folder)) continue;
+        if (Status status = render::checkSettings(checked); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
     }
     if (Status status = claimForRooms(arguments.out, *exports); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
@@ -285,14 +302,15 @@ void addExportCommand(CLI::App& app, Session& session) {
     command->add_flag("--resume", arguments->resume,
                       "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,
-                      "Write into a folder that holds other files; they stay");
+                      "Replace a complete dataset; write among other files, which stay");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
         "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"
         "changed here or its scene file has changed: then it is planned again, with a warning.\n"
         "An export that is stopped keeps its finished frames; the same command with --resume goes "
         "on\n"
-        "from there and ends with the same files. Without it, an unfinished dataset begins anew.\n"
+        "from there and ends with the same files. Without it, an unfinished dataset begins anew;\n"
+        "a complete one is replaced only with --overwrite.\n"
         "Planned with rooms=each, every room becomes a dataset in a folder of its own, "
         "DIR/room_1.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");

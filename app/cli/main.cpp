@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/help_formatter.h"
 #include "app/cli/progress_lines.h"
 #include "app/cli/suggestion.h"
 #include "engine/core/log.h"
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
         "Plans where a camera should go inside an indoor 3D scene so that every object is "
         "seen well,\nand renders the trajectory as a labelled dataset.");
     app.name("dollytrack");
+    app.formatter(std::make_shared<cli::HelpFormatter>());
     app.set_version_flag("--version", std::string("dollytrack ") + DOLLYTRACK_VERSION);
     app.require_subcommand(1);
     app.footer(

@@ -57,6 +57,30 @@ Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned) {
     return exports;
 }
 
+Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRange& range,
+                  const render::FoldSettings& folds) {
+    for (const RoomExport& one : exports) {
+        const int available = static_cast<int>(one.trajectory.frames.size());
+        const int count = static_cast<int>(render::framesOf(range, available).size());
+        if (count == 0) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("the range holds none of the {} frames of {}; nothing was "
+                                    "rendered of any room",
+                                    available, one.room),
+                        "--range");
+        }
+        if (count < folds.count) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("{} has {} frame{}, which cannot be split into {} folds; ask "
+                                    "for fewer, or for more frames; nothing was rendered of any "
+                                    "room",
+                                    one.room, count, count == 1 ? "" : "s", folds.count),
+                        "--folds");
+        }
+    }
+    return {};
+}
+
 Status claimForRooms(const fs::path& folder, const std::vector<RoomExport>& exports) {
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error)) {
@@ -76,6 +100,27 @@ bool holdsRooms(const fs::path& folder) {
     std::ifstream file(folder / kList);
     const auto list = nlohmann::json::parse(file, nullptr, false);
     return list.is_object() && list.contains("rooms");
+}
+
+Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
+    std::vector<fs::path> folders;
+    try {
+        std::ifstream file(folder / kList);
+        const auto list = nlohmann::json::parse(file, nullptr, false);
+        for (const nlohmann::json& room : list.at("rooms")) {
+            const auto name = room.at("name").get<std::string>();
+            if (!isPlain(name)) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("'{}' cannot be a room's folder.", name),
+                            (folder / kList).string());
+            }
+            folders.push_back(folder / name);
+        }
+    } catch (const std::exception& e) {  // the stream's buffer throws what read() refuses
+        return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", e.what()),
+                    (folder / kList).string());
+    }
+    return folders;
 }
 
 JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,

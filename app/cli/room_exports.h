@@ -4,6 +4,8 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
+#include "render/frame_folds.h"
+#include "render/frame_range.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +29,11 @@ struct RoomExport {
 /// granted: each begins at time 0. Rooms without frames are left out. Error: BadInput.
 Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned);
 
+/// Whether every room has frames in the range, and enough for the folds: asked before the first is
+/// rendered. Error: Usage, with the room's name.
+Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRange& range,
+                  const render::FoldSettings& folds);
+
 /// Makes the folder of the rooms' folders and writes rooms.json there, which lists them. Before the
 /// first frame, so that even what is interrupted can be told from other folders. Errors:
 /// CannotWrite, also when a dataset of all rooms is there.
@@ -34,6 +41,9 @@ Status claimForRooms(const std::filesystem::path& folder, const std::vector<Room
 
 /// Whether claimForRooms() was there.
 bool holdsRooms(const std::filesystem::path& folder);
+
+/// The folders of the rooms that rooms.json lists, whether they are there or not. Error: BadInput.
+Result<std::vector<std::filesystem::path>> roomFolders(const std::filesystem::path& folder);
 
 /// A job's context for `count` of its `total` frames, `before` of which are done.
 JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,

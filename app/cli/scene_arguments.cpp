@@ -1,5 +1,6 @@
 #include "app/cli/scene_arguments.h"
 
+#include "app/cli/length_unit.h"
 #include "app/project/read_project.h"
 #include "engine/core/log.h"
 #include "engine/core/name_hint.h"
@@ -202,9 +203,11 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
 }
 
 void addImportArguments(CLI::App& command, SceneArguments& arguments) {
-    command.add_option("--unit", arguments.unit_m, "Metres per unit of the scene; else found out")
-        ->check(CLI::Range(1e-6, 1e6).description("1e-6 .. 1e6"))
-        ->type_name("METRES");
+    command
+        .add_option("--unit", arguments.unit_m,
+                    "Metres per unit of the scene, or m, cm, mm, inch, ft; else found out")
+        ->transform(lengthUnit())
+        ->type_name("METRES|UNIT");
     command.add_option("--up", arguments.up_axis, "The scene's upward axis; else found out")
         ->check(CLI::IsMember({"x", "y", "z"}))
         ->type_name("AXIS");

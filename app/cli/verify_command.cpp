@@ -30,7 +30,24 @@ struct Verified {
     std::size_t frames = 0;
     std::size_t files = 0;
     std::vector<CheckResult> results;
+    std::string no_scene;  // why there is none; what needs it is not proven
+
+    /// Checks that a scene would allow.
+    [[nodiscard]] std::ptrdiff_t unproven() const {
+        if (no_scene.empty()) return 0;
+        return std::count_if(results.begin(), results.end(),
+                             [&](const CheckResult& result) { return result.skipped == no_scene; });
+    }
 };
+
+/// "sound", and what that leaves out.
+std::string verdictOf(const Verified& verified) {
+    if (!verify::isSound(verified.results)) return "DAMAGED";
+    const auto unproven = verified.unproven();
+    if (unproven == 0) return "sound";
+    return fmt::format("sound as far as it goes: {} check{} the scene; name it with --scene",
+                       unproven, unproven == 1 ? " needs" : "s need");
+}
 
 const char* statusOf(const CheckResult& result) {
     if (result.failed()) return "failed";
@@ -64,6 +81,7 @@ nlohmann::json toJson(const Verified& verified) {
             {"frames", verified.frames},
             {"files", verified.files},
             {"sound", verify::isSound(verified.results)},
+            {"unproven_without_scene", verified.unproven()},
             {"checks", std::move(checks)}};
 }
 
@@ -99,7 +117,7 @@ void print(const Verified& verified, int show) {
         }
     }
     fmt::print("\n{} passed, {} failed, {} skipped: {}\n\n", passed, failed, skipped,
-               failed == 0 ? "sound" : "DAMAGED");
+               verdictOf(verified));
 }
 
 Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& arguments,
@@ -112,25 +130,48 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
                                          scene->missing, job.stage(0.1, 1.0, "frames"));
     if (!results) return tl::unexpected<Error>(std::move(results.error()));
     return Verified{folder.string(), dataset->frames.size(), dataset->sha256s.size() + 1,
-                    std::move(*results)};
+                    std::move(*results), scene->missing};
 }
 
+/// What is to be verified, and what should be there to be.
+struct Datasets {
+    std::vector<fs::path> folders;
+    std::vector<std::string> missing;  // rooms without a dataset
+};
+
 /// The datasets in a folder: itself, or one a room.
-std::vector<fs::path> datasetsIn(const fs::path& folder) {
+Result<Datasets> datasetsIn(const fs::path& folder) {
     std::error_code error;
-    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {folder};
-    std::vector<fs::path> rooms;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (entry.is_directory(error)) rooms.push_back(entry.path());
+    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder))
+        return Datasets{{folder}, {}};
+    const auto rooms = roomFolders(folder);
+    if (!rooms) return tl::unexpected<Error>(rooms.error());
+    Datasets found;
+    for (const fs::path& room : *rooms) {
+        if (fs::exists(room / "dataset.json", error)) {
+            found.folders.push_back(room);
+        } else {
+            found.missing.push_back(room.filename().string());
+        }
     }
-    std::sort(rooms.begin(), rooms.end());
-    return rooms.empty() ? std::vector{folder} : rooms;
+    return found;
+}
+
+nlohmann::json toJson(nlohmann::json datasets, const std::vector<std::string>& missing,
+                      bool sound) {
+    if (datasets.size() == 1 && missing.empty()) return std::move(datasets[0]);
+    nlohmann::json all = {{"sound", sound}, {"datasets", std::move(datasets)}};
+    if (!missing.empty()) all["missing"] = missing;
+    return all;
 }
 
 Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& session) {
     const JobContext job = session.job();
-    const std::vector<fs::path> folders = datasetsIn(arguments.folder);
-    bool sound = true;
+    const Result<Datasets> datasets = datasetsIn(arguments.folder);
+    if (!datasets) return tl::unexpected<Error>(datasets.error());
+    const std::vector<fs::path>& folders = datasets->folders;
+    const std::vector<std::string>& missing = datasets->missing;
+    bool sound = missing.empty();
     nlohmann::json all = nlohmann::json::array();
     for (std::size_t i = 0; i < folders.size(); ++i) {
         const auto share = [&](std::size_t n) {
@@ -147,9 +188,13 @@ Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& sess
         }
     }
     if (arguments.as_json) {
-        fmt::print("{}\n", jsonText(folders.size() == 1
-                                        ? all[0]
-                                        : nlohmann::json{{"sound", sound}, {"datasets", all}}));
+        fmt::print("{}\n", jsonText(toJson(std::move(all), missing, sound)));
+    } else if (!missing.empty()) {
+        fmt::print(
+            "UNFINISHED: {} of {} rooms in rooms.json ha{} no complete dataset: {}; 'export "
+            "--resume' goes on\n",
+            missing.size(), missing.size() + folders.size(), missing.size() == 1 ? "s" : "ve",
+            fmt::join(missing, ", "));
     }
     return sound ? kDone : kBadInput;
 }
@@ -180,7 +225,9 @@ void addVerifyCommand(CLI::App& app, Session& session) {
         "Say what is checked, and nothing else");
     command->footer(
         "Ends with 0 when every check that could be made has passed, with 4 when one has not.\n"
-        "A check is skipped when the dataset lacks the files for it, or the scene is not at hand.\n"
+        "A check is skipped when the dataset lacks the files for it, or the scene is not at hand: "
+        "it is\n"
+        "looked for beside the dataset, in the working folder and where a batch had it from.\n"
         "Example: dollytrack verify dataset --scene room.glb");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runVerify(*arguments, session); };

@@ -184,11 +184,16 @@ void Editor::resumeExport(int id, const std::vector<ui::ExportJob>& jobs) {
 void Editor::queueExport(const ui::ExportView& view) {
     ui::ExportRequest request = ui::requestOf(view, panels_.export_draft);
     request.folder = exportFolder();
+    const FolderFinding& found = export_folder_.of(request.folder);
+    const bool made_here = std::ranges::any_of(view.jobs, [&](const ui::ExportJob& job) {
+        return job.state == ui::ExportState::Done && job.request.folder == request.folder;
+    });
+    // The panel says that it will be replaced.
+    if (made_here || found.kind == FolderFinding::Kind::Dataset) request.overwrite = true;
     auto add = [this, request,
                 project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())] {
         exports_->add(request, project);
     };
-    const FolderFinding& found = export_folder_.of(request.folder);
     if (found.kind != FolderFinding::Kind::NewInNew) return add();
     // More likely a slip of the finger than a wish.
     questions_.ask(

@@ -28,6 +28,11 @@ Eigen::Isometry3d motionBetween(const Pose& first, const Pose& second, double sc
 
 }  // namespace
 
+int posesNeeded(Alignment alignment) {
+    if (alignment == Alignment::None) return 1;
+    return alignment == Alignment::Rigid ? 2 : 3;
+}
+
 ErrorFigures figuresOf(std::vector<double> errors) {
     ErrorFigures figures;
     figures.count = static_cast<int>(errors.size());
@@ -83,6 +88,8 @@ TrajectoryError trajectoryError(const Trajectory& truth, const Trajectory& estim
     TrajectoryError error;
     error.frames = static_cast<int>(truth.frames.size());
     error.matches = matchByTime(truth, estimate, settings.max_dt_s);
+    error.measured = static_cast<int>(error.matches.size()) >= posesNeeded(settings.alignment);
+    if (!error.measured) return error;
     error.world_from_estimate = align(truth, estimate, error.matches, settings.alignment);
     const auto true_pose = [&](int i) -> const Pose& {
         return truth.frames[static_cast<std::size_t>(i)].pose;

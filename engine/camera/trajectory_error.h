@@ -31,6 +31,9 @@ struct ErrorFigures {
 };
 [[nodiscard]] ErrorFigures figuresOf(std::vector<double> errors);
 
+/// Matched poses that have to be there before an error says anything: fewer always fit.
+[[nodiscard]] int posesNeeded(Alignment alignment);
+
 /// What an estimated trajectory is worth.
 struct TrajectoryError {
     int frames = 0;                            // of the true trajectory
@@ -39,6 +42,7 @@ struct TrajectoryError {
     ErrorFigures absolute_m;                   // distances after alignment
     ErrorFigures relative_m;                   // of motions over `delta` frames
     ErrorFigures relative_rad;
+    bool measured = false;  // else too few poses match, and nothing above but those is known
 
     [[nodiscard]] double trackedShare() const {
         return frames > 0 ? static_cast<double>(matches.size()) / frames : 0.0;

@@ -15,8 +15,11 @@ namespace {
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cellOf(const Eigen::Vector3d& point, double size) {
+    // What is farther out shares the outermost cells: still a number that has neighbours.
+    constexpr double kOutermost = 1e15;
     const auto at = [&](double value) {
-        return static_cast<std::int64_t>(std::floor(value / size));
+        return static_cast<std::int64_t>(
+            std::clamp(std::floor(value / size), -kOutermost, kOutermost));
     };
     return {at(point.x()), at(point.y()), at(point.z())};
 }

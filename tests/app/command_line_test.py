@@ -349,7 +349,8 @@ class CommandLine(FolderCase):
                 self.check_sofa(project, out, options, time_at)
 
     def check_sofa(self, project, out, options, time_at):
-        exported = run("export", project, "--out", out, "--modalities", "depth,instance", *options)
+        exported = run("export", project, "--out", out, "--modalities", "depth,instance",
+                       "--overwrite", *options)
         self.assertEqual(exported.returncode, 0, exported.stderr)
         info = json.loads((out / "dataset.json").read_text())
         sofa = next(entry for entry in info["objects"] if entry["name"] == "sofa")

@@ -161,7 +161,7 @@ class Constraints(FolderCase):
         result = run("export", scene, "--out", joined, "--modalities", "rgb", "--max-frames", 8)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue((joined / "camera.json").exists())
-        mixed = run("export", project, "--out", joined, "--modalities", "rgb")
+        mixed = run("export", project, "--out", joined, "--modalities", "rgb", "--overwrite")
         self.assertEqual(mixed.returncode, 6, mixed.stderr)
 
     def test_a_must_see_region_is_measured_and_can_be_required(self):

@@ -182,6 +182,53 @@ class EvaluateTest(FolderCase):
         self.assertIn("success rate 50.0 %", printed.stdout)
         self.assertIn("--min-tracked", printed.stdout)
 
+    def test_a_run_without_figures_has_none_and_says_why(self):
+        step = np.diff(self.times).min()
+        span = f"lasts from {self.times[0]:.2f} to {self.times[-1]:.2f} s"
+        empty = self.folder / "no_pose.txt"
+        empty.write_text("# timestamp tx ty tz qx qy qz qw\n")
+        cases = [(empty, "holds no pose")]
+        for name, offset, word in [("late.txt", step / 2, "--max-dt"),
+                                   ("unix.txt", 1.7e9, "no time in common")]:
+            cases.append((self.write(name, self.times + offset, self.positions, self.rotations),
+                          word))
+        cases.append((self.write("single.txt", self.times[:1], self.positions[:1],
+                                 self.rotations[:1]), "only 1 of its poses belongs"))
+        for path, word in cases:
+            with self.subTest(path.name):
+                one = self.one(path, "--max-dt", step / 4)
+                self.assertFalse(one["success"])
+                self.assertIn(word, one["reason"])
+                self.assertIsNone(one["alignment"])
+                for figures in ("ate_m", "rpe_m", "rpe_deg"):
+                    self.assertEqual(one[figures], {"rmse": None, "mean": None, "median": None,
+                                                    "max": None, "count": 0})
+                printed = run("-q", "evaluate", self.folder / "dataset", "--estimated", path,
+                              "--max-dt", step / 4)
+                self.assertEqual(printed.returncode, 0, printed.stderr)
+                row = next(line for line in printed.stdout.splitlines() if "FAILED" in line)
+                self.assertEqual(row.split()[2:], ["-"] * 7 + ["FAILED"])
+                self.assertIn(word, printed.stdout)
+                self.assertIn("the exit code is 0", printed.stdout)
+                if path.name in ("late.txt", "unix.txt"):
+                    self.assertIn(span, printed.stdout)
+        # One pose is an error where nothing is aligned, and two fit any other two but in length.
+        self.assertLess(self.one(cases[-1][0], "--align", "none")["ate_m"]["max"], 1e-8)
+        two = self.write("two.txt", self.times[:2], 3 * self.positions[:2], self.rotations[:2])
+        self.assertGreater(self.one(two)["ate_m"]["rmse"], 0.0)
+        self.assertIsNone(self.one(two, "--align", "sim3")["ate_m"]["rmse"])
+        self.assertNotIn("reason", self.one(self.write("good3.txt", self.times, *self.moved())))
+
+    def test_large_errors_stay_in_their_columns(self):
+        path = self.write("astray.txt", self.times, 1e4 * self.positions, self.rotations)
+        printed = run("-q", "evaluate", self.folder / "dataset", "--estimated", path)
+        row = next(line for line in printed.stdout.splitlines() if "FAILED" in line)
+        cells = row.split()
+        self.assertEqual(len(cells), 10)
+        ate = self.one(path)["ate_m"]
+        for cell, name in zip(cells[3:7], ("rmse", "mean", "median", "max")):
+            self.assertAlmostEqual(float(cell) / (1e3 * ate[name]), 1, delta=0.01)
+
     def unprojected(self):
         """All pixels of all frames in the world, from the depth images."""
         import cv2
@@ -244,6 +291,14 @@ class EvaluateTest(FolderCase):
         timeless = self.folder / "timeless.txt"
         timeless.write_text("1 0 0 0 0 1 0 0 0 0 1 0\n")
         self.assertFails(run("-q", "evaluate", dataset, "--estimated", timeless), 4, "no times")
+        bad = self.folder / "bad.txt"
+        far = self.folder / "far.txt"
+        bad.write_text("nothing of the kind\n")
+        far.write_text("0 1e9 0 0 0 0 0 1\n")
+        for path, word in [(bad, "no trajectory"), (far, "1000 km")]:
+            refused = run("-q", "evaluate", dataset, "--estimated", path)
+            self.assertFails(refused, 4, word, path.name)
+            self.assertNotIn("--trajectory", refused.stderr)  # evaluate has no such options
         self.assertFails(run("-q", "evaluate", dataset, "--estimated", "nowhere.txt"), 4,
                          "nowhere.txt")
         good = self.write("good2.txt", self.times, self.positions, self.rotations)

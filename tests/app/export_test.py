@@ -201,7 +201,7 @@ class Export(FolderCase):
             with open(filler, "wb") as file:
                 file.truncate(0)
             bigger = run("export", self.project, "--out", out, "--set", "width_px=4000",
-                         "--set", "height_px=3000")
+                         "--set", "height_px=3000", "--overwrite")
             self.assertFails(bigger, 6, "MB are needed")
             self.assertEqual(hashes(out), self.expected)
         finally:
@@ -290,7 +290,8 @@ class Export(FolderCase):
         self.assertEqual(card["metrics"], whole["metrics"])
         # A folder of fewer modalities takes the place of one of more.
         shutil.copytree(self.unbroken, out, dirs_exist_ok=True)
-        run("export", self.project, "--out", out, "--modalities", "depth,rgb", "--formats", "coco")
+        run("export", self.project, "--out", out, "--modalities", "depth,rgb", "--formats", "coco",
+            "--overwrite")
         self.assertEqual(hashes(out), files)
 
     def test_unknown_choices_are_usage_errors(self):

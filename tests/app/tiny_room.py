@@ -21,6 +21,24 @@ def write_boxes(path, boxes):
         file.write("\n".join(lines) + "\n")
 
 
+def write_two(path):
+    """Two closed rooms, side by side and without a door."""
+    write_boxes(path, [
+        ("floor", (0, -0.1, 0), (8, 0, 3)),
+        ("ceiling", (0, 2.6, 0), (8, 2.7, 3)),
+        ("wall_1", (-0.1, 0, 0), (0, 2.6, 3)),
+        ("wall_2", (4, 0, 0), (4.1, 2.6, 3)),
+        ("wall_3", (0, 0, -0.1), (8, 2.6, 0)),
+        ("wall_4", (0, 0, 3), (8, 2.6, 3.1)),
+        ("wall_5", (8, 0, 0), (8.1, 2.6, 3)),
+        ("table", (2.8, 0, 0.8), (3.6, 0.74, 2.2)),
+        ("mug", (3.1, 0.74, 1.2), (3.19, 0.84, 1.29)),
+        ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
+        ("picture", (1.5, 1.3, 0.0), (2.1, 1.7, 0.02)),
+        ("desk", (7.0, 0, 0.8), (7.8, 0.74, 2.2)),
+    ])
+
+
 def write(path):
     """4 x 2.6 x 3 m with a table, a mug and a book on it, a sofa and a picture."""
     write_boxes(path, [

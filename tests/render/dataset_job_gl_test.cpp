@@ -105,7 +105,14 @@ TEST_F(DatasetJobGl, GivesTheSameBytesWhateverTheThreads) {
 
 TEST_F(DatasetJobGl, ReplacesItsOwnLongerDatasetCompletely) {
     ASSERT_TRUE(exportTo(folder_ / "a", circle(5)));
-    ASSERT_TRUE(exportTo(folder_ / "a", circle(3)));
+    const auto before = tree(folder_ / "a");
+    const auto refused = exportTo(folder_ / "a", circle(3));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Usage);
+    EXPECT_NE(refused.error().message.find("complete dataset of 5 frames"), std::string::npos)
+        << refused.error().message;
+    EXPECT_EQ(tree(folder_ / "a"), before);
+    ASSERT_TRUE(exportTo(folder_ / "a", circle(3), true));
     ASSERT_TRUE(exportTo(folder_ / "b", circle(3)));
     EXPECT_TRUE(tree(folder_ / "a") == tree(folder_ / "b"));
 }
@@ -135,7 +142,7 @@ TEST_F(DatasetJobGl, AFailedWriteNamesTheFileAndLeavesNoCard) {
     // A folder where a picture should go fails for root, too, whom permissions do not stop.
     fs::remove(folder_ / "out/rgb/000001.png");
     fs::create_directories(folder_ / "out/rgb/000001.png/full");
-    const auto failed = exportTo(folder_ / "out", circle(2));
+    const auto failed = exportTo(folder_ / "out", circle(2), true);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().code, ErrorCode::CannotWrite);
     EXPECT_NE(failed.error().where.find("000001.png"), std::string::npos);

@@ -22,6 +22,15 @@ TEST(FrameRange, ReadsItsThreeParts) {
     }
 }
 
+TEST(FrameRange, SaysWhatIsWrongWithIt) {
+    for (const char* text : {"10:5", "5:5", ":0"}) {
+        const auto backwards = parseFrameRange(text);
+        ASSERT_FALSE(backwards) << text;
+        EXPECT_NE(backwards.error().message.find("ends before"), std::string::npos) << text;
+    }
+    EXPECT_NE(parseFrameRange("5").error().message.find("first:end:step"), std::string::npos);
+}
+
 TEST(FrameRange, SaysItselfAsItIsRead) {
     for (const char* text : {"0::1", "5:20:3", "7::2"}) {
         const auto range = parseFrameRange(text);

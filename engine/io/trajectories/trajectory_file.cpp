@@ -102,7 +102,7 @@ const TrajectoryFormat* byContent(const PoseFile& file) {
 }
 
 /// Reads the file with the format given, or found out when that is null.
-Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format) {
+Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format, bool has_options) {
     if (!format) format = byName(file.path);
     if (format && format->read == readHypersim) return format->read(file);
     std::error_code error;
@@ -118,21 +118,24 @@ Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format) {
     if (!format) format = byContent(file);
     if (format) return format->read(file);
     return fail(ErrorCode::BadInput,
-                "It is no trajectory of a known format; name it with --trajectory-format (" +
-                    trajectoryFormatNames() + ").",
+                has_options
+                    ? "It is no trajectory of a known format; name it with --trajectory-format (" +
+                          trajectoryFormatNames() + ")."
+                    : "It is no trajectory of a known format (" + trajectoryFormatNames() + ").",
                 file.path.string());
 }
 
 /// Whether a frame can follow the one before it. No scene is as large as kFarthest: what is
 /// beyond is a file of another kind or in another unit, and a way there has no end.
-Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before,
+Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before, bool has_options,
                   const std::string& where) {
     constexpr double kFarthest = 1e6;  // m
     if (!(frame.pose.position.cwiseAbs().maxCoeff() <= kFarthest) ||
         !frame.pose.position.allFinite() || !frame.pose.rotation.coeffs().allFinite()) {
         return fail(ErrorCode::BadInput,
-                    "The position is more than 1000 km away or no number; are its unit and "
-                    "--trajectory-world right?",
+                    has_options ? "The position is more than 1000 km away or no number; are its "
+                                  "unit and --trajectory-world right?"
+                                : "The position is more than 1000 km away or no number.",
                     where);
     }
     if (before && !(frame.time_s > before->time_s)) {
@@ -211,7 +214,7 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         }
         world = at->second;
     }
-    const Result<PoseList> read = readPoses({path, {}}, format);
+    const Result<PoseList> read = readPoses({path, {}}, format, reading.has_options);
     if (!read) return tl::unexpected<Error>(read.error());
     LoadedTrajectory loaded;
     loaded.format = format->name;
@@ -230,7 +233,8 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         const std::string where = pose.line > 0
                                       ? placeOf(path, pose.line)
                                       : fmt::format("{}: [{}]", path.string(), frames.size());
-        const Status fits = checkFrame(frame, frames.empty() ? nullptr : &frames.back(), where);
+        const TrajectoryFrame* before = frames.empty() ? nullptr : &frames.back();
+        const Status fits = checkFrame(frame, before, reading.has_options, where);
         if (!fits) return tl::unexpected<Error>(fits.error());
         loaded.trajectory.frames.push_back(frame);
     }

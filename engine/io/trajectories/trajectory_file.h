@@ -39,6 +39,7 @@ struct TrajectoryReading {
     Eigen::Affine3d source_from_world = Eigen::Affine3d::Identity();  // see Scene
     Eigen::Isometry3d camera_json_from_world = Eigen::Isometry3d::Identity();
     double interval_s = 0.1;  // from frame to frame, where the file has no times
+    bool has_options = true;  // --trajectory-format and --trajectory-world are there to be named
 };
 
 struct LoadedTrajectory {

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""What an export leaves in its folder, and what it refuses to do there: export_folder_test.py PROGRAM."""
+import json
+import pathlib
+import shutil
+import signal
+import tempfile
+import unittest
+
+import tiny_room
+from program import FolderCase, hashes, run, start, wait_for
+
+SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
+FRAMES = 10
+
+
+class ExportFolder(FolderCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.room = cls.folder / "room.obj"
+        cls.project = cls.folder / "room.dolly"
+        tiny_room.write(cls.room)
+        made = run("plan", cls.room, "-o", cls.project, "--max-frames", FRAMES, *SIZE)
+        assert made.returncode == 0, made.stderr
+
+    def new_folder(self):
+        return pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "dataset"
+
+    def export(self, out, *arguments):
+        result = run("-q", "export", self.project, "--out", out, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    # --- without pictures
+
+    def test_what_is_no_picture_needs_no_contact_sheet(self):
+        for modality in ["flow_forward", "amodal", "depth_exr", "flow_forward,amodal"]:
+            with self.subTest(modality):
+                out = self.new_folder()
+                summary = json.loads(self.export(out, "--modalities", modality, "--range", "0:4",
+                                                 "--json").stdout)
+                self.assertIsNone(summary["contact_sheet"])
+                self.assertFalse((out / "contact_sheet.jpg").exists())
+                self.assertNotIn("contact_sheet.jpg",
+                                 json.loads((out / "dataset.json").read_text())["files"])
+                verified = run("-q", "verify", out)
+                self.assertEqual(verified.returncode, 0, verified.stdout)
+                self.export(out, "--modalities", modality, "--range", "0:4", "--resume")
+
+    def test_the_sheet_shows_what_pictures_there_are(self):
+        import cv2
+        for modality in ["amodal,disparity", "normal_world", "depth_right"]:
+            with self.subTest(modality):
+                out = self.new_folder()
+                self.export(out, "--modalities", modality, "--range", "0:4")
+                sheet = cv2.imread(str(out / "contact_sheet.jpg"))
+                # The pictures below the title, which are not all of one shade.
+                self.assertGreater(sheet[60:].std(), 10)
+
+    # --- a complete dataset
+
+    def test_a_complete_dataset_is_not_replaced_unasked(self):
+        out = self.new_folder()
+        self.export(out, "--modalities", "rgb")
+        before = hashes(out)
+        for arguments in [[], ["--range", "0:2"], ["--modalities", "rgb"]]:
+            refused = run("-q", "export", self.project, "--out", out, *arguments)
+            self.assertFails(refused, 2, f"complete dataset of {FRAMES} frames", "--overwrite",
+                             "--resume", "another folder")
+            self.assertEqual(hashes(out), before)
+        # The same one is found complete, another one is told so.
+        self.export(out, "--modalities", "rgb", "--resume")
+        self.assertFails(run("-q", "export", self.project, "--out", out, "--range", "0:2",
+                             "--resume"), 2, "something else", "--overwrite")
+        self.assertEqual(hashes(out), before)
+        self.export(out, "--range", "0:2", "--overwrite")
+        self.assertEqual(len(list((out / "rgb").iterdir())), 2)
+
+    def test_a_folder_that_was_taken_away_is_not_to_be_continued(self):
+        out = self.new_folder()
+        process = start("-q", "export", self.room, "--out", out, "--max-frames", 60,
+                        "--formats", "camera_json")
+        journal = out / ".dollytrack-export"
+        self.assertTrue(wait_for(lambda: process.poll() is not None or (
+            journal.exists() and journal.read_bytes().count(b"\n") > 2)))
+        process.send_signal(signal.SIGSTOP)
+        shutil.rmtree(out)
+        process.send_signal(signal.SIGCONT)
+        _, errors = process.communicate()
+        self.assertEqual(process.returncode, 6, errors)
+        self.assertIn("was removed meanwhile", errors)
+        self.assertNotIn("--resume", errors)
+        self.assertFalse(out.exists())
+
+    # --- a dataset a room
+
+    def two_rooms(self):
+        """A project with a trajectory a room."""
+        project = self.folder / "two_rooms.dolly"
+        if not project.exists():
+            scene = self.folder / "two_rooms.obj"
+            tiny_room.write_two(scene)
+            made = run("plan", scene, "-o", project, "--set", "rooms=each", "--max-frames", 10,
+                       *SIZE, "--json")
+            self.assertEqual(made.returncode, 0, made.stderr)
+        rooms = json.loads(project.read_text())["result"]["metrics"]["rooms"]
+        return project, rooms
+
+    def test_too_few_frames_of_a_room_are_said_before_any_is_rendered(self):
+        project, rooms = self.two_rooms()
+        self.assertGreater(len(rooms), 1)
+        fewest = min(rooms, key=lambda room: room["frames"])
+        for arguments, word in [(["--folds", fewest["frames"] + 1], "--folds"),
+                                (["--range", f"{fewest['frames']}:"], "--range")]:
+            out = self.new_folder()
+            self.assertFails(run("-q", "export", project, "--out", out, *arguments), 2,
+                             fewest["name"], word)
+            self.assertFalse(out.exists())
+
+    def test_rooms_that_were_not_come_to_are_missed(self):
+        project, rooms = self.two_rooms()
+        out = self.new_folder()
+        made = run("-q", "export", project, "--out", out, "--modalities", "instance")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(run("-q", "verify", out).returncode, 0)
+        before = hashes(out)
+        shutil.rmtree(out / rooms[0]["name"])
+        again = run("-q", "export", project, "--out", out, "--modalities", "instance")
+        self.assertFails(again, 2, "complete dataset", rooms[1]["name"])
+        self.assertFalse((out / rooms[0]["name"]).exists())  # said before any is rendered
+        again = run("-q", "export", project, "--out", out, "--modalities", "instance", "--resume")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(hashes(out), before)
+        last = rooms[-1]["name"]
+        (out / last / "dataset.json").unlink()
+        for _ in range(2):  # unfinished, and not begun
+            verified = run("-q", "verify", out)
+            self.assertEqual(verified.returncode, 4, verified.stdout)
+            self.assertIn("UNFINISHED", verified.stdout)
+            self.assertIn(last, verified.stdout.splitlines()[-1])
+            report = json.loads(run("-q", "verify", out, "--json").stdout)
+            self.assertFalse(report["sound"])
+            self.assertEqual(report["missing"], [last])
+            shutil.rmtree(out / last, ignore_errors=True)
+        (out / "rooms.json").write_text('{"rooms": [{"name": "../elsewhere"}]}')
+        self.assertFails(run("-q", "verify", out), 4, "elsewhere", "rooms.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
