@@ -149,7 +149,7 @@ class Compare(FolderCase):
                 file.create_dataset("dataset", (rows, 3), "f8", chunks=(1, 3))
         result = run("compare", self.room, "--planners", "best-view", "--trajectory", folder)
         self.assertEqual(result.returncode, 4, result.stderr)
-        self.assertIn("too large", result.stderr)
+        self.assertIn("larger than", result.stderr)
 
     def test_our_own_camera_json_is_judged_as_the_plan(self):
         project, dataset = self.folder / "own.dolly", self.folder / "own"
