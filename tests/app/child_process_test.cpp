@@ -8,11 +8,16 @@
 
 namespace {
 bool stops_on_the_way = false;
-}
+volatile std::sig_atomic_t woken = 0;
+}  // namespace
 
 /// In the place of libc's, for whatever this program starts.
 extern "C" int execv(const char* path, char* const* arguments) noexcept {
-    if (stops_on_the_way) raise(SIGSTOP);
+    if (stops_on_the_way) {
+        // Whoever makes a process wakes it once; before that a stop would not last.
+        while (woken == 0) usleep(1000);
+        raise(SIGSTOP);
+    }
     return execve(path, arguments, environ);
 }
 
@@ -43,6 +48,7 @@ TEST(ChildProcess, WhatCannotBeRunIsSaidAtOnce) {
 
 // Whoever started it may still end it, or let it go on; waiting for it here would hold up both.
 TEST(ChildProcess, OneThatIsStoppedBeforeItsProgramBeginsIsNotWaitedFor) {
+    std::signal(SIGCONT, [](int) { woken = 1; });
     stops_on_the_way = true;
     auto process = ChildProcess::start({"/bin/sh", "-c", "exit 7"});
     auto killed = ChildProcess::start({"/bin/sh", "-c", "exit 7"});
