@@ -148,6 +148,7 @@ nlohmann::json Editor::stateJson() {
             {"steps", shown.plan->roadmap.steps.steps.size()},
             {"measured", shown.measured},
             {"frames", shown.plan->trajectory.frames.size()},
+            {"path_length_m", shown.plan->trajectory_metrics.path_length_m},
             {"key_frames", shown.plan->key_frames.size()},
             {"captured", shown.plan->capture_metrics.captured},
             {"well_captured", shown.plan->capture_metrics.well_captured},
