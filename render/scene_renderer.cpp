@@ -68,21 +68,11 @@ struct SceneRenderer::Impl {
     }
 
     void drawSurfaces(const View& view, RenderTarget& target) {
-        glBindFramebuffer(GL_FRAMEBUFFER, target.surfaces_frame_.get());
-        glViewport(0, 0, target.width(), target.height());
-        const std::array<float, 4> zero{};
-        const std::array<unsigned, 4> zero_id{};
-        for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero.data());
-        glClearBufferuiv(GL_COLOR, 4, zero_id.data());
-        glClearBufferfv(GL_DEPTH, 0, zero.data());
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GEQUAL);
-        glBindVertexArray(scene.layout.get());
+        begin(target.surfaces_frame_, target.width(), target.height(), 4);
+        const std::array<unsigned, 4> no_id{};
+        glClearBufferuiv(GL_COLOR, 4, no_id.data());
         const std::vector<bool> visible = objectsInView(scene, view);
-        for (const Batch& batch : scene.batches) {
-            if (batch.surface == Surface::Glass) continue;
-            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
-        }
+        drawOpaque(view, visible);
         // Only colour (blended), label depth and label of glass and of holes.
         glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         glColorMaski(2, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -100,23 +90,33 @@ struct SceneRenderer::Impl {
 
     /// The same surfaces in the same order, so that of two at one depth the same one is on top.
     void drawMaterials(const View& view, const gl::Framebuffer& frame, int width, int height) {
-        glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
-        glViewport(0, 0, width, height);
-        const std::array<float, 4> zero{};
-        for (int i = 0; i < 2; ++i) glClearBufferfv(GL_COLOR, i, zero.data());
-        glClearBufferfv(GL_DEPTH, 0, zero.data());
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GEQUAL);
-        glBindVertexArray(scene.layout.get());
+        begin(frame, width, height, 2);
         const std::vector<bool> visible = objectsInView(scene, view);
-        for (const Batch& batch : scene.batches) {
-            if (batch.surface == Surface::Glass) continue;
-            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
-        }
+        drawOpaque(view, visible);
         for (const Batch& batch : scene.batches) {
             if (batch.surface != Surface::Opaque) drawBatch(batch, view, visible, surface, 0);
         }
         glDisable(GL_DEPTH_TEST);
+    }
+
+    /// Clears depth and the first so many colour images; depth is reversed: 0 is far.
+    void begin(const gl::Framebuffer& frame, int width, int height, int images) {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
+        glViewport(0, 0, width, height);
+        const std::array<float, 4> zero{};
+        for (int i = 0; i < images; ++i) glClearBufferfv(GL_COLOR, i, zero.data());
+        glClearBufferfv(GL_DEPTH, 0, zero.data());
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GEQUAL);
+        glBindVertexArray(scene.layout.get());
+    }
+
+    /// All but glass; of what has holes, what is there.
+    void drawOpaque(const View& view, const std::vector<bool>& visible) {
+        for (const Batch& batch : scene.batches) {
+            if (batch.surface == Surface::Glass) continue;
+            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
+        }
     }
 
     void drawBatch(const Batch& batch, const View& view, const std::vector<bool>& visible,

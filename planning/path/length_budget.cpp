@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace dollytrack::planning {
@@ -84,19 +85,19 @@ class Budget {
 
     /// From here down to what has to stay, a stop at a time: what only this stop shows is least.
     void leaveOutOneByOne(std::vector<TourChoice>& on_the_way) {
-        while (dropOne(
-            [this](const BudgetedTour& tour, int stop) { return worthOf(tour, stop, 1); })) {
-            on_the_way.push_back(choice());
-        }
+        const auto shown = [this](const BudgetedTour& tour, int stop, double metres) {
+            return std::optional(Rank(worthOf(tour, stop, 1), -metres));
+        };
+        while (dropOne(shown)) on_the_way.push_back(choice());
     }
 
     /// The same by rank, the last first.
     void leaveOutByRank(std::vector<TourChoice>& on_the_way) {
-        while (dropOne([](const BudgetedTour& tour, int stop) {
-            return -static_cast<double>(tour.rank[static_cast<std::size_t>(stop)]);
-        })) {
-            on_the_way.push_back(choice());
-        }
+        const auto last = [](const BudgetedTour& tour, int stop, double metres) {
+            return std::optional(
+                Rank(-static_cast<double>(tour.rank[static_cast<std::size_t>(stop)]), -metres));
+        };
+        while (dropOne(last)) on_the_way.push_back(choice());
     }
 
     /// From here up by the shortest detours, as long as they stay within the length.
@@ -176,10 +177,14 @@ class Budget {
                stop == tour.ends.last;
     }
 
-    /// Leaves out the stop of the least value that need not stay; of equals the longest detour.
-    template <class Value>
-    bool dropOne(const Value& value) {
+    using Rank = std::pair<double, double>;  // of a stop to leave out: the least goes first
+
+    /// Leaves out the stop of the least rank that need not stay. `rankOf` takes a tour, a stop and
+    /// the metres of its detour; where it gives nothing, the stop stays.
+    template <class RankOf>
+    bool dropOne(const RankOf& rankOf) {
         Choice least;
+        Rank least_rank;
         for (std::size_t t = 0; t < tours_.size(); ++t) {
             const BudgetedTour& tour = tours_[t];
             for (std::size_t i = 0; i < tour.order.size(); ++i) {
@@ -187,12 +192,10 @@ class Budget {
                 if (stays(tour, stop)) continue;
                 const double metres =
                     detour(tour, i > 0 ? tour.order[i - 1] : -1, stop, stopAt(tour, i + 1));
-                const double worth = value(tour, stop);
-                if (least.stop >= 0 &&
-                    std::pair(worth, -metres) >= std::pair(least.worth, -least.metres)) {
-                    continue;
-                }
-                least = {t, i, stop, metres, worth};
+                const std::optional<Rank> rank = rankOf(tour, stop, metres);
+                if (!rank || (least.stop >= 0 && *rank >= least_rank)) continue;
+                least = {t, i, stop, metres};
+                least_rank = *rank;
             }
         }
         if (least.stop < 0) return false;
@@ -203,27 +206,14 @@ class Budget {
         return true;
     }
 
+    /// Down to the length, by what a metre of detour shows.
     void leaveOut() {
-        while (length_ > max_) {
-            Choice least;
-            for (std::size_t t = 0; t < tours_.size(); ++t) {
-                const BudgetedTour& tour = tours_[t];
-                for (std::size_t i = 0; i < tour.order.size(); ++i) {
-                    const int stop = tour.order[i];
-                    if (stays(tour, stop)) continue;
-                    const double metres =
-                        detour(tour, i > 0 ? tour.order[i - 1] : -1, stop, stopAt(tour, i + 1));
-                    if (metres <= kLeast) continue;
-                    const double a_metre = std::pow(worthOf(tour, stop, 1), appetite_) / metres;
-                    if (least.stop >= 0 && a_metre >= least.worth) continue;
-                    least = {t, i, stop, metres, a_metre};
-                }
-            }
-            if (least.stop < 0) return;
-            BudgetedTour& tour = tours_[least.tour];
-            tour.order.erase(tour.order.begin() + static_cast<std::ptrdiff_t>(least.at));
-            count(tour, least.stop, -1);
-            length_ -= least.metres;
+        const auto shown_a_metre = [this](const BudgetedTour& tour, int stop,
+                                          double metres) -> std::optional<Rank> {
+            if (metres <= kLeast) return std::nullopt;
+            return Rank(std::pow(worthOf(tour, stop, 1), appetite_) / metres, 0.0);
+        };
+        while (length_ > max_ && dropOne(shown_a_metre)) {
         }
     }
 
