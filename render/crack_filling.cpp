@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace dollytrack::render {
 namespace {
@@ -32,12 +34,10 @@ Neighbours neighboursOf(int x, int y, int width, int height,
 }
 
 /// The shading normal where the ray meets the triangle, on the camera's side.
-Eigen::Vector3f normalAt(const FrameContext& context, int frame, const RayHit& hit,
-                         const ViewRay& ray) {
-    const Scene& scene = context.contents.scene;
+Eigen::Vector3f normalAt(const Scene& scene, const std::vector<Eigen::Isometry3d>& to_rest,
+                         const RayHit& hit, const ViewRay& ray) {
     Eigen::Vector3d point = ray.origin + hit.distance * ray.direction;
     Eigen::Isometry3d rest_from_now = Eigen::Isometry3d::Identity();
-    const std::vector<Eigen::Isometry3d> to_rest = context.moving.toRest(frame);
     if (!to_rest.empty()) rest_from_now = to_rest[static_cast<std::size_t>(hit.object_id)];
     point = rest_from_now * point;
 
@@ -55,6 +55,23 @@ Eigen::Vector3f normalAt(const FrameContext& context, int frame, const RayHit& h
     normal = rest_from_now.linear().transpose() * normal.normalized();
     if (normal.dot(ray.direction) > 0.0) normal = -normal;
     return normal.cast<float>();
+}
+
+/// Whether no neighbour has about the same depth.
+bool standsAlone(const std::vector<float>& depth_m, int x, int y, int width, int height) {
+    const auto at = [&](int column, int row) {
+        return depth_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(column)];
+    };
+    const float depth = at(x, y);
+    const float alike = 0.01F + 0.01F * depth;
+    for (int row = std::max(0, y - 1); row <= std::min(height - 1, y + 1); ++row) {
+        for (int column = std::max(0, x - 1); column <= std::min(width - 1, x + 1); ++column) {
+            if (row == y && column == x) continue;
+            if (std::abs(at(column, row) - depth) <= alike) return false;
+        }
+    }
+    return true;
 }
 
 void copyColour(std::vector<std::uint8_t>& rgb, const CrackPixel& crack) {
@@ -88,6 +105,8 @@ std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16
 
 void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
                 FrameRecord& record) {
+    if (cracks.empty()) return;
+    const std::vector<Eigen::Isometry3d> to_rest = context.moving.toRest(record.index);
     for (const CrackPixel& crack : cracks) {
         record.instance[crack.pixel] = static_cast<std::uint16_t>(crack.hit.object_id);
         if (!record.depth_m.empty()) {
@@ -99,7 +118,25 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
         const auto width = static_cast<std::size_t>(record.width);
         const ViewRay ray = view.rayThrough(static_cast<double>(crack.pixel % width) + 0.5,
                                             static_cast<double>(crack.pixel / width) + 0.5);
-        record.normals_in_world[crack.pixel] = normalAt(context, record.index, crack.hit, ray);
+        record.normals_in_world[crack.pixel] =
+            normalAt(context.contents.scene, to_rest, crack.hit, ray);
+    }
+}
+
+void mendDepths(const View& view, std::span<const std::uint16_t> labels, const RayCaster& rays,
+                std::vector<float>& depth_m) {
+    const int width = view.intrinsics.width;
+    const int height = view.intrinsics.height;
+    const std::vector<float> drawn = depth_m;
+    for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
+        const int x = static_cast<int>(pixel) % width;
+        const int y = static_cast<int>(pixel) / width;
+        if (!(drawn[pixel] > 0.0F) || !standsAlone(drawn, x, y, width, height)) continue;
+        const ViewRay ray = view.rayThrough(x + 0.5, y + 0.5);
+        const RayHit hit = rays.cast(ray.origin, ray.direction,
+                                     std::numeric_limits<double>::infinity(), view.near_m);
+        if (hit.object_id == 0 || (!labels.empty() && labels[pixel] != hit.object_id)) continue;
+        depth_m[pixel] = static_cast<float>(hit.distance);
     }
 }
 
@@ -111,6 +148,7 @@ void fillRightCracks(const FrameContext& context, const View& right, FrameRecord
         record.depth_right_m[crack.pixel] = static_cast<float>(crack.hit.distance);
         copyColour(record.rgb_right, crack);
     }
+    mendDepths(right, {}, *context.moving.raysAt(record.index), record.depth_right_m);
 }
 
 }  // namespace dollytrack::render

@@ -30,7 +30,13 @@ struct CrackPixel {
 void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
                 FrameRecord& record);
 
-/// The same in the right camera's images, which have no labels.
+/// Depth of pixels that stand alone with theirs, asked of rays again: along the rim of what is seen
+/// along itself, drawing carries a plane's depth on beyond its end. `labels` say which object the
+/// ray has to meet; empty where any will do.
+void mendDepths(const View& view, std::span<const std::uint16_t> labels, const RayCaster& rays,
+                std::vector<float>& depth_m);
+
+/// Both in the right camera's images, which have no labels.
 void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record);
 
 }  // namespace dollytrack::render

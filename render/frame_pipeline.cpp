@@ -152,6 +152,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     if (needs(kNeedsDepth)) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, context_, view, record);
+    mendDepths(view, record.instance, *context_.moving.raysAt(record.index), record.depth_m);
     ++drawn_;
     return writer.write(std::move(record));
 }

@@ -26,11 +26,13 @@ struct SaidOfScene {
     Eigen::Matrix4d source_from_world = Eigen::Matrix4d::Identity();
     Edits edits;
     SizeRules sizes;
+    bool albedo = false;  // it says what colours there are
 };
 
 Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
     const std::string place = (dataset.folder / "dataset.json").string();
     SaidOfScene said;
+    said.albedo = dataset.has("albedo");
     try {
         const auto& scene = dataset.card.at("scene");
         said.file = scene.at("file").get<std::string>();
@@ -121,7 +123,7 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
     if (given.labels) options.labels = *given.labels;
     options.model_folders.assign(given.models.begin(), given.models.end());
     if (given.annotations) options.annotations = *given.annotations;
-    options.read_textures = false;
+    options.read_textures = said.albedo;
     options.small_volume_m3 = said.sizes.small_volume_m3;
     options.size_ratio = said.sizes.size_ratio;
     Result<Scene> scene = importScene(path, options, job);

@@ -120,6 +120,9 @@ Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
         return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", e.what()),
                     (folder / kList).string());
     }
+    if (folders.empty()) {
+        return fail(ErrorCode::BadInput, "It lists no room.", (folder / kList).string());
+    }
     return folders;
 }
 

@@ -1,54 +1,60 @@
 #include "engine/io/hdf5_reader.h"
 
-#include <hdf5.h>
+#include "engine/io/hdf5_library.h"
+
+#include <algorithm>
 
 namespace dollytrack::io {
 namespace {
 
-/// Closes what HDF5 opened.
-class Handle {
-  public:
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle() {
-        if (id_ >= 0) close_(id_);
+/// A file and one of its datasets, open while this lives.
+struct Opened {
+    Hdf5Lock lock;
+    Hdf5Handle file;
+    Hdf5Handle dataset;
+
+    Opened(const std::filesystem::path& path, const std::string& name)
+        : file(openFile(path), H5Fclose),
+          dataset(file >= 0 ? H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Dclose) {}
+
+    [[nodiscard]] Status check(const std::filesystem::path& path, const std::string& name) const {
+        if (file < 0) {
+            return fail(ErrorCode::BadInput, "The file is missing or is no HDF5 file.",
+                        path.string());
+        }
+        if (dataset < 0) {
+            return fail(ErrorCode::BadInput, "There is no dataset named \"" + name + "\" in it.",
+                        path.string());
+        }
+        return {};
     }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    [[nodiscard]] hid_t get() const { return id_; }
-    [[nodiscard]] bool ok() const { return id_ >= 0; }
 
   private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
+    static hid_t openFile(const std::filesystem::path& path) {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
+        return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    }
 };
 
 }  // namespace
 
-Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    if (!file.ok()) {
-        return fail(ErrorCode::BadInput, "The file is missing or is no HDF5 file.", path.string());
-    }
-    const Handle dataset(H5Dopen2(file.get(), "dataset", H5P_DEFAULT), H5Dclose);
-    if (!dataset.ok()) {
-        return fail(ErrorCode::BadInput, "There is no dataset named \"dataset\" in it.",
-                    path.string());
-    }
-    const Handle space(H5Dget_space(dataset.get()), H5Sclose);
-    const int rank = space.ok() ? H5Sget_simple_extent_ndims(space.get()) : -1;
+Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std::string& name,
+                                    std::uint64_t most) {
+    const Opened opened(path, name);
+    if (Status status = opened.check(path, name); !status) return tl::unexpected(status.error());
+    const Hdf5Handle space(H5Dget_space(opened.dataset), H5Sclose);
+    const int rank = space >= 0 ? H5Sget_simple_extent_ndims(space) : -1;
     if (rank < 1 || rank > 3) {
         return fail(ErrorCode::BadInput, "Its dataset is not a table of numbers.", path.string());
     }
     std::vector<hsize_t> size;
     Hdf5Numbers numbers;
     size.resize(static_cast<std::size_t>(rank));
-    H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
+    H5Sget_simple_extent_dims(space, size.data(), nullptr);
     hsize_t count = 1;
-    constexpr hsize_t kMost = 10'000'000;
     for (const hsize_t length : size) {
         // By division: the product of what a file claims may wrap around to a small number.
-        if (length != 0 && count > kMost / length) {
+        if (length != 0 && count > most / length) {
             return fail(ErrorCode::BadInput, "Its dataset is larger than any that belongs here.",
                         path.string());
         }
@@ -56,11 +62,32 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path) {
     }
     numbers.size.assign(size.begin(), size.end());
     numbers.values.resize(count);
-    if (count > 0 && H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+    if (count > 0 && H5Dread(opened.dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                              numbers.values.data()) < 0) {
         return fail(ErrorCode::BadInput, "Its dataset cannot be read as numbers.", path.string());
     }
     return numbers;
+}
+
+Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::string& name) {
+    constexpr std::size_t kMost = std::size_t{16} << 20U;
+    const Opened opened(path, name);
+    if (Status status = opened.check(path, name); !status) return tl::unexpected(status.error());
+    const Hdf5Handle type(H5Dget_type(opened.dataset), H5Tclose);
+    const Hdf5Handle space(H5Dget_space(opened.dataset), H5Sclose);
+    const bool text = type >= 0 && H5Tget_class(type) == H5T_STRING &&
+                      H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
+    const std::size_t length = text ? H5Tget_size(type) : 0;
+    if (length == 0 || length > kMost) {
+        return fail(ErrorCode::BadInput, "\"" + name + "\" is no text of up to 16 MiB.",
+                    path.string());
+    }
+    std::string read(length, '\0');
+    if (H5Dread(opened.dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
+        return fail(ErrorCode::BadInput, "\"" + name + "\" cannot be read.", path.string());
+    }
+    read.resize(std::min(read.find('\0'), read.size()));
+    return read;
 }
 
 }  // namespace dollytrack::io

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace dollytrack::io {
@@ -14,8 +15,13 @@ struct Hdf5Numbers {
     std::vector<double> values;       // as many as they multiply to
 };
 
-/// The dataset named "dataset" of an HDF5 file, of whatever type of number: Hypersim's files hold
-/// nothing else. Errors: BadInput, also beyond 1e7 numbers.
-Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path);
+/// A dataset of an HDF5 file, of whatever type of number; Hypersim's files hold one, named
+/// "dataset". From any thread. Errors: BadInput, also beyond `most` numbers.
+Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path,
+                                    const std::string& name = "dataset",
+                                    std::uint64_t most = 10'000'000);
+
+/// A text of fixed length, up to 16 MiB. From any thread. Error: BadInput.
+Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::string& name);
 
 }  // namespace dollytrack::io

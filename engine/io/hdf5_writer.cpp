@@ -1,28 +1,13 @@
 #include "engine/io/hdf5_writer.h"
 
-#include <hdf5.h>
+#include "engine/io/hdf5_library.h"
 
 #include <algorithm>
-#include <mutex>
 
 namespace dollytrack::io {
 namespace {
 
-/// An HDF5 handle and what closes it.
-class Handle {
-  public:
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle() {
-        if (id_ >= 0) close_(id_);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    operator hid_t() const { return id_; }  // NOLINT: stands for the number in HDF5's calls
-
-  private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
+using Handle = Hdf5Handle;
 
 hid_t nativeType(Hdf5Type type) {
     switch (type) {
@@ -71,9 +56,7 @@ bool add(hid_t file, const Hdf5Text& text) {
 
 Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                            const std::vector<Hdf5Text>& texts) {
-    // The library may be built without locks of its own, as Debian's is.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
+    const Hdf5Lock lock;
     constexpr std::size_t kGrowth = 1U << 20U;
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     std::vector<std::uint8_t> bytes;

@@ -1,6 +1,7 @@
 #include "engine/io/project_file.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/json_depth.h"
 #include "engine/io/sha256.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@ namespace dollytrack::io {
 namespace {
 
 // Deeper nesting than any project has would only exhaust the parser's stack.
-constexpr int kDeepest = 64;
 constexpr std::uintmax_t kLargest = 1ULL << 30U;
 
 tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message) {
@@ -23,25 +23,6 @@ tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string 
 std::size_t lineOf(const std::string& text, std::size_t byte) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
     return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
-}
-
-bool nestsTooDeep(const std::string& text) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string) {
-            if (c == '\\') ++i;
-            if (c == '"') in_string = false;
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > kDeepest) return true;
-        } else if (c == ']' || c == '}') {
-            --depth;
-        }
-    }
-    return false;
 }
 
 Result<std::string> readText(const std::filesystem::path& path) {

@@ -1,30 +1,32 @@
 #include "render/verify/amodal_masks.h"
 
+#include "render/verify/json_file.h"
 #include "render/verify/run_lengths.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <numeric>
+#include <set>
 
 namespace dollytrack::verify {
 
 Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, int width,
                                            int height) {
+    const Result<nlohmann::json> root = readJson(path);
+    if (!root) return tl::unexpected<Error>(root.error());
     std::vector<AmodalMask> masks;
+    std::set<int> ids;
     try {
-        std::ifstream file(path);
-        const nlohmann::json root = nlohmann::json::parse(file);
-        for (const auto& one : root.at("objects")) {
+        for (const auto& one : root->at("objects")) {
             AmodalMask mask{
-                one.at("object_id").get<int>(), one.at("bbox").get<std::array<int, 4>>(), {}, 0};
-            const auto size = one.at("size").get<std::array<int, 2>>();
-            if (size == std::array{height, width}) {
-                const auto text = one.at("counts").get<std::string>();
-                mask.inside = maskFrom(readRunLengths(text), width, height);
+                one.at("object_id").get<int>(), one.at("bbox").get<std::array<int, 4>>(), {}};
+            if (!ids.insert(mask.object_id).second) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("object {} has two masks", mask.object_id), path.string());
             }
-            mask.area = std::accumulate(mask.inside.begin(), mask.inside.end(), 0);
+            if (one.at("size").get<std::array<int, 2>>() == std::array{height, width}) {
+                mask.runs = one.at("counts").get<std::string>();
+            }
             masks.push_back(std::move(mask));
         }
     } catch (const nlohmann::json::exception& error) {
@@ -32,6 +34,10 @@ Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, in
                     path.string());
     }
     return masks;
+}
+
+std::vector<std::uint8_t> insideOf(const AmodalMask& mask, int width, int height) {
+    return maskFrom(readRunLengths(mask.runs), width, height);
 }
 
 std::string amodalFile(int frame) {

@@ -14,10 +14,10 @@ std::string text(const std::array<int, 4>& box) {
     return fmt::format("[{}, {}, {}, {}]", box[0], box[1], box[2], box[3]);
 }
 
-std::array<int, 4> boundsOf(const AmodalMask& mask, int height) {
+std::array<int, 4> boundsOf(const std::vector<std::uint8_t>& inside, int height) {
     ObjectPixels bounds;
-    for (std::size_t i = 0; i < mask.inside.size(); ++i) {
-        if (mask.inside[i] == 0) continue;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (inside[i] == 0) continue;
         const int x = static_cast<int>(i) / height;
         const int y = static_cast<int>(i) % height;
         if (bounds.count++ == 0) {
@@ -38,13 +38,14 @@ void compare(const AmodalMask& mask, const Image16& ids, int frame, Findings& fi
         findings.add({amodalFile(frame), frame, pixel,
                       fmt::format("object {}: {}", mask.object_id, found), std::move(expected)});
     };
-    if (mask.inside.empty()) {
+    const auto pixels = insideOf(mask, ids.width, ids.height);
+    if (pixels.empty()) {
         return add({}, "run lengths that do not sum up to the image",
                    fmt::format("{}", ids.values.size()));
     }
-    const auto bounds = boundsOf(mask, ids.height);
+    const auto bounds = boundsOf(pixels, ids.height);
     if (mask.box != bounds) add({}, "bbox " + text(mask.box), text(bounds));
-    auto inside = mask.inside.begin();
+    auto inside = pixels.begin();
     for (int x = 0; x < ids.width; ++x) {
         for (int y = 0; y < ids.height; ++y, ++inside) {
             if (*inside != 0 || ids.at(x, y) != mask.object_id) continue;
@@ -70,16 +71,17 @@ CheckWork beginAmodal(const Subject& subject, Findings& /*findings*/) {
         if (!ids) return;
         std::set<int> whole;
         for (const AmodalMask& mask : *masks) {
-            if (!dataset.object(mask.object_id) || !whole.insert(mask.object_id).second) {
+            whole.insert(mask.object_id);
+            if (!dataset.object(mask.object_id)) {
                 findings.add({file,
                               frame,
                               {},
                               fmt::format("object {}", mask.object_id),
-                              "objects of dataset.json, each once"});
+                              "an object of dataset.json"});
             }
             compare(mask, *ids, frame, findings);
         }
-        for (const auto& [id, seen] : objectPixels(*ids)) {
+        for (const auto& [id, seen] : images.seen()) {
             const StoredObject* object = dataset.object(id);
             if (!object || object->role != "target" || whole.contains(id)) continue;
             findings.add({file, frame, std::array{seen.x0, seen.y0},

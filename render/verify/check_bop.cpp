@@ -1,5 +1,6 @@
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
+#include "render/verify/json_file.h"
 #include "render/verify/object_pixels.h"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ class FrameCheck {
         }
         const Image16* ids = images_.image16("instance");
         if (!ids) return;
-        const auto seen = objectPixels(*ids);
+        const auto& seen = images_.seen();
         std::set<int> listed;
         for (std::size_t i = 0; i < truths.size(); ++i) {
             const int id = truths[i].at("obj_id").get<int>();
@@ -106,15 +107,9 @@ class FrameCheck {
     }
 
     void comparePose(const StoredObject& object, const Json& truth) {
-        Eigen::Isometry3d world_from_box =
-            Eigen::Translation3d(object.box.center) *
-            Eigen::AngleAxisd(object.box.yaw, Eigen::Vector3d::UnitZ());
-        if (const Eigen::Isometry3d* moved = images_.stored().movement(object.id)) {
-            world_from_box = *moved * world_from_box;
-        }
         compareTransform(kTruth, fmt::format("object {}", object.id),
                          poseFrom(truth.at("cam_R_m2c"), truth.at("cam_t_m2c")),
-                         images_.stored().pose.worldFromCamera().inverse() * world_from_box);
+                         cameraFromBox(object, images_.stored()));
     }
 
     void compareInfo(int id, const ObjectPixels& shown, const Json& info) {
@@ -203,21 +198,16 @@ class FrameCheck {
 
 /// Null, and a finding, when it is no JSON.
 Json parsed(const StoredDataset& dataset, const char* file, Findings& findings) {
-    const Result<std::string> text = io::readText(dataset.folder / file);
-    if (!text) {
-        findings.add({file, {}, {}, text.error().message, "a file of BOP's"});
-        return nullptr;
-    }
-    Json root = Json::parse(*text, nullptr, false);
-    if (root.is_discarded() || root.size() != dataset.frames.size()) {
+    Result<Json> root = readJson(dataset.folder / file);
+    if (!root || root->size() != dataset.frames.size()) {
         findings.add({file,
                       {},
                       {},
-                      root.is_discarded() ? "no JSON" : "another number of frames",
+                      root ? "another number of frames" : root.error().message,
                       fmt::format("{} frames", dataset.frames.size())});
         return nullptr;
     }
-    return root;
+    return std::move(*root);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // camera.json beside its poses: the lens, the planes, and the targets that each frame shows well.
 #include "engine/plan/capture.h"
 #include "render/verify/check_list.h"
+#include "render/verify/json_file.h"
 #include "render/verify/number_table.h"
 #include "render/verify/object_pixels.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 namespace dollytrack::verify {
@@ -119,7 +119,7 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
     const CaptureRules rules;
     const double area = static_cast<double>(ids->width) * ids->height;
     Names may, must;
-    for (const auto& [id, shown] : objectPixels(*ids)) {
+    for (const auto& [id, shown] : images.seen()) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target") continue;
         const auto box = shown.box();
@@ -156,8 +156,12 @@ CheckWork beginCameraJson(const Subject& subject, Findings& findings) {
     const StoredDataset& dataset = subject.dataset;
     auto targets = std::make_shared<Targets>();
     try {
-        std::ifstream file(dataset.folder / kFile);
-        const Json root = Json::parse(file);
+        const Result<Json> read = readJson(dataset.folder / kFile);
+        if (!read) {
+            findings.add({kFile, {}, {}, read.error().message, "an array of cameras"});
+            return {};
+        }
+        const Json& root = *read;
         if (root.size() != dataset.frames.size()) {
             findings.add({kFile,
                           {},

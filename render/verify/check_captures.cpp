@@ -1,3 +1,4 @@
+#include "engine/plan/capture.h"
 #include "render/verify/check_list.h"
 #include "render/verify/object_pixels.h"
 
@@ -5,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 
 namespace dollytrack::verify {
 namespace {
@@ -18,10 +20,22 @@ struct Best {
     double mask_share = 0.0;
 };
 
-using ByFrame = std::vector<std::vector<Best>>;
+/// The best frames of dataset.json.
+struct Captures {
+    std::vector<std::vector<Best>> of_frame;
+    std::set<int> shown_nowhere;  // object ids
+};
 
-ByFrame readCaptures(const StoredDataset& dataset, Findings& findings) {
-    ByFrame by_frame(dataset.frames.size());
+/// Pixels that count, of an image of this area; rules are for one of 640 x 480.
+double leastPixels(double area_px) {
+    return CaptureRules{}.min_visible_px * area_px / (640.0 * 480.0);
+}
+
+Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
+    Captures captures;
+    auto& by_frame = captures.of_frame;
+    by_frame.resize(dataset.frames.size());
+    std::set<int> listed;
     const auto add = [&](std::string found, std::string expected) {
         findings.add(
             {"dataset.json", {}, {}, "metrics.counted: " + std::move(found), std::move(expected)});
@@ -35,6 +49,9 @@ ByFrame readCaptures(const StoredDataset& dataset, Findings& findings) {
                         one.at("mask_share").get<double>()};
         const int frame = one.at("best_frame").get<int>();
         ++rows;
+        if (!listed.insert(best.object_id).second) {
+            add(fmt::format("object {} twice", best.object_id), "each target once");
+        }
         captured += best.captured ? 1 : 0;
         if (frame >= static_cast<int>(by_frame.size())) {
             add(fmt::format("best_frame {}", frame), fmt::format("below {}", by_frame.size()));
@@ -42,6 +59,15 @@ ByFrame readCaptures(const StoredDataset& dataset, Findings& findings) {
             by_frame[static_cast<std::size_t>(frame)].push_back(best);
         } else if (best.captured) {
             add(fmt::format("object {} captured in no frame", best.object_id), "a best_frame");
+        } else {
+            captures.shown_nowhere.insert(best.object_id);
+        }
+    }
+    for (const StoredObject& object : dataset.objects) {
+        if ((object.role == "target") != listed.contains(object.id)) {
+            add(fmt::format("object {} is{} there", object.id,
+                            listed.contains(object.id) ? "" : " not"),
+                "all targets, and no others");
         }
     }
     if (counted.at("captured").get<int>() != captured) {
@@ -51,7 +77,7 @@ ByFrame readCaptures(const StoredDataset& dataset, Findings& findings) {
     if (counted.at("objects").get<int>() != rows) {
         add(fmt::format("objects {}", counted.at("objects").get<int>()), fmt::format("{}", rows));
     }
-    return by_frame;
+    return captures;
 }
 
 void compare(const Best& best, const ObjectPixels& shown, const Image16& ids, int frame,
@@ -68,8 +94,9 @@ void compare(const Best& best, const ObjectPixels& shown, const Image16& ids, in
     };
     share("mask_share", best.mask_share, shown.count / area);
     share("box_share", best.box_share, shown.count > 0 ? box[2] * box[3] / area : 0.0);
-    const double as_if_px = shown.count * (640.0 * 480.0) / area;
-    const bool captured = best.visible_fraction >= 0.8 && as_if_px >= 120.0;
+    const CaptureRules rules;
+    const bool captured =
+        best.visible_fraction >= rules.min_visible_fraction && shown.count >= leastPixels(area);
     if (captured != best.captured) {
         findings.add({"dataset.json",
                       frame,
@@ -82,7 +109,7 @@ void compare(const Best& best, const ObjectPixels& shown, const Image16& ids, in
 }  // namespace
 
 CheckWork beginCaptures(const Subject& subject, Findings& findings) {
-    auto captures = std::make_shared<ByFrame>();
+    auto captures = std::make_shared<Captures>();
     try {
         *captures = readCaptures(subject.dataset, findings);
     } catch (const nlohmann::json::exception& error) {
@@ -91,10 +118,17 @@ CheckWork beginCaptures(const Subject& subject, Findings& findings) {
     }
     CheckWork work;
     work.frame = [captures](FrameImages& images, Findings& found) {
-        const auto& best = (*captures)[static_cast<std::size_t>(images.frame())];
-        const Image16* ids = best.empty() ? nullptr : images.image16("instance");
+        const auto& best = captures->of_frame[static_cast<std::size_t>(images.frame())];
+        const Image16* ids = images.image16("instance");
         if (!ids) return;
-        const auto seen = objectPixels(*ids);
+        const double least_px = leastPixels(static_cast<double>(ids->width) * ids->height);
+        for (const auto& [id, shown] : images.seen()) {
+            if (shown.count < least_px || !captures->shown_nowhere.contains(id)) continue;
+            found.add({"dataset.json", images.frame(), std::array{shown.x0, shown.y0},
+                       fmt::format("object {} has no best_frame", id),
+                       fmt::format("one: {} px show it here", shown.count)});
+        }
+        const auto& seen = images.seen();
         for (const Best& one : best) {
             const auto at = seen.find(one.object_id);
             compare(one, at == seen.end() ? ObjectPixels{} : at->second, *ids, images.frame(),

@@ -33,8 +33,14 @@ std::set<std::string> neededFiles(const StoredDataset& dataset) {
     }
     for (const std::string& format : dataset.formats) {
         const auto convention = dataset.convention(format);
-        if (convention.contains("file") && convention["file"].is_string()) {
-            names.insert(convention["file"].get<std::string>());
+        if (!convention.is_object()) continue;
+        for (const char* const key : {"file", "files"}) {
+            const auto named = convention.value(key, nlohmann::ordered_json());
+            if (named.is_string()) names.insert(named.get<std::string>());
+            if (!named.is_array()) continue;
+            for (const auto& name : named) {
+                if (name.is_string()) names.insert(name.get<std::string>());
+            }
         }
     }
     return names;
@@ -52,8 +58,12 @@ void findForeign(const StoredDataset& dataset, Findings& findings) {
     std::error_code error;
     for (auto at = fs::recursive_directory_iterator(dataset.folder, error);
          !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-        if (at->is_directory(error)) continue;
-        there.insert(fs::relative(at->path(), dataset.folder, error).generic_string());
+        std::error_code unknown;
+        if (at->is_directory(unknown)) continue;
+        there.insert(at->path().lexically_relative(dataset.folder).generic_string());
+    }
+    if (error) {
+        findings.add({{}, {}, {}, "a folder that cannot be read: " + error.message(), "its files"});
     }
     for (const std::string& name : there) {
         if (name == "dataset.json" || dataset.sha256s.contains(name)) continue;

@@ -1,3 +1,4 @@
+#include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
 #include "render/verify/check_list.h"
 #include "render/verify/frame_rays.h"
@@ -117,9 +118,10 @@ void takeBoxes(const StoredDataset& dataset, FrameImages& images, FramesTable& t
     const Image16* ids = images.image16("instance");
     if (!ids) return;
     const auto frame = static_cast<std::size_t>(images.frame());
-    // Below this an object counts as not shown: 120 px, as if the image were 640 x 480.
-    const double least_px = 120.0 * ids->width * ids->height / (640.0 * 480.0);
-    for (const auto& [id, shown] : objectPixels(*ids)) {
+    // Below this an object counts as not shown; the rule is for an image of 640 x 480.
+    const double least_px =
+        CaptureRules{}.min_visible_px * ids->width * ids->height / (640.0 * 480.0);
+    for (const auto& [id, shown] : images.seen()) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target" || shown.count < least_px) continue;
         table.boxes[frame].emplace_back(Eigen::Vector2d(shown.x0, shown.y0),

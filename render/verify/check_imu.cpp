@@ -50,7 +50,7 @@ Samples between(const Samples& all, double begin, double end, double interval) {
     constexpr double kStamp = 1e-9;
     const auto first = at(begin - kStamp);
     auto last = at(end - kStamp);
-    if (first == all.end() || all.size() < 2) return {};
+    if (!(begin < end) || first == all.end() || all.size() < 2) return {};
     Samples samples;
     const bool starts_there = first->time_s - begin <= kStamp;
     if (!starts_there && first == all.begin()) return {};
@@ -107,9 +107,17 @@ Span integrate(const Samples& samples, const Eigen::Quaterniond& begin) {
     return span;
 }
 
+/// Where nothing moves there are none, and the file says no more than what its columns are.
+bool hasNoRows(std::string_view text) {
+    const auto lines = io::splitLines(text);
+    return std::all_of(lines.begin(), lines.end(),
+                       [](std::string_view line) { return line.empty() || line.front() == '#'; });
+}
+
 Result<Samples> readSamples(const std::filesystem::path& path) {
     const Result<std::string> text = io::readText(path);
     if (!text) return tl::unexpected<Error>(text.error());
+    if (text->starts_with('#') && hasNoRows(*text)) return Samples{};
     const auto lines = io::readNumberLines(path, *text, 7, "time, angular rate, specific force");
     if (!lines) return tl::unexpected<Error>(lines.error());
     Samples samples;
@@ -151,8 +159,7 @@ class ImuCheck {
             const StoredFrame& b = dataset_.frames[i];
             const Span span =
                 integrate(between(samples_, a.time_s, b.time_s, interval_), a.pose.rotation);
-            const bool measured = measuredBetween(a.time_s, b.time_s);
-            const bool expected = goes_on[i].value_or(measured);
+            const bool expected = goes_on[i] ? *goes_on[i] : measuredBetween(a.time_s, b.time_s);
             if (expected && !span.covered) {
                 add(i, fmt::format("measurements missing before {:.6f} s", b.time_s),
                     fmt::format("one every {:g} s since {:.6f} s", interval_, a.time_s));
@@ -169,9 +176,10 @@ class ImuCheck {
     }
 
     [[nodiscard]] bool measuredBetween(double begin, double end) const {
-        return std::any_of(samples_.begin(), samples_.end(), [&](const ImuSample& s) {
-            return s.time_s > begin + 1e-9 && s.time_s < end - 1e-9;
-        });
+        const auto first =
+            std::upper_bound(samples_.begin(), samples_.end(), begin + 1e-9,
+                             [](double time, const ImuSample& s) { return time < s.time_s; });
+        return first != samples_.end() && first->time_s < end - 1e-9;
     }
 
     void compareTurn(std::size_t i, const Span& span) {

@@ -70,13 +70,16 @@ void compareVisible(RowReport& row, const StoredObject& object, const ObjectPixe
 
 /// Against the whole mask, and by what hides it.
 void compareWhole(RowReport& row, const AmodalMask& mask, const Image16& ids) {
-    row.compare("silhouette_px", mask.area);
+    const auto pixels = insideOf(mask, ids.width, ids.height);
+    if (pixels.empty()) return;  // the business of another check
+    const auto area = std::count(pixels.begin(), pixels.end(), 1);
+    row.compare("silhouette_px", static_cast<double>(area));
     row.compare("amodal_x", mask.box[0]);
     row.compare("amodal_y", mask.box[1]);
     row.compare("amodal_width", mask.box[2]);
     row.compare("amodal_height", mask.box[3]);
     std::map<int, int> hiding;
-    auto inside = mask.inside.begin();
+    auto inside = pixels.begin();
     for (int x = 0; x < ids.width; ++x) {
         for (int y = 0; y < ids.height; ++y, ++inside) {
             const int id = ids.at(x, y);
@@ -84,7 +87,7 @@ void compareWhole(RowReport& row, const AmodalMask& mask, const Image16& ids) {
         }
     }
     int most = 0;
-    for (const auto& [id, pixels] : hiding) most = std::max(most, pixels);
+    for (const auto& [id, count] : hiding) most = std::max(most, count);
     const auto said = static_cast<int>(row.number("occluder_id"));
     const auto at = hiding.find(said);
     // Of two that hide the same share either may be named.
@@ -93,15 +96,12 @@ void compareWhole(RowReport& row, const AmodalMask& mask, const Image16& ids) {
                                         [most](const auto& one) { return one.second == most; });
         row.compare("occluder_id", most == 0 ? 0 : first->first);
     }
-    row.compare("occluder_fraction", mask.area > 0 ? double(most) / mask.area : 0.0, kShare);
+    row.compare("occluder_fraction", area > 0 ? double(most) / static_cast<double>(area) : 0.0,
+                kShare);
 }
 
 void compareBox(RowReport& row, const StoredObject& object, const StoredFrame& frame) {
-    Eigen::Isometry3d world_from_box = Eigen::Isometry3d::Identity();
-    if (const Eigen::Isometry3d* moved = frame.movement(object.id)) world_from_box = *moved;
-    world_from_box.translate(object.box.center);
-    world_from_box.rotate(Eigen::AngleAxisd(object.box.yaw, Eigen::Vector3d::UnitZ()));
-    const Eigen::Isometry3d box = frame.pose.worldFromCamera().inverse() * world_from_box;
+    const Eigen::Isometry3d box = cameraFromBox(object, frame);
     const char* const axes[] = {"x", "y", "z"};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const std::string name = axes[axis];
@@ -149,7 +149,7 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
     if (!ids) return;
     const int frame = images.frame();
     const auto& rows = table.of_frame[static_cast<std::size_t>(frame)];
-    const auto seen = objectPixels(*ids);
+    const auto& seen = images.seen();
     for (const auto& [id, shown] : seen) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target" || rows.contains(id)) continue;
@@ -168,7 +168,7 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
         compareVisible(row, object, shown == seen.end() ? ObjectPixels{} : shown->second);
         compareBox(row, object, images.stored());
         for (const AmodalMask& mask : masks) {
-            if (mask.object_id == id && !mask.inside.empty()) compareWhole(row, mask, *ids);
+            if (mask.object_id == id) compareWhole(row, mask, *ids);
         }
     }
 }

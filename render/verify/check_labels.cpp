@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace dollytrack::verify {
 namespace {
@@ -62,6 +63,40 @@ void checkBoxes(const StoredDataset& dataset, FrameImages& images, const Image16
     wrong.report(imageFile(depth.modality, images.frame()), images.frame(), findings);
 }
 
+/// `farthest_m` is what the depth image can hold.
+template <class T>
+void checkHoles(const StoredDataset& dataset, FrameImages& images, const Image16& ids,
+                const Image<T>& depth, double farthest_m, const char* modality,
+                Findings& findings) {
+    // Of each object, whether it may be too far away for the image: asked once.
+    std::vector<int> may_be_far(65536, -1);
+    WrongPixels wrong;
+    for (int y = 0; y < ids.height; ++y) {
+        for (int x = 0; x < ids.width; ++x) {
+            const int id = ids.at(x, y);
+            const double value = depth.at(x, y);
+            const bool none = value == 0.0;
+            const bool is_depth = std::isfinite(value) && value >= 0.0;
+            if (is_depth && none == (id == 0)) continue;
+            if (none) {
+                int& far_away = may_be_far[static_cast<std::size_t>(id)];
+                const StoredObject* object = dataset.object(id);
+                if (far_away < 0) {
+                    far_away = object && farthestDepth(images.stored(), *object) >= farthest_m;
+                }
+                if (far_away != 0) continue;
+            }
+            wrong.add(x, y, [&] {
+                return WrongPixels::Text{none ? "no depth" : fmt::format("depth {:g}", value),
+                                         id != 0
+                                             ? fmt::format("that of object {}", id)
+                                             : std::string("none, as the pixel shows no object")};
+            });
+        }
+    }
+    wrong.report(imageFile(modality, images.frame()), images.frame(), findings);
+}
+
 }  // namespace
 
 CheckWork beginClasses(const Subject& subject, Findings& /*findings*/) {
@@ -100,34 +135,13 @@ CheckWork beginHoles(const Subject& subject, Findings& /*findings*/) {
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
         const Image16* ids = images.image16("instance");
-        const Image16* depth = images.image16("depth");
-        if (!ids || !depth) return;
-        constexpr double kFarthest = 65.535;  // what the image can hold, m
-        // Of each object, whether it may be too far away for the image: asked once.
-        std::vector<int> may_be_far(65536, -1);
-        WrongPixels wrong;
-        for (int y = 0; y < ids->height; ++y) {
-            for (int x = 0; x < ids->width; ++x) {
-                const int id = ids->at(x, y);
-                const bool none = depth->at(x, y) == 0;
-                if (none == (id == 0)) continue;
-                if (none) {
-                    int& far_away = may_be_far[static_cast<std::size_t>(id)];
-                    const StoredObject* object = dataset.object(id);
-                    if (far_away < 0) {
-                        far_away = object && farthestDepth(images.stored(), *object) >= kFarthest;
-                    }
-                    if (far_away != 0) continue;
-                }
-                wrong.add(x, y, [&] {
-                    return none
-                               ? WrongPixels::Text{"no depth", fmt::format("that of object {}", id)}
-                               : WrongPixels::Text{fmt::format("{} mm", depth->at(x, y)),
-                                                   "none, as the pixel shows no object"};
-                });
-            }
+        if (!ids) return;
+        if (const Image16* depth = images.image16("depth")) {
+            checkHoles(dataset, images, *ids, *depth, 65.535, "depth", findings);
         }
-        wrong.report(imageFile("depth", images.frame()), images.frame(), findings);
+        if (const ImageF* depth = images.imageF("depth_exr")) {
+            checkHoles(dataset, images, *ids, *depth, HUGE_VAL, "depth_exr", findings);
+        }
     };
     return work;
 }

@@ -34,6 +34,12 @@ CheckWork beginTransforms(const Subject& subject, Findings& findings);
 CheckWork beginCameraJson(const Subject& subject, Findings& findings);
 CheckWork beginTum(const Subject& subject, Findings& findings);
 CheckWork beginKitti(const Subject& subject, Findings& findings);
+CheckWork beginKittiObjects(const Subject& subject, Findings& findings);
+CheckWork beginHdf5(const Subject& subject, Findings& findings);
+CheckWork beginCocoPolygons(const Subject& subject, Findings& findings);
+CheckWork beginFolds(const Subject& subject, Findings& findings);
+CheckWork beginVideo(const Subject& subject, Findings& findings);
+CheckWork beginAlbedo(const Subject& subject, Findings& findings);
 CheckWork beginTartanAir(const Subject& subject, Findings& findings);
 
 }  // namespace dollytrack::verify

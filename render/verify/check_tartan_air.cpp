@@ -39,7 +39,7 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
         const io::ReadPose& read = list->poses[i];
         const Pose& left = dataset.frames[i].pose;
         const Eigen::Vector3d offset = left.toCamera(world_from_ned.cwiseProduct(read.position));
-        if (!baseline) baseline = offset.x();
+        if (!baseline) baseline = std::max(offset.x(), 0.0);  // it is at the right at least
         const Eigen::Matrix3d rotation = world_from_ned.asDiagonal() * read.rotation;
         const double turned = (rotation - left.rotation.toRotationMatrix()).norm() / std::sqrt(2.0);
         const double away = (offset - Eigen::Vector3d(*baseline, 0.0, 0.0)).norm();

@@ -1,11 +1,11 @@
 // transforms.json of two programs, beside its poses: lens, names, and where the room is put.
 #include "render/verify/check_list.h"
+#include "render/verify/json_file.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 
 namespace dollytrack::verify {
 namespace {
@@ -33,8 +33,9 @@ class FileCheck {
         : subject_(subject), dataset_(subject.dataset), file_(file), findings_(findings) {}
 
     void run() {
-        std::ifstream stream(dataset_.folder / file_.file);
-        const Json root = Json::parse(stream);
+        const Result<Json> read = readJson(dataset_.folder / file_.file);
+        if (!read) return add({}, read.error().message, "frames");
+        const Json& root = *read;
         checkLens(root);
         const Json& frames = root.at("frames");
         if (frames.size() != dataset_.frames.size()) {

@@ -1,7 +1,7 @@
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
 #include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/filled_mask.h"
 
 #include <fmt/format.h>
 
@@ -52,9 +52,9 @@ struct Expected {
     std::array<double, 4> box = {};  // x, y, width, height, px
 };
 
-std::vector<Expected> expectedLines(const StoredDataset& dataset, const Image16& ids) {
+std::vector<Expected> expectedLines(const StoredDataset& dataset, FrameImages& images) {
     std::vector<Expected> expected;
-    for (const auto& [id, shown] : objectPixels(ids)) {
+    for (const auto& [id, shown] : images.seen()) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target") continue;
         const int nyu40 = object->nyu40 == kNyuUnknown ? kNyuOtherProp : object->nyu40;
@@ -67,13 +67,14 @@ class FrameCheck {
   public:
     FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
         : dataset_(dataset),
+          images_(images),
           frame_(images.frame()),
           findings_(findings),
           ids_(images.image16("instance")) {}
 
     void run() {
         if (!ids_) return;
-        const std::vector<Expected> expected = expectedLines(dataset_, *ids_);
+        const std::vector<Expected> expected = expectedLines(dataset_, images_);
         const auto boxes = linesOf("labels", expected.size());
         const auto outlines = linesOf("labels_seg", expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -92,7 +93,7 @@ class FrameCheck {
                        fmt::format("object {}: {}", of.object_id, found), std::move(expected)});
     }
 
-    /// As many as targets in sight, or none and a finding.
+    /// The lines, and a finding when they are not as many as targets in sight.
     std::vector<Line> linesOf(const char* folder, std::size_t count) {
         Result<std::vector<Line>> lines = readLines(dataset_.folder / file(folder));
         if (!lines) {
@@ -128,8 +129,8 @@ class FrameCheck {
         }
     }
 
-    /// The outline is of a part in sight: inside the box, around at least one pixel of the object,
-    /// and of no more pixels than the object has, holes left aside.
+    /// The outline is around a whole part of the object in sight, and no smaller one than another.
+    /// What the part encloses is inside.
     void compareOutline(const Line& line, const Expected& of) {
         const char* folder = "labels_seg";
         if (line.number != of.number) {
@@ -139,31 +140,25 @@ class FrameCheck {
             return add(folder, of, fmt::format("{} numbers", line.shares.size()),
                        "pairs, three or more");
         }
-        for (std::size_t i = 0; i < line.shares.size(); i += 2) {
-            const double x = line.shares[i] * ids_->width;
-            const double y = line.shares[i + 1] * ids_->height;
-            const double slack = kShareTolerance * std::max(ids_->width, ids_->height);
-            const bool inside = x >= of.box[0] - slack && x <= of.box[0] + of.box[2] + slack &&
-                                y >= of.box[1] - slack && y <= of.box[1] + of.box[3] + slack;
-            if (inside && standsAtCorner(x, y, of.object_id, slack)) continue;
-            return add(folder, of, fmt::format("a corner at ({:.3f}, {:.3f}) px", x, y),
-                       "one of a pixel of the object");
+        std::vector<double> corners;
+        for (std::size_t i = 0; i < line.shares.size(); ++i) {
+            const double size = i % 2 == 0 ? ids_->width : ids_->height;
+            const double place = line.shares[i] * size;
+            if (std::abs(place - std::round(place)) > kShareTolerance * size) {
+                return add(folder, of, fmt::format("a corner at {:.3f} px", place),
+                           "one of a pixel");
+            }
+            corners.push_back(std::round(place));
         }
-    }
-
-    /// Whether one of the four pixels around this corner shows the object.
-    [[nodiscard]] bool standsAtCorner(double x, double y, int object_id, double slack) const {
-        const int column = static_cast<int>(std::lround(x));
-        const int row = static_cast<int>(std::lround(y));
-        if (std::abs(x - column) > slack || std::abs(y - row) > slack) return false;
-        for (const auto& [dx, dy] : {std::pair{-1, -1}, {0, -1}, {-1, 0}, {0, 0}}) {
-            if (!ids_->holds(column + dx, row + dy)) continue;
-            if (ids_->at(column + dx, row + dy) == object_id) return true;
-        }
-        return false;
+        std::vector<std::uint8_t> outlined(ids_->values.size());
+        fillPolygon(corners, ids_->width, ids_->height, outlined);
+        const std::string wrong =
+            partProblem(outlined, shownBy(*ids_, of.object_id), ids_->width, ids_->height);
+        if (!wrong.empty()) add(folder, of, wrong, "an outline of its largest part in sight");
     }
 
     const StoredDataset& dataset_;
+    FrameImages& images_;
     int frame_;
     Findings& findings_;
     const Image16* ids_;

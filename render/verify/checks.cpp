@@ -8,7 +8,6 @@ namespace {
 using Names = std::span<const char* const>;
 
 constexpr std::array kInstance = {"instance"};
-constexpr std::array kDepthAndInstance = {"depth", "instance"};
 constexpr std::array kAnyDepth = {"depth", "depth_exr"};
 constexpr std::array kCoco = {"coco", "instance"};
 constexpr std::array kFrames = {"frames", "instance"};
@@ -29,6 +28,12 @@ constexpr std::array kColmap = {"colmap"};
 constexpr std::array kTum = {"tum"};
 constexpr std::array kKitti = {"kitti"};
 constexpr std::array kTartanAir = {"tartanair"};
+constexpr std::array kKittiObjects = {"kitti_objects", "instance"};
+constexpr std::array kHdf5 = {"hdf5"};
+constexpr std::array kPolygons = {"coco_polygons", "instance"};
+constexpr std::array kFolds = {"folds"};
+constexpr std::array kVideo = {"video", "rgb"};
+constexpr std::array kAlbedo = {"albedo", "instance"};
 
 constexpr std::array kChecks = {
     Check{"files", "every file is there with its hash, and no other", Names{}, Names{}, false,
@@ -41,7 +46,7 @@ constexpr std::array kChecks = {
           beginMotion},
     Check{"classes", "ids are those of objects, classes those of the ids", kInstance, Names{},
           false, beginClasses},
-    Check{"holes", "depth is missing exactly where no object is", kDepthAndInstance, Names{}, false,
+    Check{"holes", "depth is missing exactly where no object is", kInstance, kAnyDepth, false,
           beginHoles},
     Check{"object_boxes", "depth unprojected lies in the box of the object seen", kInstance,
           kAnyDepth, false, beginObjectBoxes},
@@ -90,6 +95,16 @@ constexpr std::array kChecks = {
           kKitti, Names{}, false, beginKitti},
     Check{"tartanair", "TartanAir's pictures, depth, classes and motions are the frames'",
           kTartanAir, Names{}, false, beginTartanAir},
+    Check{"kitti_objects", "KITTI's labels are what the instance images and the boxes say",
+          kKittiObjects, Names{}, false, beginKittiObjects},
+    Check{"hdf5", "HDF5's images and poses are the frames'", kHdf5, Names{}, false, beginHdf5},
+    Check{"coco_polygons", "outlines hold the instance images' pixels, and what these enclose",
+          kPolygons, Names{}, false, beginCocoPolygons},
+    Check{"folds", "every frame is held back once, and none is trained on that shows the same",
+          kFolds, Names{}, false, beginFolds},
+    Check{"video", "the preview shows every picture, in order", kVideo, Names{}, false, beginVideo},
+    Check{"albedo", "base colours are those of the materials seen", kAlbedo, Names{}, true,
+          beginAlbedo},
 };
 
 }  // namespace

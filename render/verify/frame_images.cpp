@@ -131,6 +131,14 @@ const ImageF* FrameImages::imageF(std::string_view modality) {
     return entry.problem.empty() ? &entry.real : nullptr;
 }
 
+const std::map<int, ObjectPixels>& FrameImages::seen() {
+    if (!seen_) {
+        const Image16* ids = image16("instance");
+        seen_ = ids ? objectPixels(*ids) : std::map<int, ObjectPixels>{};
+    }
+    return *seen_;
+}
+
 const Image8* FrameImages::mask(std::string_view modality) {
     const Entry& entry = loadMask(modality);
     return entry.problem.empty() ? &entry.bits8 : nullptr;

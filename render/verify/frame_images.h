@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/verify/image_files.h"
+#include "render/verify/object_pixels.h"
 #include "render/verify/stored_dataset.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +51,8 @@ class FrameImages {
     [[nodiscard]] const Image8* image8(std::string_view modality);
     [[nodiscard]] const Image16* image16(std::string_view modality);
     [[nodiscard]] const ImageF* imageF(std::string_view modality);
+    /// What the instance image shows of each object, by id; of none when there is no such image.
+    [[nodiscard]] const std::map<int, ObjectPixels>& seen();
     /// The mask beside it.
     [[nodiscard]] const Image8* mask(std::string_view modality);
 
@@ -86,6 +90,7 @@ class FrameImages {
     std::map<std::string, Entry, std::less<>> entries_;
     std::map<std::string, Entry, std::less<>> masks_;
     std::unique_ptr<Depth> depth_;
+    std::optional<std::map<int, ObjectPixels>> seen_;
     std::unique_ptr<Depth> other_depth_;
     std::map<int, std::unique_ptr<FrameImages>> others_;
 };

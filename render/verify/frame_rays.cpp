@@ -2,11 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dollytrack::verify {
 namespace {
 
 constexpr double kNudge = 0.01;  // px; corners are drawn at 256ths
+
+/// Whether rays around a pixel's centre get as far as what it shows.
+class Sight {
+  public:
+    /// `id` is what it shows; 0 where that is not known.
+    Sight(int id, double metres) : id_(id), metres_(metres) {}
+
+    void add(const RayHit& hit) {
+        if (hit.object_id == 0 || hit.object_id == id_ || hit.distance >= metres_) {
+            reaches_ = true;
+        } else if (first_ == kNone) {
+            first_ = hit.triangle;
+        } else if (first_ != hit.triangle) {
+            on_edge_ = true;
+        }
+    }
+    [[nodiscard]] bool reaches() const { return reaches_; }
+    /// Along an edge of two triangles drawing may leave a crack, and see what no ray meets.
+    [[nodiscard]] bool mayPass() const { return reaches_ || on_edge_; }
+
+  private:
+    int id_;
+    double metres_;
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t first_ = kNone;
+    bool reaches_ = false, on_edge_ = false;
+};
 
 }  // namespace
 
@@ -105,30 +133,34 @@ bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) cons
 /// and what is drawn is a little beside the thing. Only where several surfaces meet, so that no
 /// wall is excused.
 bool FrameRays::isHair(int x, int y, int id, double metres) const {
-    constexpr double kBeside_m = 0.01;
+    constexpr double kBeside_m = 0.02;
     const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
     if (!isNear(id, pose_.position + metres * along, kBeside_m)) return false;
     double least = kFarthest, most = 0.0;
+    Sight sight(id, metres - kBeside_m);
     for (const double dy : {-0.7, 0.0, 0.7}) {
         for (const double dx : {-0.7, 0.0, 0.7}) {
             const RayHit hit = rays_.cast(pose_.position, alongWorld(x + 0.5 + dx, y + 0.5 + dy),
                                           kFarthest, dataset_.near_m);
             const double depth =
                 hit.object_id == 0 ? kFarthest : planeDepth(hit.triangle, x + 0.5, y + 0.5);
+            sight.add(hit);
             least = std::min(least, depth);
             most = std::max(most, depth);
         }
     }
-    return most - least > 0.001;
+    return sight.reaches() && most - least > 0.001;
 }
 
 bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
     if (id > static_cast<int>(scene_.objects.size())) return false;
     const double slack = rounding_m + kDrawing * (1.0 + metres);
+    Sight sight(id, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
+            sight.add(hit);
             if (id == 0 || hit.object_id == 0) {
                 if (id == hit.object_id) return true;
                 continue;
@@ -140,20 +172,23 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
             if (rays_.meetsObject(id, start, along, 2.0 * slack)) return true;
         }
     }
-    return id != 0 && (isBeside(x, y, id, metres, slack) || isHair(x, y, id, metres));
+    if (id == 0) return false;
+    return (sight.mayPass() && isBeside(x, y, id, metres, slack)) || isHair(x, y, id, metres);
 }
 
 bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) const {
     if (metres <= 0.0) return mayShow(x, y, 0, metres, rounding_m);
     const double slack = rounding_m + kDrawing * (1.0 + metres);
+    Sight sight(0, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
+            sight.add(hit);
             if (hit.object_id != 0 && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
         }
     }
-    return isBeside(x, y, 0, metres, slack) || isHair(x, y, 0, metres);
+    return (sight.mayPass() && isBeside(x, y, 0, metres, slack)) || isHair(x, y, 0, metres);
 }
 
 }  // namespace dollytrack::verify

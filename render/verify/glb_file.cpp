@@ -1,5 +1,7 @@
 #include "render/verify/glb_file.h"
 
+#include "render/verify/json_file.h"
+
 #include "engine/io/trajectories/number_lines.h"
 
 #include <cstdint>
@@ -37,7 +39,7 @@ Result<GlbFile> GlbFile::read(const std::filesystem::path& path) {
             const std::uint32_t kind = wordAt(*bytes, at + 4);
             if (length > bytes->size() - at - 8) throw std::out_of_range("a chunk is cut off");
             if (kind == kJsonChunk) {
-                file.json_ = nlohmann::json::parse(bytes->substr(at + 8, length));
+                file.json_ = parseJson(std::string_view(*bytes).substr(at + 8, length)).value();
             }
             if (kind == kBinaryChunk) file.binary_ = bytes->substr(at + 8, length);
             at += 8 + length;

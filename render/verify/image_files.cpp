@@ -1,12 +1,12 @@
 #include "render/verify/image_files.h"
 
+#include "engine/io/trajectories/number_lines.h"
+
 #include <fmt/format.h>
 
 #include <bit>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLargestSide = 1 << 16;
+constexpr int kLargestSide = 1 << 14;  // px: what a dataset may have
 
 tl::unexpected<Error> unreadable(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
@@ -25,9 +25,8 @@ tl::unexpected<Error> unreadable(std::string message) {
 Result<std::string> bytesOf(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) return unreadable("it is missing");
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (fs::is_directory(path, error) || !file.good()) return unreadable("it cannot be read");
+    Result<std::string> bytes = io::readText(path);
+    if (!bytes) return unreadable("it cannot be read");
     return bytes;
 }
 
@@ -37,6 +36,14 @@ Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
     if (!bytes.starts_with(kBegin)) return unreadable("it is no PNG");
+    // Sides, most significant byte first, before anything is made of that size.
+    for (const std::size_t at : {16U, 20U}) {
+        std::uint64_t side = 0;
+        for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
+            side = 256 * side + static_cast<std::uint8_t>(bytes[at + i]);
+        }
+        if (side > kLargestSide) return unreadable(fmt::format("it says it is {} px", side));
+    }
     if (!bytes.ends_with(kEnd)) return unreadable("its end is missing, or something follows it");
     return {};
 }

@@ -25,16 +25,22 @@ Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
     if (!text) return tl::unexpected<Error>(text.error());
     NumberTable table;
     int number = 0;
+    std::size_t width = 0;
     for (const std::string_view line : io::splitLines(*text)) {
         std::vector<std::string> fields = fieldsOf(line);
         if (++number == 1) {
-            for (std::size_t i = 0; i < fields.size(); ++i) table.columns_[fields[i]] = i;
+            width = fields.size();
+            for (std::size_t i = 0; i < width; ++i) {
+                if (table.columns_.emplace(fields[i], i).second) continue;
+                return fail(ErrorCode::BadInput,
+                            fmt::format("The column \"{}\" is there twice.", fields[i]),
+                            io::placeOf(path, number));
+            }
             continue;
         }
-        if (fields.size() != table.columns_.size()) {
+        if (fields.size() != width) {
             return fail(ErrorCode::BadInput,
-                        fmt::format("There are {} values under {} names.", fields.size(),
-                                    table.columns_.size()),
+                        fmt::format("There are {} values under {} names.", fields.size(), width),
                         io::placeOf(path, number));
         }
         table.rows_.push_back(std::move(fields));

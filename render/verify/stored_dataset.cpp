@@ -1,11 +1,12 @@
 #include "render/verify/stored_dataset.h"
 
+#include "engine/io/json_depth.h"
+#include "engine/io/trajectories/number_lines.h"
 #include "render/formats/dataset_card.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace dollytrack::verify {
 namespace {
@@ -84,13 +85,15 @@ const Eigen::Isometry3d* StoredFrame::movement(int object_id) const {
 
 bool StoredDataset::has(std::string_view name) const {
     return std::find(modalities.begin(), modalities.end(), name) != modalities.end() ||
-           std::find(formats.begin(), formats.end(), name) != formats.end();
+           std::find(formats.begin(), formats.end(), name) != formats.end() ||
+           (name == "folds" && card.contains("folds"));
 }
 
 const StoredObject* StoredDataset::object(int id) const {
+    if (id < 1) return nullptr;
     const auto index = static_cast<std::size_t>(id) - 1;
     // Ids count from 1; a list in which they do not is found by another check.
-    if (id >= 1 && index < objects.size() && objects[index].id == id) return &objects[index];
+    if (index < objects.size() && objects[index].id == id) return &objects[index];
     const auto at =
         std::find_if(objects.begin(), objects.end(), [id](const auto& o) { return o.id == id; });
     return at == objects.end() ? nullptr : &*at;
@@ -101,19 +104,34 @@ Json StoredDataset::convention(const std::string& name) const {
     return all.contains(name) ? all[name] : Json();
 }
 
+Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame) {
+    Eigen::Isometry3d world_from_box = Eigen::Translation3d(object.box.center) *
+                                       Eigen::AngleAxisd(object.box.yaw, Eigen::Vector3d::UnitZ());
+    if (const Eigen::Isometry3d* moved = frame.movement(object.id)) {
+        world_from_box = *moved * world_from_box;
+    }
+    return frame.pose.worldFromCamera().inverse() * world_from_box;
+}
+
 Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     StoredDataset dataset;
     dataset.folder = folder;
     const std::filesystem::path path = folder / "dataset.json";
-    std::ifstream file(path);
-    if (!file) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown)) {
         return fail(ErrorCode::BadInput,
                     "There is no dataset.json in it: it is no dataset, or its export has not "
                     "ended; 'dollytrack export --resume' ends it.",
                     folder.string());
     }
+    const Result<std::string> text = io::readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    if (io::nestsTooDeep(*text)) {
+        return fail(ErrorCode::BadInput,
+                    "It is damaged (nested too deep); export the dataset again.", path.string());
+    }
     try {
-        dataset.card = Json::parse(file);
+        dataset.card = Json::parse(*text);
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
             return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
                         path.string());

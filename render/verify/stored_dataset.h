@@ -54,12 +54,17 @@ struct StoredDataset {
     std::vector<StoredFrame> frames;
     std::map<std::string, std::string> sha256s;  // by relative path
 
-    [[nodiscard]] bool has(std::string_view modality_or_format) const;
+    /// Whether it has a modality, a format, or "folds".
+    [[nodiscard]] bool has(std::string_view what) const;
     /// Null for an id that is not in the list.
     [[nodiscard]] const StoredObject* object(int id) const;
     /// conventions.<name>; null when it has none.
     [[nodiscard]] nlohmann::ordered_json convention(const std::string& name) const;
 };
+
+/// Where the object's box is in the frame's camera (x right, y down, z forward; m): from the box's
+/// own axes around its middle.
+Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame);
 
 /// Errors: BadInput where there is no dataset.json, or one that is not ours, or not complete.
 Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder);

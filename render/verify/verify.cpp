@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace dollytrack::verify {
 namespace {
@@ -26,6 +27,16 @@ std::string whySkipped(const Check& check, const Subject& subject, const std::st
     return {};
 }
 
+/// A damaged dataset may surprise a check: that is a finding, and the others go on.
+template <class Work>
+void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        findings.add({"dataset.json", frame, {}, error.what(), "what this check can read"});
+    }
+}
+
 }  // namespace
 
 Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std::string& no_scene,
@@ -35,8 +46,11 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
     std::vector<CheckWork> works;
     for (const Check& check : checks()) {
         CheckResult result{&check, whySkipped(check, subject, no_scene), {}};
-        works.push_back(result.skipped.empty() ? check.begin(subject, result.findings)
-                                               : CheckWork{});
+        works.emplace_back();
+        if (result.skipped.empty()) {
+            guarded(result.findings, {},
+                    [&] { works.back() = check.begin(subject, result.findings); });
+        }
         results.push_back(std::move(result));
     }
     const std::size_t frames = subject.dataset.frames.size();
@@ -46,7 +60,8 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
         parallelFor(count, [&](std::size_t i) {
             FrameImages images(subject.dataset, static_cast<int>(begin + i));
             for (std::size_t c = 0; c < works.size() && !job.cancelled(); ++c) {
-                if (works[c].frame) works[c].frame(images, found[i][c]);
+                if (!works[c].frame) continue;
+                guarded(found[i][c], images.frame(), [&] { works[c].frame(images, found[i][c]); });
             }
         });
         if (job.cancelled()) return cancelled();
@@ -57,7 +72,8 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
     }
     for (std::size_t c = 0; c < works.size(); ++c) {
         if (job.cancelled()) return cancelled();
-        if (works[c].finish) works[c].finish(results[c].findings);
+        if (!works[c].finish) continue;
+        guarded(results[c].findings, {}, [&] { works[c].finish(results[c].findings); });
     }
     return results;
 }

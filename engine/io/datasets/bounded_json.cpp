@@ -1,52 +1,39 @@
 #include "engine/io/datasets/bounded_json.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/json_depth.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace dollytrack::io {
 namespace {
 
-constexpr int kDeepest = 64;
 constexpr std::size_t kMostValues = 50'000'000;
 
-/// Brackets and commas outside of texts, which bound depth and number of values.
-Status checkShape(std::string_view text, const std::string& where) {
-    int depth = 0;
-    std::size_t values = 1;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c == '\\') ++i;
-            if (c == '"') quoted = false;
-            continue;
-        }
-        if (c == '"') quoted = true;
-        if (c == '[' || c == '{') ++depth;
-        if (c == ']' || c == '}') --depth;
-        if (c == ',' || c == '[' || c == '{') ++values;
-        if (depth > kDeepest) {
-            return fail(ErrorCode::BadInput,
-                        fmt::format("The file is nested more than {} deep; no scene is.", kDeepest),
-                        where);
-        }
-        if (values > kMostValues) {
-            return fail(ErrorCode::BadInput,
-                        fmt::format("The file holds more than {} values.", kMostValues), where);
-        }
-    }
-    return {};
+/// Brackets and commas, which bound the number of values; those in texts are counted, too.
+bool holdsTooMany(std::string_view text) {
+    const auto separates = [](char c) { return c == ',' || c == '[' || c == '{'; };
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), separates)) >=
+           kMostValues;
 }
 
 }  // namespace
 
 Result<nlohmann::json> parseBoundedJson(std::string_view text, const std::string& where) {
-    if (Status fits = checkShape(text, where); !fits) return tl::unexpected(fits.error());
+    if (nestsTooDeep(text)) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The file is nested more than {} deep; no scene is.", kDeepestJson),
+                    where);
+    }
+    if (holdsTooMany(text)) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The file holds more than {} values.", kMostValues), where);
+    }
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& error) {

@@ -1,0 +1,130 @@
+// Base colours, against the materials of what each pixel shows.
+#include "render/verify/check_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr int kTolerance = 3;  // of 255: drawing holds colours in 8 bits, too
+
+/// 8-bit sRGB of a linear colour.
+int encoded(double linear) {
+    const double c = std::clamp(linear, 0.0, 1.0);
+    const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    return static_cast<int>(std::lround(255.0 * s));
+}
+
+/// The colours that a surface may have, by channel: between those of its texture's texels.
+struct ColorRange {
+    std::array<int, 3> least = {255, 255, 255};
+    std::array<int, 3> most = {0, 0, 0};
+
+    [[nodiscard]] bool holds(const std::uint8_t* color) const {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (color[c] < least[c] - kTolerance || color[c] > most[c] + kTolerance) return false;
+        }
+        return true;
+    }
+};
+
+ColorRange rangeOf(const Material& material, const std::vector<Texture>& textures) {
+    std::array<int, 3> darkest = {255, 255, 255};
+    std::array<int, 3> brightest = {255, 255, 255};
+    const Texture* texture =
+        material.texture < 0 ? nullptr : &textures[static_cast<std::size_t>(material.texture)];
+    if (texture && !texture->rgba.empty()) {
+        brightest = {0, 0, 0};
+        for (std::size_t i = 0; i + 3 < texture->rgba.size(); i += 4) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                darkest[c] = std::min<int>(darkest[c], texture->rgba[i + c]);
+                brightest[c] = std::max<int>(brightest[c], texture->rgba[i + c]);
+            }
+        }
+    }
+    // What shines has the colour that it shines in.
+    const float emission = material.emission.maxCoeff();
+    const Eigen::Vector3f color_of_it =
+        emission > 0.0F ? Eigen::Vector3f(material.emission / emission) : material.base_color;
+    ColorRange range;
+    for (std::size_t c = 0; c < 3; ++c) {
+        // Texels are taken for squares of what they encode, as drawing takes them.
+        const auto color = [&](int texel) {
+            const double share = texel / 255.0;
+            return encoded(color_of_it[static_cast<Eigen::Index>(c)] * share * share);
+        };
+        range.least[c] = color(darkest[c]);
+        range.most[c] = color(brightest[c]);
+    }
+    return range;
+}
+
+/// By object id, the ranges of its materials.
+using Colors = std::map<int, std::vector<ColorRange>>;
+
+Colors colorsOf(const Scene& scene) {
+    std::vector<ColorRange> ranges;
+    for (const Material& material : scene.materials) {
+        ranges.push_back(rangeOf(material, scene.textures));
+    }
+    Colors colors;
+    for (const Object& object : scene.objects) {
+        const auto first = scene.triangle_material.begin() + object.first_triangle;
+        const std::set<std::uint32_t> used(first, first + object.triangle_count);
+        for (const std::uint32_t material : used) colors[object.id].push_back(ranges[material]);
+    }
+    return colors;
+}
+
+/// Whether the pixel has a colour of what it or one of its neighbours shows: on the way from one to
+/// the other, drawing may round differently for each image.
+bool mayHave(const Colors& colors, const Image16& ids, int x, int y, const std::uint8_t* color) {
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (!ids.holds(x + dx, y + dy)) continue;
+            const int id = ids.at(x + dx, y + dy);
+            if (id == 0 && std::all_of(color, color + 3, [](int c) { return c == 0; })) return true;
+            const auto of = colors.find(id);
+            if (of == colors.end()) continue;
+            if (std::any_of(of->second.begin(), of->second.end(),
+                            [&](const ColorRange& range) { return range.holds(color); })) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+CheckWork beginAlbedo(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    work.frame = [colors = std::make_shared<const Colors>(colorsOf(*subject.scene))](
+                     FrameImages& images, Findings& findings) {
+        const Image8* albedo = images.image8("albedo");
+        const Image16* ids = images.image16("instance");
+        if (!albedo || !ids) return;
+        WrongPixels wrong;
+        for (int y = 0; y < ids->height; ++y) {
+            for (int x = 0; x < ids->width; ++x) {
+                const std::uint8_t* color = albedo->pixel(x, y);
+                if (mayHave(*colors, *ids, x, y, color)) continue;
+                wrong.add(x, y, [&] {
+                    return WrongPixels::Text{
+                        fmt::format("({}, {}, {})", color[0], color[1], color[2]),
+                        fmt::format("a colour of object {}'s materials", ids->at(x, y))};
+                });
+            }
+        }
+        wrong.report(imageFile("albedo", images.frame()), images.frame(), findings);
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

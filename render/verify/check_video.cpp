@@ -1,0 +1,73 @@
+// The preview: a picture a frame, in their order.
+#include "render/verify/check_list.h"
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr const char* kFile = "preview.mp4";
+constexpr double kFarthest = 12.0;  // mean difference of 255: what compression may do
+
+class VideoCheck {
+  public:
+    VideoCheck(const StoredDataset& dataset, Findings& findings)
+        : dataset_(dataset), findings_(findings) {}
+
+    void run() {
+        cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
+        if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");
+        const int frames = static_cast<int>(dataset_.frames.size());
+        int shown = 0;
+        for (cv::Mat picture; shown <= frames && video.read(picture); ++shown) {
+            if (shown == frames) break;
+            compare(shown, picture);
+        }
+        if (shown != frames || video.grab()) {
+            add({}, shown < frames ? fmt::format("{} pictures", shown) : "more pictures",
+                fmt::format("{}", frames));
+        }
+    }
+
+  private:
+    void add(std::optional<int> frame, std::string found, std::string expected) {
+        findings_.add({kFile, frame, {}, std::move(found), std::move(expected)});
+    }
+
+    void compare(int frame, const cv::Mat& picture) {
+        const cv::Size size(dataset_.lens.width & ~1, dataset_.lens.height & ~1);
+        if (picture.size() != size) {
+            return add(frame, fmt::format("{} x {} px", picture.cols, picture.rows),
+                       fmt::format("{} x {}", size.width, size.height));
+        }
+        const cv::Mat rgb = cv::imread((dataset_.folder / imageFile("rgb", frame)).string());
+        // One that cannot be read is the business of another check.
+        if (rgb.cols < size.width || rgb.rows < size.height) return;
+        cv::Mat difference;
+        cv::absdiff(picture, rgb(cv::Rect({0, 0}, size)), difference);
+        const cv::Scalar mean = cv::mean(difference);
+        const double off = (mean[0] + mean[1] + mean[2]) / 3.0;
+        if (off <= kFarthest) return;
+        add(frame, fmt::format("a picture {:.0f} of 255 beside that of rgb", off),
+            fmt::format("at most {:g}", kFarthest));
+    }
+
+    const StoredDataset& dataset_;
+    Findings& findings_;
+};
+
+}  // namespace
+
+CheckWork beginVideo(const Subject& subject, Findings& findings) {
+    try {
+        VideoCheck(subject.dataset, findings).run();
+    } catch (const cv::Exception& error) {
+        findings.add({kFile, {}, {}, error.what(), "an MP4"});
+    }
+    return {};
+}
+
+}  // namespace dollytrack::verify
