@@ -319,7 +319,7 @@ Result<Standing> standingOf(const Job& job, const RunSettings& settings) {
     Standing standing;
     standing.found = readResult(folder);
     const JobResult& found = standing.found;
-    Result<SceneStamp> scene = stampOf(job.scene, found.scene);
+    Result<SceneStamp> scene = stampOf(job, found.scene);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     standing.scene = std::move(*scene);
     if (found.state == JobState::NotRun) return standing;

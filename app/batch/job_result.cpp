@@ -1,6 +1,7 @@
 #include "app/batch/job_result.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/project_file.h"
 #include "engine/io/sha256.h"
 
 #include <fmt/format.h>
@@ -34,28 +35,53 @@ void takeNumbers(const Json& from, const std::string& prefix, Json& to) {
     }
 }
 
+/// Those that a job reads and that are named in its order. A project that cannot be read is all
+/// there is: the job will say what is wrong with it.
+std::vector<fs::path> filesOf(const Job& job) {
+    std::vector<fs::path> files = {job.scene};
+    if (job.scene.extension() == ".dolly") {
+        std::error_code error;
+        const auto project = io::loadProject(job.scene);
+        if (project && fs::is_regular_file(project->scene, error)) files.push_back(project->scene);
+    }
+    const auto labels = std::find(job.arguments.begin(), job.arguments.end(), "--labels");
+    if (labels != job.arguments.end() && labels + 1 != job.arguments.end()) {
+        files.emplace_back(*(labels + 1));
+    }
+    return files;
+}
+
 }  // namespace
 
 const char* name(JobState state) {
     return kNames[static_cast<std::size_t>(state)];
 }
 
-Result<SceneStamp> stampOf(const fs::path& scene, const SceneStamp& known) {
-    std::error_code error;
+Result<SceneStamp> stampOf(const Job& job, const SceneStamp& known) {
+    const std::vector<fs::path> files = filesOf(job);
     SceneStamp stamp;
-    stamp.size = fs::file_size(scene, error);
-    const auto changed = error ? fs::file_time_type{} : fs::last_write_time(scene, error);
-    if (error) {
-        return fail(ErrorCode::BadInput, "the scene cannot be read (" + error.message() + ")",
-                    scene.string());
+    for (const fs::path& file : files) {
+        std::error_code error;
+        stamp.size += fs::file_size(file, error);
+        const auto changed = error ? fs::file_time_type{} : fs::last_write_time(file, error);
+        if (error) {
+            return fail(ErrorCode::BadInput, "the scene cannot be read (" + error.message() + ")",
+                        file.string());
+        }
+        using std::chrono::nanoseconds;
+        const auto ns = std::chrono::duration_cast<nanoseconds>(changed.time_since_epoch());
+        // Wraps around where it must: it is only compared.
+        stamp.changed_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp.changed_ns) +
+                                                     static_cast<std::uint64_t>(ns.count()));
     }
-    stamp.changed_ns =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(changed.time_since_epoch()).count();
     if (stamp.size == known.size && stamp.changed_ns == known.changed_ns) return known;
-    return io::sha256OfFile(scene).map([&](std::string sha256) {
-        stamp.sha256 = std::move(sha256);
-        return stamp;
-    });
+    for (const fs::path& file : files) {
+        Result<std::string> sha256 = io::sha256OfFile(file);
+        if (!sha256) return tl::unexpected<Error>(std::move(sha256.error()));
+        stamp.sha256 += *sha256;
+    }
+    if (files.size() > 1) stamp.sha256 = io::sha256Of(std::string_view(stamp.sha256));
+    return stamp;
 }
 
 bool isOf(const JobResult& result, const Job& job) {

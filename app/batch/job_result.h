@@ -33,17 +33,18 @@ struct WrittenDataset {
     int frames = 0;
 };
 
-/// Tells whether a scene file is still the one that was used.
+/// Tells whether a job's files are still those that were used: its scene, for a project also that
+/// one's scene, and its table of labels. Not what the scene file names (textures, models).
 struct SceneStamp {
-    std::uint64_t size = 0;
-    std::int64_t changed_ns = 0;  // spares hashing a file that nobody touched
+    std::uint64_t size = 0;       // of all together
+    std::int64_t changed_ns = 0;  // summed up; spares hashing files that nobody touched
     std::string sha256;
     bool operator==(const SceneStamp&) const = default;
 };
 
-/// The file's stamp, without reading it where size and time are those of `known`. Error: BadInput.
-[[nodiscard]] Result<SceneStamp> stampOf(const std::filesystem::path& scene,
-                                         const SceneStamp& known);
+/// The job's stamp, without reading its files where sizes and times are those of `known`. Error:
+/// BadInput.
+[[nodiscard]] Result<SceneStamp> stampOf(const Job& job, const SceneStamp& known);
 
 /// What is known of a job: kept in its folder, so that any machine can go on from there.
 struct JobResult {

@@ -249,7 +249,8 @@ void addBatchCommand(CLI::App& app, Session& session) {
         ->type_name("DIR");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "Done jobs are left alone, others go on where they were stopped, changed ones begin anew.\n"
+        "Done jobs are left alone, others go on where they were stopped. Those begin anew whose\n"
+        "settings, scene file or labels have changed; textures and models are not looked at.\n"
         "The folder gets summary.json, junit.xml and index.html, and a folder for each job.\n"
         "Exit code: 0 all jobs are good, 3 some are not, 4 the jobs file cannot be used.\n"
         "Example: dollytrack batch rooms.toml --jobs 4 --timeout 3600");

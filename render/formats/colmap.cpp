@@ -1,6 +1,7 @@
 #include "render/formats/colmap.h"
 
 #include "engine/camera/intrinsics.h"
+#include "engine/geometry/ray_caster.h"
 #include "render/formats/frame_text.h"
 #include "render/formats/surface_sample.h"
 
@@ -41,25 +42,32 @@ std::string images(const DatasetContents& contents) {
     return text;
 }
 
-/// Whether a point is inside any frame, whatever stands before it.
-bool isInAnyFrame(const DatasetContents& contents, const Intrinsics& lens,
-                  const Eigen::Vector3d& point) {
-    for (const DatasetFrame& frame : contents.frames) {
-        const Eigen::Vector3d in_camera = frame.camera.pose.toCamera(point);
+/// Whether one of the frames shows the point; of many frames some hundred are asked.
+bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCaster& rays,
+            const Eigen::Vector3d& point) {
+    constexpr std::size_t kMostFrames = 300;
+    constexpr double kBefore = 1e-4;  // share of the way: the point itself is no obstacle
+    const std::size_t step = 1 + contents.frames.size() / (kMostFrames + 1);
+    for (std::size_t i = 0; i < contents.frames.size(); i += step) {
+        const Pose& pose = contents.frames[i].camera.pose;
+        const Eigen::Vector3d in_camera = pose.toCamera(point);
         if (in_camera.z() < contents.camera.near_m) continue;
         const Eigen::Vector2d at = lens.project(in_camera);
-        if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < lens.width && at.y() < lens.height) {
-            return true;
+        if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < lens.width && at.y() < lens.height)) {
+            continue;
         }
+        const RayHit hit = rays.cast(pose.position, point - pose.position, 1.0 - kBefore, 0.0);
+        if (hit.object_id == 0) return true;
     }
     return false;
 }
 
 std::string points(const DatasetContents& contents, const Intrinsics& lens) {
     std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)\n";
+    const RayCaster rays(contents.scene);
     int id = 0;
     for (const SurfacePoint& point : sampleSurface(contents.scene, kPoints, 1)) {
-        if (!isInAnyFrame(contents, lens, point.position)) continue;
+        if (!isSeen(contents, lens, rays, point.position)) continue;
         text += fmt::format("{} {} {} {} {} 0\n", ++id, numbersText(point.position), point.color[0],
                             point.color[1], point.color[2]);
     }
@@ -78,7 +86,7 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
             {"format",
              "COLMAP text model: camera from world, quaternion w x y z, pixel centres at halves; "
              "names are those in the folder of the pictures (--image_path .../rgb); points3D.txt "
-             "is a sample of the scene's surfaces in view, without tracks"}};
+             "is a sample of the surfaces that frames show, at rest, without tracks"}};
 }
 
 }  // namespace

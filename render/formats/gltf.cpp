@@ -3,6 +3,7 @@
 #include "engine/camera/intrinsics.h"
 #include "render/formats/gltf_scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -38,6 +39,12 @@ Eigen::Quaterniond cameraRotation(const Pose& pose) {
     return gltfFromWorld() * pose.rotation * half_turn;
 }
 
+/// The last time before that keys, which are floats, can tell from it.
+double justBefore(double time_s, double earlier_s) {
+    const double wanted = time_s - 0.001 * (time_s - earlier_s);
+    return std::min<double>(wanted, std::nextafter(static_cast<float>(time_s), 0.0F));
+}
+
 Keys cameraKeys(const std::vector<DatasetFrame>& frames) {
     Keys keys;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -45,7 +52,7 @@ Keys cameraKeys(const std::vector<DatasetFrame>& frames) {
         if (i > 0 && frames[i - 1].camera.path != frame.path) {
             // Where the camera is carried over it stays until just before: no flight through walls.
             const TrajectoryFrame& before = frames[i - 1].camera;
-            const double until = frame.time_s - 0.001 * (frame.time_s - before.time_s);
+            const double until = justBefore(frame.time_s, before.time_s);
             keys.add(until, gltfFromWorld() * before.pose.position, cameraRotation(before.pose));
         }
         keys.add(frame.time_s, gltfFromWorld() * frame.pose.position, cameraRotation(frame.pose));

@@ -199,6 +199,21 @@ class Batch(FolderCase):
 
     # --- going on
 
+    def test_a_changed_table_of_labels_and_the_scene_of_a_project_count_too(self):
+        self.rooms("bath.obj")
+        project, labels = self.place / "rooms/bath.dolly", self.place / "names.csv"
+        planned = run("plan", self.place / "rooms/bath.obj", "-o", project)
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        labels.write_text("mug,box\n")
+        file = self.jobs('scenes = "rooms/*.dolly"\n[import]\nlabels = "names.csv"')
+        self.assertEqual(run("batch", file).returncode, 0)
+        self.assertNotIn("changed", run("batch", file).stderr)
+        labels.write_text("mug,bag\n")
+        self.assertIn("its scene has changed", run("batch", file).stderr)
+        room = self.place / "rooms/bath.obj"
+        room.write_text(room.read_text().replace("v 0.9 ", "v 0.8 "))
+        self.assertIn("its scene has changed", run("batch", file).stderr)
+
     def test_what_is_done_is_left_alone_and_what_changed_begins_anew(self):
         self.rooms("bath.obj", "kitchen.obj")
         file = self.jobs('scenes = "rooms/*.obj"')

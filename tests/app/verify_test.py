@@ -66,6 +66,8 @@ class VerifyTest(FolderCase):
     def test_without_the_scene_most_is_found_all_the_same(self):
         away = self.folder / "away" / "from" / "it"
         for name, check, function in corruptions.ALL:
+            if check == "albedo":  # what colour a thing has the scene alone knows
+                continue
             with self.subTest(name):
                 shutil.rmtree(away, ignore_errors=True)
                 shutil.copytree(self.damaged(function), away)

@@ -68,8 +68,7 @@ int openingClass(const HomePiece& piece, const Label& label) {
     return piece.elevation > 20.0 ? kNyuWindow : kNyuDoor;
 }
 
-SourceObject describe(const HomePiece& piece) {
-    const LabelTable& labels = LabelTable::builtIn();
+SourceObject describe(const HomePiece& piece, const LabelTable& labels) {
     SourceObject object;
     object.category = piece.name;
     if (labels.find(object.category).kind == LabelKind::None) {
@@ -87,7 +86,7 @@ SourceObject describe(const HomePiece& piece) {
 }  // namespace
 
 Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& materials,
-                    RawScene& scene, const JobContext& job) {
+                    const LabelTable& labels, RawScene& scene, const JobContext& job) {
     std::map<const FurnitureModel*, ModelPlacement> placements;
     std::map<std::string, std::pair<std::string, std::size_t>> missing;
     std::size_t triangles = 0;
@@ -98,7 +97,7 @@ Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& mate
         const double elevation = levelElevation(home, piece.level);
         std::string why;
         const FurnitureModel* model = library.find(piece.model, job, why);
-        SourceObject object = describe(piece);
+        SourceObject object = describe(piece, labels);
         if (model) {
             for (const MeshPart& part : model->raw.parts) triangles += part.triangles.size();
             if (triangles > kMostTriangles) {

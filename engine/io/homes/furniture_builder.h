@@ -5,13 +5,14 @@
 #include "engine/io/homes/model_library.h"
 #include "engine/io/raw_scene.h"
 #include "engine/jobs/job.h"
+#include "engine/scene/label_table.h"
 
 namespace dollytrack::homes {
 
 /// Puts every piece of a home into the scene as an object of its own: its model, sized, turned and
-/// coloured; where the model is missing, a box of its size, which a note says. BadInput when the
-/// pieces together have more than 50 million triangles.
+/// coloured and named by the table; where the model is missing, a box of its size, which a note
+/// says. BadInput when the pieces together have more than 50 million triangles.
 Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& materials,
-                    RawScene& scene, const JobContext& job);
+                    const LabelTable& labels, RawScene& scene, const JobContext& job);
 
 }  // namespace dollytrack::homes

@@ -5,6 +5,7 @@
 #include "engine/io/homes/home_xml.h"
 #include "engine/io/homes/room_builder.h"
 #include "engine/io/homes/wall_builder.h"
+#include "engine/io/import_labels.h"
 #include "engine/scene/labels.h"
 
 #include <fstream>
@@ -143,7 +144,9 @@ Result<RawScene> readHome(const fs::path& path, const ImportOptions& options,
     HomeMaterials materials(*asked.front(), scene);
     addStructure(*home, materials, scene);
     ModelLibrary library(asked);
-    if (Status done = addFurniture(*home, library, materials, scene, job); !done) {
+    const Result<LabelTable> labels = labelsOf(options);
+    if (!labels) return tl::unexpected(labels.error());
+    if (Status done = addFurniture(*home, library, materials, *labels, scene, job); !done) {
         Error error = done.error();
         error.where = where;
         return tl::unexpected(error);

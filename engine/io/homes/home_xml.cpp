@@ -9,7 +9,7 @@
 namespace dollytrack::homes {
 namespace {
 
-constexpr std::size_t kMostElements = 200'000;  // of one kind
+constexpr std::size_t kMostElements = 200'000;
 constexpr int kDeepestGroup = 32;
 
 /// Reads the elements one after the other; the first error ends it.
@@ -33,10 +33,6 @@ class HomeParser {
             if (name == "room") readRoom(node);
             if (name == "observerCamera" || name == "camera") readCamera(node);
             readPiece(node, -1, 0);
-            if (home_.pieces.size() > kMostElements || home_.rooms.size() > kMostElements ||
-                home_.walls.size() > kMostElements || home_.cameras.size() > kMostElements) {
-                return fail(ErrorCode::BadInput, "the home has more than 200,000 pieces", where_);
-            }
         }
         if (error_) return tl::unexpected(*error_);
         dropHidden();
@@ -46,6 +42,12 @@ class HomeParser {
   private:
     void keep(const XmlAttributes& attributes) {
         if (!error_ && attributes.error()) error_ = attributes.error();
+    }
+
+    /// One thing more; a file that is not a home's must not become one in memory.
+    void count() {
+        if (++elements_ <= kMostElements || error_) return;
+        error_ = Error{ErrorCode::BadInput, "the home has more than 200,000 parts", where_};
     }
 
     void readLevel(const pugi::xml_node& node) {
@@ -118,6 +120,7 @@ class HomeParser {
             (left ? wall.left_baseboard : wall.right_baseboard) = baseboard;
         }
         keep(attributes);
+        count();
         home_.walls.push_back(std::move(wall));
     }
 
@@ -135,7 +138,10 @@ class HomeParser {
             XmlAttributes point(child, where_);
             room.points.emplace_back(point.needed("x"), point.needed("y"));
             keep(point);
+            count();
+            if (error_) return;
         }
+        count();
         home_.rooms.push_back(std::move(room));
     }
 
@@ -157,6 +163,7 @@ class HomeParser {
         camera.pitch = attributes.number("pitch", 0.0);
         camera.field_of_view = attributes.number("fieldOfView", 1.0995575);
         keep(attributes);
+        count();
         home_.cameras.push_back(std::move(camera));
     }
 
@@ -211,6 +218,7 @@ class HomeParser {
             piece.materials[cleanText(child.attribute("name").value())] =
                 surfaceOf(child, "color", "");
         }
+        count();
         home_.pieces.push_back(std::move(piece));
     }
 
@@ -229,6 +237,7 @@ class HomeParser {
     }
 
     std::string where_;
+    std::size_t elements_ = 0;
     Home home_;
     std::map<std::string, std::size_t> wall_ids_;
     std::map<std::string, int> level_ids_;

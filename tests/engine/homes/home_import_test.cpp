@@ -122,6 +122,24 @@ TEST_F(HomeImport, TurnsTheModelBeforeItIsSized) {
     EXPECT_TRUE(hasCorner(scene, piece, {1.4, -2.2, 0.1}));  // 2 along x became z
 }
 
+TEST_F(HomeImport, TheUsersTableOfLabelsComesFirst) {
+    static_cast<void>(folder.write("model.obj", kTetrahedron));
+    const auto path = folder.write(
+        "home.xml", home("<pieceOfFurniture name='Zorbling' catalogId='eTeks#bed' "
+                         "model='model.obj' x='100' y='200' width='40' depth='80' height='50'/>"));
+    ImportOptions options;
+    options.labels = folder.write("labels.csv", "zorbling,bookshelf\n");
+    const auto scene = importScene(path, options);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(nyu40Name(named(*scene, "Zorbling").nyu40), "bookshelf");
+    EXPECT_EQ(nyu40Name(named(read("<pieceOfFurniture name='Zorbling' catalogId='eTeks#bed' "
+                                   "model='model.obj' x='100' y='200' width='40' depth='80' "
+                                   "height='50'/>"),
+                              "Zorbling")
+                            .nyu40),
+              "bed");
+}
+
 TEST_F(HomeImport, JoinsWallsAtTheirCorners) {
     const Scene scene = read("");
     const Object& wall = named(scene, "wall_1");
