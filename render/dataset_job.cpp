@@ -84,7 +84,8 @@ struct DatasetJob::Impl {
 Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalContents earlier) {
     const DatasetContents& contents = order.contents;
     const std::set<std::string> keep = filesOf(earlier.entries);
-    const std::uint64_t bytes = estimateBytes(contents, pipeline->missingCount());
+    const std::uint64_t bytes =
+        estimateBytes(contents, order.card.formats, pipeline->missingCount());
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
     if (Status status = folder->begin(contents.modalities, order.card.formats, keep); !status)
         return status;

@@ -10,12 +10,13 @@ double bytesPerPixel(const Modality& modality, std::size_t flow_distances) {
     return modality.bytes_per_pixel * (is_flow ? static_cast<double>(flow_distances) : 1.0);
 }
 
-std::uint64_t estimateBytes(const DatasetContents& contents, int frames) {
+std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats, int frames) {
     constexpr std::uint64_t kOfTheWhole = 1'000'000;  // dataset.json, tables, the contact sheet
     double bytes_per_pixel = 0.0;
     for (const Modality* modality : contents.modalities) {
         bytes_per_pixel += bytesPerPixel(*modality, contents.flow_distances.size());
     }
+    for (const Format* format : formats) bytes_per_pixel += format->bytes_per_pixel;
     const CameraParams& camera = contents.camera;
     return kOfTheWhole + static_cast<std::uint64_t>(bytes_per_pixel * frames * camera.width_px *
                                                     camera.height_px);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/dataset_contents.h"
+#include "render/formats/formats.h"
 #include "render/modalities.h"
 
 #include <cstddef>
@@ -12,7 +13,8 @@ namespace dollytrack::render {
 /// several distances a frame has several files of it.
 [[nodiscard]] double bytesPerPixel(const Modality& modality, std::size_t flow_distances);
 
-/// What the images of so many frames take.
-[[nodiscard]] std::uint64_t estimateBytes(const DatasetContents& contents, int frames);
+/// What so many frames take, in images and in the files of these formats.
+[[nodiscard]] std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats,
+                                          int frames);
 
 }  // namespace dollytrack::render

@@ -129,6 +129,7 @@ const Format kBopFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 0.3,
 };
 
 }  // namespace dollytrack::render

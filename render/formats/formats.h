@@ -37,6 +37,7 @@ struct Format {
     /// What dataset.json says of the files.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
     const char* modality = nullptr;  // the one without which there is nothing to write
+    double bytes_per_pixel = 0.0;    // of a frame's share of its files, on the high side
 };
 
 /// All there are. dataset.json is not among them: it is always written.

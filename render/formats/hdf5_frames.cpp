@@ -62,6 +62,7 @@ const Format kHdf5FramesFormat = {
     .write = nullptr,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 4.0,
 };
 
 }  // namespace dollytrack::render

@@ -95,6 +95,7 @@ const Format kKittiFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 3.0,
 };
 
 }  // namespace dollytrack::render

@@ -111,6 +111,7 @@ const Format kTartanAirFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 17.0,
 };
 
 }  // namespace dollytrack::render

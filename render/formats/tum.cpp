@@ -88,6 +88,7 @@ const Format kTumFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 0.4,
 };
 
 }  // namespace dollytrack::render

@@ -82,6 +82,7 @@ const Format kVideoFormat = {
     .encode = nullptr,
     .convention = convention,
     .modality = "rgb",
+    .bytes_per_pixel = 0.15,
 };
 
 }  // namespace dollytrack::render

@@ -98,6 +98,7 @@ const Format kYoloFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .bytes_per_pixel = 0.25,
 };
 
 }  // namespace dollytrack::render

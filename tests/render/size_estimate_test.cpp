@@ -13,13 +13,26 @@ TEST(SizeEstimate, ExpectsTheFilesOfEveryDistanceThatFlowGoesTo) {
     contents.camera.height_px = 1000;
     for (const std::vector<int>& distances : {std::vector{1}, {1, 5, 10}}) {
         contents.flow_distances = distances;
-        EXPECT_GE(estimateBytes(contents, 10), 10U * distances.size() * 8'000'000U);
-        EXPECT_LE(estimateBytes(contents, 10), 10U * distances.size() * 9'000'000U);
+        EXPECT_GE(estimateBytes(contents, {}, 10), 10U * distances.size() * 8'000'000U);
+        EXPECT_LE(estimateBytes(contents, {}, 10), 10U * distances.size() * 9'000'000U);
     }
     contents.modalities = *chooseModalities({"rgb"});
-    const std::uint64_t of_pictures = estimateBytes(contents, 10);
+    const std::uint64_t of_pictures = estimateBytes(contents, {}, 10);
     contents.flow_distances = {1};
-    EXPECT_EQ(estimateBytes(contents, 10), of_pictures);
+    EXPECT_EQ(estimateBytes(contents, {}, 10), of_pictures);
+}
+
+// TartanAir's arrays are not compressed either: 4 bytes of depth, 1 of classes, 8 of motion and 1
+// of its mask.
+TEST(SizeEstimate, ExpectsTheFilesOfFormats) {
+    const Scene scene;
+    DatasetContents contents{scene, {}, *chooseModalities({"rgb"}), {}};
+    contents.camera.width_px = 1000;
+    contents.camera.height_px = 1000;
+    const auto more = estimateBytes(contents, *chooseFormats({"tartanair"}), 10) -
+                      estimateBytes(contents, {}, 10);
+    EXPECT_GE(more, 140'000'000U);
+    EXPECT_LE(more, 200'000'000U);
 }
 
 }  // namespace
