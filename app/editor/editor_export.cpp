@@ -112,16 +112,20 @@ ui::ExportView Editor::exportView() {
     view.frame_count = frameCount();
     view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
-    const std::string& listed = panels_.export_draft.flow_distances;
+    const std::string& listed = draft.flow_distances;
     const auto distances = static_cast<std::size_t>(1 + std::ranges::count(listed, ','));
+    const auto isChosen = [](const auto& row, const std::vector<std::string>& turned) {
+        return row.standard != (std::ranges::find(turned, row.name) != turned.end());
+    };
+    double bytes_per_pixel = 0.0;
     for (const render::Modality& one : render::modalities()) {
-        const bool turned = std::ranges::find(panels_.export_draft.turned_modalities, one.name) !=
-                            panels_.export_draft.turned_modalities.end();
-        if (one.standard != turned) {
-            view.bytes_per_frame += render::bytesPerPixel(one, distances) * view.camera.width_px *
-                                    view.camera.height_px;
-        }
+        if (!isChosen(one, draft.turned_modalities)) continue;
+        bytes_per_pixel += render::bytesPerPixel(one, distances);
     }
+    for (const render::Format& one : render::formats()) {
+        if (isChosen(one, draft.turned_formats)) bytes_per_pixel += one.bytes_per_pixel;
+    }
+    view.bytes_per_frame = bytes_per_pixel * view.camera.width_px * view.camera.height_px;
     view.has_tracks = hasTracks();
     view.modalities = modalityChoices();
     view.formats = formatChoices();
