@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 constexpr int kMostClasses = 40;
+constexpr double kLongestFront = 1e6;  // not yet unit; false for what is no number
 
 tl::unexpected<Error> wrong(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
@@ -109,7 +110,7 @@ Status checkParts(RawScene& raw) {
 Status checkObjects(RawScene& raw) {
     std::vector<bool> taken(raw.parts.size(), false);
     for (SourceObject& object : raw.objects) {
-        const bool front_is_sound = !object.front || object.front->allFinite();
+        const bool front_is_sound = !object.front || object.front->norm() < kLongestFront;
         if (object.nyu40 < 0 || object.nyu40 > kMostClasses || !front_is_sound) {
             return wrong("an object's class or front is none");
         }
