@@ -62,12 +62,12 @@ class HostileCase(FolderCase):
         path.write_bytes(data)
         return path
 
-    def refused(self, path, *words, seconds=4.0):
+    def refused(self, path, *words, seconds=4.0, name=None):
         """One sentence that names the file and the cause, in time."""
         answer = self.importer.read(path)
         self.assertIn("message", answer, answer)
         self.assertEqual(answer["code"], BAD_INPUT, answer)
-        self.assertIn(pathlib.Path(path).name, answer["where"] + answer["message"], answer)
+        self.assertIn(name or pathlib.Path(path).name, answer["where"] + answer["message"], answer)
         self.assertGreater(len(answer["message"]), 10)
         self.assertNotIn("\n", answer["message"])
         self.assertLess(answer["seconds"], seconds * SLOWNESS, answer)
@@ -97,31 +97,46 @@ class Seeds(HostileCase):
         self.assertEqual(self.importer.read(self.folder / "room.obj")["textures"], 1)
         self.assertEqual(self.importer.read(self.folder / "room.glb")["textures"], 1)
 
-    def test_read_apart_or_here_it_is_the_same(self):
-        here = Importer("--here")
-        for name, make in small_models.SEEDS.items():
+    def test_so_is_each_kind_that_is_made_of_several_files(self):
+        small_models.write_beside(self.folder)
+        for name, make, opened, triangles in small_models.SCENES:
             path = self.write(name, make())
+            answer = self.importer.read(self.folder / opened if opened else path)
+            self.assertNotIn("message", answer)
+            self.assertEqual(answer["triangles"], triangles or answer["triangles"], answer)
+            self.assertEqual(answer["warnings"], [], name)
+
+    def test_read_apart_or_here_it_is_the_same(self):
+        small_models.write_beside(self.folder)
+        here = Importer("--here")
+        for name, make, *_ in [*small_models.SEEDS.items(), *small_models.SCENES]:
+            path = self.write(name, make())
+            if path.suffix in (".csv", ".hdf5"):
+                path = self.folder / "ai" / "room.obj"
             apart, same = self.importer.read(path), here.read(path)
-            for key in ("objects", "triangles", "textures"):
+            for key in ("digest", "objects", "triangles", "textures", "notes", "warnings"):
                 self.assertEqual(apart[key], same[key], name)
         self.assertEqual(here.close(), 0)
 
 
 class Mutants(HostileCase):
     def test_the_program_outlives_them_all(self):
-        seeds = {name: make() for name, make in small_models.SEEDS.items()}
-        self.write("room.mtl", small_models.mtl())
+        seeds = [(name, make(), None) for name, make in small_models.SEEDS.items()]
+        seeds += [(name, make(), opened) for name, make, opened, _ in small_models.SCENES]
+        small_models.write_beside(self.folder)
         ends = dict.fromkeys(["read", "refused", "crashed", "too long"], 0)
         by_kind = {}
         peak = None
-        for number, name in zip(range(MUTANTS), itertools.cycle(seeds)):
-            path = self.write(f"m{number}_{name}", mutant(seeds[name], number))
+        for number, (name, seed, opened) in zip(range(MUTANTS), itertools.cycle(seeds)):
+            damaged = self.write(name if opened else f"m{number}_{name}", mutant(seed, number))
+            path = self.folder / opened if opened else damaged
             answer = self.importer.read(path)
             peak = peak or answer["peak_kib"]
             end = "read"
             if "message" in answer:
                 self.assertEqual(answer["code"], BAD_INPUT, answer)
-                self.assertIn(path.name, answer["where"] + answer["message"])
+                said = answer["where"] + answer["message"]
+                self.assertTrue(path.name in said or damaged.name in said, answer)
                 end = ("crashed" if "(signal" in answer["message"] else
                        "too long" if "took longer" in answer["message"] else "refused")
             # The clock runs 10 s and 2 s for a MiB; killing and tidying up come on top.
@@ -129,7 +144,9 @@ class Mutants(HostileCase):
             ends[end] += 1
             by_kind.setdefault(pathlib.Path(name).suffix, {}).setdefault(end, 0)
             by_kind[pathlib.Path(name).suffix][end] += 1
-            path.unlink()
+            damaged.unlink()
+            if opened:
+                damaged.write_bytes(seed)
         self.assertLess(answer["peak_kib"] - peak, PARENT_GROWTH_KIB)
         self.assertLess(answer["child_peak_kib"], CHILD_PEAK_KIB)
         self.assertGreater(ends["read"], MUTANTS // 50)
@@ -212,6 +229,41 @@ class HandMade(HostileCase):
         answer = self.importer.read(self.write("bomb/room.obj", small_models.obj()))
         self.assertEqual((answer["triangles"], answer["textures"]), (12, 0))
         self.assertLess(answer["child_peak_kib"], CHILD_PEAK_KIB)
+
+    def test_tables_that_lead_to_other_files(self):
+        import h5py
+        small_models.write_beside(self.folder)
+        classes = self.folder / "ai/_detail/mesh/mesh_objects_si.hdf5"
+        opened = self.folder / "ai" / "room.obj"
+        (self.folder / "secret.bin").write_bytes(struct.pack("<2i", 4, 5))
+        with h5py.File(self.folder / "other.hdf5", "w") as other:
+            other.create_dataset("dataset", data=[4, 5], dtype="int32")
+
+        def external(file):
+            file.create_dataset("dataset", (2,), "int32",
+                                external=[(str(self.folder / "secret.bin"), 0, 8)])
+
+        def link(file):
+            file["dataset"] = h5py.ExternalLink(str(self.folder / "other.hdf5"), "dataset")
+
+        def virtual(file):
+            layout = h5py.VirtualLayout((2,), "int32")
+            layout[:] = h5py.VirtualSource(str(self.folder / "other.hdf5"), "dataset", (2,))
+            file.create_virtual_dataset("dataset", layout)
+
+        for lead in (external, link, virtual):
+            with h5py.File(classes, "w") as file:
+                lead(file)
+            self.refused(opened, "dataset", name=classes.name)
+            here = Importer("--here")
+            self.assertIn("dataset", here.read(opened)["message"])
+            here.close()
+
+    def test_archives_that_are_none(self):
+        sound = small_models.sh3d()
+        for name, data in {"cut.sh3d": sound[:len(sound) // 2], "head.sh3d": b"PK\3\4",
+                           "end.sh3d": b"PK\5\6" + b"\xff" * 18}.items():
+            self.refused(self.write(name, data))
 
     def test_empty_and_pointer_files(self):
         self.refused(self.write("empty.glb", b""), "empty")

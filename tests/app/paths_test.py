@@ -53,12 +53,12 @@ class Traced:
 
 @unittest.skipIf(shutil.which("strace") is None, "strace is not installed")
 class Paths(FolderCase):
-    def trace(self, scenes):
+    def trace(self, scenes, *arguments):
         """What was opened for each, and what came of it."""
         log = self.folder / "trace.txt"
         result = subprocess.run(
             ["strace", "-f", "-y", "-qq", "-s", "4096", "-o", log, "-e",
-             "trace=open,openat,openat2,execve,clone,clone3,connect,socket,prctl", PROGRAM],
+             "trace=open,openat,openat2,execve,clone,clone3,connect,socket,prctl", PROGRAM, *arguments],
             input="".join(f"{scene}\n" for scene in scenes), capture_output=True, text=True,
             timeout=1200)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -165,6 +165,41 @@ class Paths(FolderCase):
         for answer in self.check(scenes).values():
             self.assertIn("message", answer)
             self.assertNotIn("secret words", json.dumps(answer))
+
+    def test_names_in_scenes_made_of_models(self):
+        folder = self.new_folder("models")
+        small_models.write_beside(folder)
+        (folder.parent / "secret.obj").write_bytes(small_models.obj())
+        scenes = []
+        for name, path in self.names(folder, "obj").items():
+            house = json.loads(small_models.front3d())
+            house["furniture"][0]["jid"] = path
+            house["material"][0]["jid"] = path
+            (folder / f"{name}.json").write_text(json.dumps(house))
+            layout = path.encode("latin-1")
+            (folder / f"{name}.txt").write_bytes(
+                small_models.scenenet().replace(b"./office/layout.obj", layout)
+                .replace(b"03928116/aaa", b"03928116/" + layout))
+            word = layout.decode("latin-1").encode()
+            (folder / f"{name}.xml").write_bytes(
+                small_models.home_xml().replace(b"room.obj", word).replace(b"oak.png", word))
+            scenes += [folder / f"{name}.{kind}" for kind in ("json", "txt", "xml")]
+        self.check(scenes)
+
+    def test_folders_of_models_that_are_named(self):
+        folder = self.new_folder("library")
+        library = folder.parent / "library" / "abc"
+        library.mkdir(parents=True)
+        (library / "raw_model.obj").write_bytes(small_models.obj())
+        (library / "room.mtl").symlink_to("../../secret.mtl")
+        house = folder / "house.json"
+        house.write_bytes(small_models.front3d())
+        traced, answers = self.trace([house], "--models", str(library.parent))
+        self.assertEqual(answers[house]["triangles"], 14)
+        inside = [folder.resolve(), library.parent.resolve()]
+        for path in traced.paths[house]:
+            self.assertTrue(any(pathlib.Path(path).is_relative_to(root) for root in inside), path)
+        self.assertIn(str(library.resolve() / "raw_model.obj"), traced.paths[house])
 
     def test_what_was_refused_is_said(self):
         folder = self.new_folder("said")

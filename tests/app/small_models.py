@@ -1,7 +1,9 @@
 """The same small room as a file of every kind: whole to begin with, for tests that damage it."""
 import base64
+import io
 import json
 import struct
+import zipfile
 import zlib
 
 CORNERS = [(x, y, z) for z in (0, 3) for y in (0, 4) for x in (0, 5)]
@@ -168,3 +170,93 @@ SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_li
          "big.ply": lambda: ply("binary_big_endian"), "room.stl": stl,
          "text.stl": lambda: stl(True), "room.gltf": gltf, "room.glb": glb, "room.dae": dae,
          "room.fbx": fbx}
+
+
+def front3d():
+    """A house whose one piece of furniture is the room, beside a floor of its own."""
+    return json.dumps({
+        "uid": "house", "north_vector": [0, 0, -1],
+        "furniture": [{"uid": "1/model", "jid": "abc", "category": "Bed", "valid": True}],
+        "mesh": [{"uid": "m/0", "jid": "", "type": "Floor", "material": "paint",
+                  "xyz": [0, 0, 0, 6, 0, 0, 6, 0, 5, 0, 0, 5], "normal": [], "uv": [],
+                  "faces": [0, 2, 1, 0, 3, 2]}],
+        "material": [{"uid": "paint", "jid": "oak", "texture": "", "color": [255, 0, "128", 255],
+                      "UVTransform": [0, 2, 0, -3, 0, 0, 0, 0, 1]}],
+        "scene": {"room": [{"type": "Bedroom", "instanceid": "Bedroom-1", "children": [
+            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [1, 1, 1]}]}]},
+    }).encode()
+
+
+def scenenet():
+    return b"""layout_file: ./office/layout.obj
+object
+03928116/aaa
+wnid
+03928116
+scale
+1.6
+transformation
+1.000 0.000 0.000 1.0
+0.000 1.000 0.000 0.5
+0.000 0.000 1.000 2.0
+end
+"""
+
+
+def home_xml():
+    return b"""<?xml version='1.0'?>
+<home version='7000' name='flat.sh3d' wallHeight='250.0'>
+<wall id='a' wallAtEnd='b' xStart='0' yStart='0' xEnd='400' yEnd='0' height='250' thickness='10'/>
+<wall id='b' wallAtStart='a' xStart='400' yStart='0' xEnd='400' yEnd='300' height='250'
+ thickness='10'/>
+<room name='Hall'><point x='5' y='5'/><point x='395' y='5'/><point x='395' y='295'/>
+<texture attribute='floorTexture' name='Tiles' width='20' height='20' image='oak.png'/></room>
+<doorOrWindow name='Window' model='room.obj' x='200' y='0' elevation='90' width='80' depth='10'
+ height='100' cutOutShape='M0,0 v1 h1 v-1 z' wallThickness='1'/>
+<pieceOfFurniture name='Box' model='room.obj' x='200' y='150' width='120' depth='80' height='75'/>
+</home>
+"""
+
+
+def sh3d():
+    """Stored, not packed, so that damage reaches what is in it."""
+    bytes_ = io.BytesIO()
+    with zipfile.ZipFile(bytes_, "w", zipfile.ZIP_STORED) as out:
+        for name, data in (("Home.xml", home_xml()), ("room.obj", obj()), ("room.mtl", mtl()),
+                           ("oak.png", png())):
+            out.writestr(name, data)
+    return bytes_.getvalue()
+
+
+def hdf5(*numbers):
+    """Hypersim's way: one dataset of this name."""
+    import h5py
+    bytes_ = io.BytesIO()
+    with h5py.File(bytes_, "w") as file:
+        file.create_dataset("dataset", data=numbers, dtype="int32")
+    return bytes_.getvalue()
+
+
+def write_beside(folder):
+    """What the scenes below need besides themselves."""
+    for name, data in {
+            "room.obj": obj(), "room.mtl": mtl(), "oak.png": png(), "office/layout.obj": obj(),
+            "3D-FUTURE-model/abc/raw_model.obj": obj(), "3D-FRONT-texture/oak/texture.png": png(),
+            "ShapeNetCore.v2/03928116/aaa/models/model_normalized.obj": obj(),
+            "ai/room.obj": obj(), "ai/room.mtl": mtl(),
+            "ai/_detail/mesh/metadata_objects.csv": b"object_name\nroom\nroom_2\n",
+            "ai/_detail/metadata_scene.csv": b"name,value\nmeters_per_asset_unit,0.5\n",
+            "ai/_detail/mesh/mesh_objects_si.hdf5": hdf5(4, 5),
+            "ai/_detail/mesh/mesh_objects_sii.hdf5": hdf5(1, 2)}.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+
+
+# What is damaged, its bytes, what is opened (nothing: itself), triangles of the sound scene.
+SCENES = [
+    ("house.json", front3d, None, 14), ("scene.txt", scenenet, None, 24),
+    ("Home.xml", home_xml, None, None), ("flat.sh3d", sh3d, None, None),
+    ("ai/_detail/mesh/metadata_objects.csv", lambda: b"object_name\nroom\n\"room 2\"\n",
+     "ai/room.obj", 12),
+    ("ai/_detail/mesh/mesh_objects_si.hdf5", lambda: hdf5(4, 5), "ai/room.obj", 12)]

@@ -4,6 +4,9 @@ import pathlib
 import struct
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "app"))
+import small_models  # noqa: E402
+
 ROOT = pathlib.Path(sys.argv[1])
 FORMATS = 10
 
@@ -33,5 +36,9 @@ texts = {"tum": b"# t\n0.0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n",
 for name, text in texts.items():
     for kind in range(FORMATS):
         write("trajectory", f"{name}{kind}", bytes([kind]) + text)
+write("front3d", "small", small_models.front3d())
+write("scenenet", "small", small_models.scenenet())
+write("home", "xml", small_models.home_xml())
+write("home", "archive", small_models.sh3d())
 write("frame", "zeros", bytes(200))
 write("frame", "one_node", struct.pack("<QQ4sii", 1, 4, b"room", -1, 0) + bytes(180))

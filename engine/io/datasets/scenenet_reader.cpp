@@ -28,7 +28,10 @@ std::vector<fs::path> modelFolders(const fs::path& scene, const ImportOptions& o
 }
 
 std::vector<fs::path> layoutFolders(const fs::path& scene, const ImportOptions& options) {
-    return foldersFor(scene, options.model_folders, {".", "layouts"});
+    std::error_code error;
+    std::vector<fs::path> given = options.model_folders;
+    given.push_back(fs::absolute(scene, error).parent_path());
+    return foldersFor(scene, given, {"layouts"});
 }
 
 /// "./bathroom/bathroom1_layout.obj": as it is written, else by its last folder and name, else by
