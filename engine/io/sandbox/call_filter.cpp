@@ -80,7 +80,9 @@ bool filterCalls(bool openat2) {
     filter.allowIf(SCMP_SYS(clone), 0, CLONE_THREAD, CLONE_THREAD);
     filter.refuse(SCMP_SYS(clone3), ENOSYS);
     filter.allowIf(SCMP_SYS(prlimit64), 2, ~scmp_datum_t{0}, 0);
+    // Folders are listed through descriptors, which are looked at and marked.
     filter.allowIf(SCMP_SYS(fcntl), 1, ~scmp_datum_t{0}, F_GETFL);
+    filter.allowIf(SCMP_SYS(fcntl), 1, ~scmp_datum_t{0}, F_SETFD);
     // abort(): signals to itself.
     filter.allowIf(SCMP_SYS(tgkill), 0, ~scmp_datum_t{0}, static_cast<scmp_datum_t>(::getpid()));
     filter.refuse(SCMP_SYS(ioctl), ENOTTY);
