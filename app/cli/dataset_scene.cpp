@@ -124,6 +124,7 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
     options.model_folders.assign(given.models.begin(), given.models.end());
     if (given.annotations) options.annotations = *given.annotations;
     options.read_textures = said.albedo;
+    options.use_cache = true;
     options.small_volume_m3 = said.sizes.small_volume_m3;
     options.size_ratio = said.sizes.size_ratio;
     Result<Scene> scene = importScene(path, options, job);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -115,6 +116,10 @@ int main(int argc, char** argv) {
     app.add_flag("-q,--quiet", session.quiet,
                  "No progress and no notes on stderr, only warnings and errors");
     app.add_flag("-v,--verbose", verbose, "Say more on stderr");
+    bool no_cache = false;
+    app.add_flag(
+        "--no-cache", no_cache,
+        "Read scene files anew, and do not keep what was read; same as DOLLYTRACK_NO_CACHE=1");
     app.add_option("--threads", session.threads, "Worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
     std::string progress = "bar";
@@ -151,6 +156,8 @@ int main(int argc, char** argv) {
                   : verbose     ? log::Level::Debug
                                 : log::Level::Info);
     setThreadCount(session.threads);
+    // Programs that this one starts shall do the same.
+    if (no_cache) setenv("DOLLYTRACK_NO_CACHE", "1", 1);
     try {
         return runAction(session);
     } catch (const std::bad_alloc&) {

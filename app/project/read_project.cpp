@@ -61,6 +61,7 @@ Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content
     if (!options) return tl::unexpected<Error>(std::move(options.error()));
     options->small_volume_m3 = content.params.targets.small_volume_m3;
     options->size_ratio = content.params.targets.size_ratio;
+    options->use_cache = true;
     Result<Scene> scene = importScene(content.scene_file, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     return std::make_shared<const Scene>(std::move(*scene));

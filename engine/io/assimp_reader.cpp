@@ -2,13 +2,13 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/assimp_files.h"
+#include "engine/io/assimp_folder.h"
 #include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
 #include <assimp/BaseImporter.h>
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -90,19 +89,6 @@ class BackgroundDisposal {
     std::thread worker_;
 };
 
-/// The files of the machine, but for such MTL files as assimp takes amiss.
-class ModelFiles : public Assimp::DefaultIOSystem {
-  public:
-    Assimp::IOStream* Open(const char* file, const char* mode) override {
-        std::error_code error;
-        if (extensionOf(file) == ".mtl" &&
-            std::filesystem::file_size(file, error) < kLeastMaterialBytes) {
-            return nullptr;
-        }
-        return Assimp::DefaultIOSystem::Open(file, mode);
-    }
-};
-
 Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     for (unsigned row = 0; row < 3; ++row) {
@@ -113,11 +99,12 @@ Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
     return result;
 }
 
-ColladaAsset readColladaAsset(const Path& path) {
+ColladaAsset readColladaAsset(Assimp::IOSystem& files, const Path& path) {
+    Assimp::IOStream* file = files.Open(path.c_str(), "rb");
+    if (!file) return {};
     std::string head(65536, '\0');
-    std::ifstream in(path, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
+    head.resize(file->Read(head.data(), 1, head.size()));
+    files.Close(file);
     return parseColladaAsset(head);
 }
 
@@ -136,11 +123,11 @@ void readFbxFrame(const aiScene& scene, RawScene& raw) {
     double unit_cm = 0.0;
     float unit_cm_float = 0.0F;
     std::int32_t axis = -1;
-    if (scene.mMetaData->Get("UnitScaleFactor", unit_cm) && unit_cm > 0.0) {
-        raw.file_unit_m = unit_cm * 0.01;
-    } else if (scene.mMetaData->Get("UnitScaleFactor", unit_cm_float) && unit_cm_float > 0.0F) {
-        raw.file_unit_m = static_cast<double>(unit_cm_float) * 0.01;
+    if (!scene.mMetaData->Get("UnitScaleFactor", unit_cm) &&
+        scene.mMetaData->Get("UnitScaleFactor", unit_cm_float)) {
+        unit_cm = static_cast<double>(unit_cm_float);
     }
+    if (unit_cm > 0.0 && unit_cm < 1e9) raw.file_unit_m = unit_cm * 0.01;
     if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis < 3) {
         raw.file_up_axis = "xyz"[axis];
     }
@@ -332,7 +319,8 @@ void useVertexColors(const aiScene& scene, const std::vector<Placement>& placeme
     }
 }
 
-Result<RawScene> convert(const aiScene& scene, const Path& path, const JobContext& job) {
+Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Path& path,
+                         const JobContext& job) {
     RawScene raw;
     const std::string ext = extensionOf(path);
     const bool is_gltf = ext == ".gltf" || ext == ".glb";
@@ -343,7 +331,7 @@ Result<RawScene> convert(const aiScene& scene, const Path& path, const JobContex
     } else if (ext == ".fbx") {
         readFbxFrame(scene, raw);
     } else if (ext == ".dae") {
-        const ColladaAsset asset = readColladaAsset(path);
+        const ColladaAsset asset = readColladaAsset(files, path);
         raw.file_unit_m = asset.unit_m;
         raw.file_up_axis = asset.up_axis;
         root = undoCollada(asset);
@@ -385,7 +373,7 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
                             "); export it again, preferably as glTF",
                         where);
         }
-        Result<RawScene> raw = convert(*scene, path, job);
+        Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
         static BackgroundDisposal disposal;
         disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
@@ -402,7 +390,7 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
 
 Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    importer->SetIOHandler(new ModelFiles);  // the importer owns it
+    importer->SetIOHandler(new io::AssimpFolder(path));  // the importer owns it
     return read(std::move(importer), path, job);
 }
 

@@ -20,14 +20,12 @@ class FileSource {
     /// (damaged, encrypted, too large).
     [[nodiscard]] virtual Result<std::optional<std::vector<std::uint8_t>>> read(
         const std::string& name) const = 0;
-    /// Every name in natural reading order of the source.
-    [[nodiscard]] virtual std::vector<std::string> names() const = 0;
 };
 
 /// "a/./b\c" as "a/b/c"; nothing for a name that is absolute, leaves its folder or is empty.
 std::optional<std::string> safeRelativeName(const std::string& name);
 
-/// The files below a folder. Links are not followed.
+/// The files below a folder; links that lead out of it are not there.
 std::unique_ptr<FileSource> openFolder(const std::filesystem::path& folder);
 
 /// The files of a zip archive (.sh3d, .sh3f, .zip, .jar). Refused with BadInput: names that leave

@@ -31,4 +31,20 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
     return options;
 }
 
+nlohmann::json importOptionsToJson(const ImportOptions& options) {
+    // By name, so that a new option that is forgotten here does not compile.
+    const auto& [unit_m, up_axis, labels, model_folders, annotations, read_textures,
+                 small_volume_m3, size_ratio, in_process, use_cache] = options;
+    (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;
+    nlohmann::json settings = nlohmann::json::object();
+    if (unit_m) settings["unit_m"] = *unit_m;
+    if (up_axis) settings["up_axis"] = std::string(1, *up_axis);
+    if (labels) settings["labels"] = labels->string();
+    for (const std::filesystem::path& folder : model_folders) {
+        settings["model_folders"].push_back(folder.string());
+    }
+    if (annotations) settings["annotations"] = annotations->string();
+    return settings;
+}
+
 }  // namespace dollytrack::io

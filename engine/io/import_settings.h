@@ -12,4 +12,8 @@ namespace dollytrack::io {
 /// type.
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);
 
+/// The other way round. What is no matter of the scene file (textures, sizes, where it is read) is
+/// not in it.
+nlohmann::json importOptionsToJson(const ImportOptions& options);
+
 }  // namespace dollytrack::io

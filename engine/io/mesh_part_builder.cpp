@@ -98,21 +98,6 @@ class JoinAtPlaces {
     std::vector<Vertex> vertices_;
 };
 
-void measure(MeshPart& part) {
-    for (const Eigen::Vector3f& p : part.positions) part.bounds.extend(p);
-    for (const Triangle& t : part.triangles) {
-        const Eigen::Vector3f& a = part.positions[t[0]];
-        const Eigen::Vector3f normal = (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
-        const float length = normal.norm();
-        part.area += 0.5 * static_cast<double>(length);
-        for (int axis = 0; axis < 3; ++axis) {
-            if (std::abs(normal[axis]) < kAlongAxis * length) continue;
-            part.facing_area[static_cast<std::size_t>(2 * axis + (normal[axis] > 0.0F))] +=
-                0.5 * static_cast<double>(length);
-        }
-    }
-}
-
 }  // namespace
 
 void RepairCounts::add(const RepairCounts& other) {
@@ -124,6 +109,25 @@ void RepairCounts::add(const RepairCounts& other) {
     lines += other.lines;
     made_normals += other.made_normals;
     mirrored += other.mirrored;
+}
+
+void measurePart(MeshPart& part) {
+    part.bounds.setEmpty();
+    part.facing_area.fill(0.0);
+    part.area = 0.0;
+    for (const Eigen::Vector3f& p : part.positions) part.bounds.extend(p);
+    for (const Triangle& t : part.triangles) {
+        const Eigen::Vector3f& a = part.positions[t[0]];
+        const Eigen::Vector3f normal = (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
+        const float length = normal.norm();
+        if (!std::isfinite(length)) continue;  // too large to be squared
+        part.area += 0.5 * static_cast<double>(length);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(normal[axis]) < kAlongAxis * length) continue;
+            part.facing_area[static_cast<std::size_t>(2 * axis + (normal[axis] > 0.0F))] +=
+                0.5 * static_cast<double>(length);
+        }
+    }
 }
 
 RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source_from_mesh,
@@ -186,6 +190,8 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
             } else {
                 normal = made[3 * t + corner];
             }
+            // What is too small or too large to be squared has no direction.
+            if (!normal.allFinite()) normal = Eigen::Vector3f::UnitZ();
             Eigen::Vector2f uv = Eigen::Vector2f::Zero();
             if (has_uvs && mesh.uvs[v].head<2>().allFinite()) uv = mesh.uvs[v].head<2>();
             const Eigen::Vector3f& p = placed[v];
@@ -200,7 +206,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
         }
         part.triangles.push_back(joined);
     }
-    measure(part);
+    measurePart(part);
     return counts;
 }
 

@@ -24,4 +24,7 @@ struct SourceMesh {
 RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source_from_mesh,
                            MeshPart& part);
 
+/// Measures bounds and areas from positions and triangles, whatever they were.
+void measurePart(MeshPart& part);
+
 }  // namespace dollytrack

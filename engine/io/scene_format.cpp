@@ -42,6 +42,13 @@ Result<RawScene> readModel(const std::filesystem::path& path, const ImportOption
     return scene;
 }
 
+std::vector<std::filesystem::path> modelInputs(const std::filesystem::path& path,
+                                               const ImportOptions& options) {
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (!folder || folder->empty()) return {};
+    return io::hypersimInputs(*folder);
+}
+
 char firstLetter(std::string_view head) {
     const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     return at == std::string_view::npos ? '\0' : head[at];
@@ -70,17 +77,31 @@ bool likeZip(std::string_view head) {
 
 const std::vector<SceneFormat>& sceneFormats() {
     static const std::vector<SceneFormat> formats = {
-        {"an OBJ file", {".obj"}, anything, readModel},
-        {"an FBX file", {".fbx"}, anything, readModel},
-        {"a glTF file", {".gltf"}, likeGltf, readModel},
-        {"a GLB file", {".glb"}, likeGlb, readModel},
-        {"a Collada file", {".dae"}, likeCollada, readModel},
-        {"a PLY file", {".ply"}, likePly, readModel},
-        {"an STL file", {".stl"}, anything, readModel},
-        {"a 3D-FRONT scene", {".json"}, io::likeFront3d, io::readFront3dScene, true},
-        {"a SceneNet RGB-D scene", {".txt"}, io::likeSceneNet, io::readSceneNetScene, true},
-        {"a Sweet Home 3D home", {".sh3d"}, likeZip, homes::readHome},
-        {"a home's Home.xml", {".xml"}, homes::looksLikeHomeXml, homes::readHome},
+        {"an OBJ file", {".obj"}, anything, readModel, modelInputs},
+        {"an FBX file", {".fbx"}, anything, readModel, modelInputs},
+        {"a glTF file", {".gltf"}, likeGltf, readModel, modelInputs},
+        {"a GLB file", {".glb"}, likeGlb, readModel, modelInputs},
+        {"a Collada file", {".dae"}, likeCollada, readModel, modelInputs},
+        {"a PLY file", {".ply"}, likePly, readModel, modelInputs},
+        {"an STL file", {".stl"}, anything, readModel, modelInputs},
+        {"a 3D-FRONT scene",
+         {".json"},
+         io::likeFront3d,
+         io::readFront3dScene,
+         io::front3dInputs,
+         true},
+        {"a SceneNet RGB-D scene",
+         {".txt"},
+         io::likeSceneNet,
+         io::readSceneNetScene,
+         io::sceneNetInputs,
+         true},
+        {"a Sweet Home 3D home", {".sh3d"}, likeZip, homes::readHome, homes::homeInputs},
+        {"a home's Home.xml",
+         {".xml"},
+         homes::looksLikeHomeXml,
+         homes::readHome,
+         homes::homeInputs},
     };
     return formats;
 }

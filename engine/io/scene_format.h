@@ -18,9 +18,14 @@ struct SceneFormat {
     std::vector<std::string_view> extensions;  // lower case, with the dot
     /// Whether a file that has the extension and begins with these bytes is of this kind.
     bool (*begins_like)(std::string_view head);
-    /// Everything the file holds, in its own axes and unit.
+    /// Everything the file holds, in its own axes and unit. Files are opened through
+    /// io::ConfinedFolder, or by io::openNamedFile() where a person named them.
     Result<RawScene> (*read)(const std::filesystem::path& path, const ImportOptions& options,
                              const JobContext& job);
+    /// Files and folders that the reader may open besides those beneath the scene's own folder;
+    /// where scenes are read apart, nothing else of the machine can be opened.
+    std::vector<std::filesystem::path> (*more_inputs)(const std::filesystem::path& path,
+                                                      const ImportOptions& options) = nullptr;
     /// Files of quite another kind have the extension, too: patterns pick only what begins like it.
     bool shares_extension = false;
 };

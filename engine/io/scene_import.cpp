@@ -7,18 +7,16 @@
 #include "engine/io/object_grouping.h"
 #include "engine/io/piece_merge.h"
 #include "engine/io/piece_split.h"
+#include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/scene_assembly.h"
 #include "engine/io/scene_format.h"
-#include "engine/io/sha256.h"
 #include "engine/io/structure_finder.h"
-#include "engine/io/texture_loader.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
 #include "engine/scene/room_bounds.h"
 
-#include <future>
 #include <map>
 
 namespace dollytrack {
@@ -151,13 +149,11 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
 
-    // A reader works on one core; the other can hash meanwhile.
-    std::future<Result<std::string>> hash =
-        std::async(std::launch::async, [path] { return io::sha256OfFile(path); });
     job.report(0.0);
-    Result<RawScene> read = (*format)->read(path, options, job);
-    if (!read) return tl::unexpected(read.error());
-    RawScene& raw = *read;
+    Result<io::SceneReading> reading =
+        io::readSceneFile(**format, path, options, job.stage(0.0, 0.6, "reading"));
+    if (!reading) return tl::unexpected(reading.error());
+    RawScene& raw = reading->scene.raw;
 
     Scene scene;
     scene.name = cleanText(path.stem().string());
@@ -189,8 +185,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
     job.report(0.7);
 
-    TextureSet textures =
-        options.read_textures ? loadTextures(path, raw.textures, job) : TextureSet{};
+    TextureSet& textures = reading->scene.textures;
     textures.textures.resize(raw.textures.size());
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
@@ -213,9 +208,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 
-    Result<std::string> digest = hash.get();
-    if (!digest) return tl::unexpected(digest.error());
-    scene.source_sha256 = std::move(*digest);
+    scene.source_sha256 = std::move(reading->sha256);
     job.report(1.0);
     return scene;
 }

@@ -24,6 +24,8 @@ struct ImportOptions {
     bool read_textures = true;     // else they are named, but empty
     double small_volume_m3 = 0.1;  // smaller objects are small
     double size_ratio = 5.0;       // also small: this many times smaller than what carries it
+    bool in_process = false;       // read here; a damaged file may then end this program
+    bool use_cache = false;        // keep what was read, and take what is kept (io::SceneCache)
 };
 
 /// Reads a scene file of one of the kinds of scene_format.h into a scene: objects, classes, boxes,

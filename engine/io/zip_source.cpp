@@ -1,11 +1,11 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/file_source.h"
+#include "engine/io/sandbox/input_file.h"
 
 #include <fmt/format.h>
 #include <zip.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <mutex>
 
@@ -73,8 +73,6 @@ class ZipSource : public FileSource {
         return std::optional(std::move(bytes));
     }
 
-    [[nodiscard]] std::vector<std::string> names() const override { return names_; }
-
   private:
     struct Entry {
         zip_uint64_t index = 0;
@@ -113,7 +111,7 @@ class ZipSource : public FileSource {
         }
         total += stat.size;
         if (total > kMostBytes) return refuse("it is larger than 4 GiB unpacked");
-        if (entries_.try_emplace(*safe, Entry{index, stat.size}).second) names_.push_back(*safe);
+        entries_.try_emplace(*safe, Entry{index, stat.size});
         return {};
     }
 
@@ -121,7 +119,6 @@ class ZipSource : public FileSource {
     std::string where_;
     std::unique_ptr<zip_t, CloseArchive> archive_;
     std::map<std::string, Entry> entries_;
-    std::vector<std::string> names_;
     mutable std::mutex mutex_;  // libzip reads one entry at a time
 };
 
@@ -135,22 +132,9 @@ Result<std::unique_ptr<FileSource>> openArchive(std::vector<std::uint8_t> bytes,
 }
 
 Result<std::unique_ptr<FileSource>> openArchive(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    if (error || size > kMostBytes) {
-        return fail(ErrorCode::BadInput,
-                    error ? "the archive cannot be read; check its path and permissions"
-                          : "the archive is larger than 4 GiB",
-                    path.string());
-    }
-    std::vector<std::uint8_t> bytes(size);
-    std::ifstream in(path, std::ios::binary);
-    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!in && size > 0) {
-        return fail(ErrorCode::BadInput, "the archive cannot be read; check its permissions",
-                    path.string());
-    }
-    return openArchive(std::move(bytes), path.string());
+    const Result<std::string> bytes = io::readNamedFile(path, kMostBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return openArchive({bytes->begin(), bytes->end()}, path.string());
 }
 
 }  // namespace dollytrack

@@ -1,5 +1,6 @@
 """What the tests of the whole program share."""
 import hashlib
+import os
 import pathlib
 import subprocess
 import sys
@@ -8,6 +9,8 @@ import time
 import unittest
 
 PROGRAM = sys.argv.pop(1)
+# Each test reads for itself, and the user's own cache stays as it is.
+os.environ["DOLLYTRACK_NO_CACHE"] = "1"
 
 
 def run(*arguments, **options):

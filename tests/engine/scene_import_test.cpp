@@ -388,7 +388,7 @@ TEST(SceneImport, JoinsCornersThatAgreeAndKeepsTheOthers) {
 
 TEST(SceneImport, CountsTexturesFoundAndMissing) {
     const TempFolder folder;
-    // A 1 x 1 PNG is enough: written by hand as PPM, which OpenCV reads too.
+    // Written by hand as PPM; another case, another folder.
     static_cast<void>(folder.write("maps/Wood.PPM", "P6\n1 1\n255\n\x10\x20\x30"));
     static_cast<void>(folder.write("room.mtl",
                                    "newmtl wood\nmap_Kd C:\\scenes\\wood.ppm\nnewmtl gone\n"

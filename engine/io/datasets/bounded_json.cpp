@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/json_depth.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/sandbox/input_file.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 namespace dollytrack::io {
 namespace {
 
+constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
 constexpr std::size_t kMostValues = 50'000'000;
 
 /// Brackets and commas, which bound the number of values; those in texts are counted, too.
@@ -45,7 +46,7 @@ Result<nlohmann::json> parseBoundedJson(std::string_view text, const std::string
 }
 
 Result<nlohmann::json> readBoundedJson(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readNamedFile(path, kMostBytes);
     if (!text) return tl::unexpected(text.error());
     return parseBoundedJson(*text, path.string());
 }

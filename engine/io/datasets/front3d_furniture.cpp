@@ -4,6 +4,7 @@
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/model_placement.h"
+#include "engine/io/sandbox/confined_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -58,8 +59,7 @@ void paintWithTexture(const fs::path& file, RawScene& model) {
     const fs::path folder = file.parent_path();
     const bool has_picture = std::any_of(model.materials.begin(), model.materials.end(),
                                          [](const Material& m) { return m.texture >= 0; });
-    std::error_code error;
-    if (has_picture || !fs::is_regular_file(folder / "texture.png", error)) return;
+    if (has_picture || !hasFile(folder / "texture.png")) return;
     TextureRequest request;
     request.name = "texture.png";
     request.folder = folder;

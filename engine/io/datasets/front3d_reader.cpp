@@ -4,6 +4,7 @@
 #include "engine/io/datasets/front3d_architecture.h"
 #include "engine/io/datasets/front3d_furniture.h"
 #include "engine/io/datasets/front3d_scene.h"
+#include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/import_labels.h"
@@ -51,6 +52,18 @@ void noteRooms(const Front3dScene& source, const nlohmann::json& document, RawSc
     }
 }
 
+std::vector<std::filesystem::path> pictureFolders(const std::filesystem::path& scene,
+                                                  const ImportOptions& options) {
+    return foldersFor(scene, options.model_folders, {"3D-FRONT-texture"});
+}
+
+std::vector<std::filesystem::path> modelFolders(const std::filesystem::path& scene,
+                                                const ImportOptions& options) {
+    return foldersFor(scene, options.model_folders,
+                      {"3D-FUTURE-model", "3D-FUTURE-model-part1", "3D-FUTURE-model-part2",
+                       "3D-FUTURE-model-part3", "3D-FUTURE-model-part4"});
+}
+
 }  // namespace
 
 bool likeFront3d(std::string_view head) {
@@ -78,13 +91,9 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
     scene.file_up_axis = 'y';
     scene.nodes.push_back({"", -1, 0});
     noteRooms(*source, *document, scene);
-    addFront3dArchitecture(*document, *labels,
-                           foldersFor(path, options.model_folders, {"3D-FRONT-texture"}), scene);
+    addFront3dArchitecture(*document, *labels, pictureFolders(path, options), scene);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
-    const std::vector<std::filesystem::path> folders =
-        foldersFor(path, options.model_folders,
-                   {"3D-FUTURE-model", "3D-FUTURE-model-part1", "3D-FUTURE-model-part2",
-                    "3D-FUTURE-model-part3", "3D-FUTURE-model-part4"});
+    const std::vector<std::filesystem::path> folders = modelFolders(path, options);
     if (Status added = addFront3dFurniture(*source, *labels, folders, path.string(), job, scene);
         !added) {
         return tl::unexpected(added.error());
@@ -96,6 +105,16 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
         return fail(ErrorCode::BadInput, message + ".", path.string());
     }
     return scene;
+}
+
+std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& path,
+                                                 const ImportOptions& options) {
+    const std::vector<std::filesystem::path> models = modelFolders(path, options);
+    std::vector<std::filesystem::path> inputs = pictureFolders(path, options);
+    inputs.insert(inputs.end(), models.begin(), models.end());
+    const std::vector<std::filesystem::path> beside = modelInfoBeside(models);
+    inputs.insert(inputs.end(), beside.begin(), beside.end());
+    return inputs;
 }
 
 }  // namespace dollytrack::io

@@ -18,4 +18,8 @@ bool likeFront3d(std::string_view head);
 Result<RawScene> readFront3dScene(const std::filesystem::path& path, const ImportOptions& options,
                                   const JobContext& job);
 
+/// What readFront3dScene() opens besides the scene's own folder.
+std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& path,
+                                                 const ImportOptions& options);
+
 }  // namespace dollytrack::io

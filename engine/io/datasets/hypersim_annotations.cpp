@@ -3,6 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/hdf5_reader.h"
+#include "engine/io/sandbox/confined_folder.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
 
@@ -18,16 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kObjects = "metadata_objects.csv";
+constexpr const char* kScene = "metadata_scene.csv";
+constexpr const char* kCameras = "metadata_cameras.csv";
+constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
 constexpr const char* kBox = "metadata_semantic_instance_bounding_box_object_aligned_2d_";
-
-bool isFile(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error);
-}
 
 /// The lines after the first, without blanks at the ends and quotes around.
 Result<std::vector<std::string>> readColumn(const fs::path& path) {
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readNamedFile(path, kMostBytes);
     if (!text) return tl::unexpected(text.error());
     std::vector<std::string> cells;
     bool header = true;
@@ -62,13 +61,13 @@ Result<std::vector<int>> readIds(const fs::path& path, std::size_t count, int hi
 /// metadata_scene.csv lies in _detail, or beside the objects where someone flattened the folders.
 fs::path besideOrAbove(const fs::path& mesh_folder, const char* name) {
     for (const fs::path& folder : {mesh_folder.parent_path(), mesh_folder}) {
-        if (isFile(folder / name)) return folder / name;
+        if (hasFile(folder / name)) return folder / name;
     }
     return {};
 }
 
 Status readUnit(HypersimAnnotations& scene) {
-    const fs::path path = besideOrAbove(scene.folder, "metadata_scene.csv");
+    const fs::path path = besideOrAbove(scene.folder, kScene);
     if (path.empty()) return {};
     const Result<std::vector<std::string>> rows = readColumn(path);
     if (!rows) return tl::unexpected(rows.error());
@@ -90,7 +89,7 @@ Status readBoxes(HypersimAnnotations& scene) {
     const auto file = [&](const char* what) {
         return scene.folder / (std::string(kBox) + what + ".hdf5");
     };
-    if (!isFile(file("extents"))) return {};
+    if (!hasFile(file("extents"))) return {};
     const Result<Hdf5Numbers> extents = readHdf5Numbers(file("extents"));
     const Result<Hdf5Numbers> positions = readHdf5Numbers(file("positions"));
     const Result<Hdf5Numbers> turns = readHdf5Numbers(file("orientations"));
@@ -121,7 +120,7 @@ Status readBoxes(HypersimAnnotations& scene) {
 
 fs::path findHypersimMesh(const fs::path& folder) {
     for (const fs::path& place : {folder / "_detail" / "mesh", folder / "mesh", folder}) {
-        if (isFile(place / kObjects)) return place;
+        if (hasFile(place / kObjects)) return place;
     }
     return {};
 }
@@ -140,7 +139,7 @@ Result<HypersimAnnotations> readHypersimAnnotations(const fs::path& mesh_folder)
         readIds(mesh_folder / "mesh_objects_sii.hdf5", scene.objects.size(), 1'000'000'000);
     if (!instances) return tl::unexpected(instances.error());
     scene.instance = std::move(*instances);
-    const fs::path cameras = besideOrAbove(mesh_folder, "metadata_cameras.csv");
+    const fs::path cameras = besideOrAbove(mesh_folder, kCameras);
     if (!cameras.empty()) {
         const Result<std::vector<std::string>> names = readColumn(cameras);
         if (!names) return tl::unexpected(names.error());
@@ -149,6 +148,11 @@ Result<HypersimAnnotations> readHypersimAnnotations(const fs::path& mesh_folder)
     if (Status unit = readUnit(scene); !unit) return tl::unexpected(unit.error());
     if (Status boxes = readBoxes(scene); !boxes) return tl::unexpected(boxes.error());
     return scene;
+}
+
+std::vector<fs::path> hypersimInputs(const fs::path& mesh_folder) {
+    const fs::path above = mesh_folder.parent_path();
+    return {mesh_folder, above / kScene, above / kCameras};
 }
 
 std::string describeHypersimFolder(const fs::path& folder) {

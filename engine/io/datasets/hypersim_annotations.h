@@ -39,6 +39,9 @@ std::filesystem::path findHypersimMesh(const std::filesystem::path& folder);
 /// unit, cameras and boxes. Errors: BadInput.
 Result<HypersimAnnotations> readHypersimAnnotations(const std::filesystem::path& mesh_folder);
 
+/// What readHypersimAnnotations() opens.
+std::vector<std::filesystem::path> hypersimInputs(const std::filesystem::path& mesh_folder);
+
 /// One sentence that says what is there and that the geometry is not; empty when the folder is no
 /// scene of Hypersim.
 std::string describeHypersimFolder(const std::filesystem::path& folder);

@@ -3,6 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/geometry/oriented_box.h"
 #include "engine/io/datasets/object_names.h"
+#include "engine/io/sandbox/confined_folder.h"
 #include "engine/scene/label_table.h"
 
 #include <fmt/format.h>
@@ -117,7 +118,7 @@ fs::path findHypersimBeside(const fs::path& scene_file) {
     const fs::path beside = fs::absolute(scene_file, error).lexically_normal().parent_path();
     for (const fs::path& folder : {beside, beside.parent_path()}) {
         const fs::path found = findHypersimMesh(folder);
-        if (!found.empty() && fs::exists(found / "mesh_objects_si.hdf5", error)) return found;
+        if (!found.empty() && hasFile(found / "mesh_objects_si.hdf5")) return found;
     }
     return {};
 }

@@ -1,6 +1,7 @@
 #include "engine/io/datasets/model_info.h"
 
 #include "engine/io/datasets/bounded_json.h"
+#include "engine/io/sandbox/confined_folder.h"
 
 namespace dollytrack::io {
 namespace {
@@ -28,11 +29,19 @@ Result<std::map<std::string, ModelInfo>> readModelInfo(const std::filesystem::pa
     return models;
 }
 
+std::vector<std::filesystem::path> modelInfoBeside(
+    const std::vector<std::filesystem::path>& folders) {
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& folder : folders) {
+        files.push_back(folder.parent_path() / kName);
+    }
+    return files;
+}
+
 std::filesystem::path findModelInfo(const std::vector<std::filesystem::path>& folders) {
-    std::error_code error;
     for (const std::filesystem::path& folder : folders) {
         for (const std::filesystem::path& place : {folder, folder.parent_path()}) {
-            if (std::filesystem::is_regular_file(place / kName, error)) return place / kName;
+            if (hasFile(place / kName)) return place / kName;
         }
     }
     return {};

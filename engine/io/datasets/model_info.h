@@ -20,6 +20,10 @@ struct ModelInfo {
 /// and the tool box's object of {category_id} by jid. Errors: BadInput.
 Result<std::map<std::string, ModelInfo>> readModelInfo(const std::filesystem::path& path);
 
+/// Where findModelInfo() looks besides the folders themselves.
+std::vector<std::filesystem::path> modelInfoBeside(
+    const std::vector<std::filesystem::path>& folders);
+
 /// model_info.json in one of the folders or beside it; empty where there is none.
 std::filesystem::path findModelInfo(const std::vector<std::filesystem::path>& folders);
 

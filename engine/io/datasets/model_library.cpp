@@ -1,6 +1,7 @@
 #include "engine/io/datasets/model_library.h"
 
 #include "engine/io/assimp_reader.h"
+#include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
@@ -16,17 +17,6 @@ constexpr std::size_t kMostTriangles = 60'000'000;
 bool staysInside(const fs::path& relative) {
     const fs::path normal = relative.lexically_normal();
     return !normal.empty() && normal.is_relative() && *normal.begin() != "..";
-}
-
-/// Whether a file, its links followed, lies in the folder, its links followed.
-bool isBelow(const fs::path& file, const fs::path& folder) {
-    std::error_code error;
-    const fs::path real_folder = fs::canonical(folder, error);
-    if (error) return false;
-    const fs::path real_file = fs::canonical(file, error);
-    if (error) return false;
-    const fs::path way = real_file.lexically_relative(real_folder);
-    return !way.empty() && *way.begin() != "..";
 }
 
 std::size_t countTriangles(const RawScene& model) {
@@ -71,9 +61,7 @@ std::vector<fs::path> foldersFor(const fs::path& scene, const std::vector<fs::pa
 std::optional<fs::path> findBelow(const std::vector<fs::path>& folders, const fs::path& relative) {
     if (!staysInside(relative)) return std::nullopt;
     for (const fs::path& folder : folders) {
-        const fs::path file = folder / relative;
-        std::error_code error;
-        if (fs::is_regular_file(file, error) && isBelow(file, folder)) return file;
+        if (ConfinedFolder(folder).has(relative)) return folder / relative;
     }
     return std::nullopt;
 }

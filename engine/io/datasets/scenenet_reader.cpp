@@ -8,7 +8,7 @@
 #include "engine/io/import_labels.h"
 #include "engine/io/model_placement.h"
 #include "engine/io/object_grouping.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -21,6 +21,18 @@ namespace dollytrack::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::vector<fs::path> modelFolders(const fs::path& scene, const ImportOptions& options) {
+    return foldersFor(scene, options.model_folders,
+                      {"ShapeNetCore.v2", "ShapeNetCore.v1", "ShapeNetCore", "ShapeNet"});
+}
+
+std::vector<fs::path> layoutFolders(const fs::path& scene, const ImportOptions& options) {
+    std::error_code error;
+    std::vector<fs::path> given = options.model_folders;
+    given.push_back(fs::absolute(scene, error).parent_path());
+    return foldersFor(scene, given, {"layouts"});
+}
 
 /// "./bathroom/bathroom1_layout.obj": as it is written, else by its last folder and name, else by
 /// its name, below the scene's folder or those of the models.
@@ -79,10 +91,8 @@ class SceneNetImport {
         : where_(path.string()),
           source_(source),
           labels_(labels),
-          folders_(foldersFor(path, options.model_folders,
-                              {"ShapeNetCore.v2", "ShapeNetCore.v1", "ShapeNetCore", "ShapeNet"})),
-          layout_(findLayout(foldersFor(path, options.model_folders, {".", "layouts"}),
-                             source.layout_file)) {
+          folders_(modelFolders(path, options)),
+          layout_(findLayout(layoutFolders(path, options), source.layout_file)) {
         for (const SceneNetObject& object : source.objects) {
             const std::optional<fs::path> file = findModel(folders_, object);
             models_.push_back(file ? std::optional(library_.add(*file)) : std::nullopt);
@@ -190,11 +200,18 @@ Result<RawScene> readSceneNetScene(const fs::path& path, const ImportOptions& op
                                    const JobContext& job) {
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readNamedFile(path, std::uint64_t{512} << 20U);
     if (!text) return tl::unexpected(text.error());
     const Result<SceneNetDescription> source = parseSceneNet(*text, path.string());
     if (!source) return tl::unexpected(source.error());
     return SceneNetImport(path, options, *source, *labels).read(job);
+}
+
+std::vector<fs::path> sceneNetInputs(const fs::path& path, const ImportOptions& options) {
+    std::vector<fs::path> inputs = layoutFolders(path, options);
+    const std::vector<fs::path> models = modelFolders(path, options);
+    inputs.insert(inputs.end(), models.begin(), models.end());
+    return inputs;
 }
 
 }  // namespace dollytrack::io

@@ -19,4 +19,8 @@ bool likeSceneNet(std::string_view head);
 Result<RawScene> readSceneNetScene(const std::filesystem::path& path, const ImportOptions& options,
                                    const JobContext& job);
 
+/// What readSceneNetScene() opens besides the scene's own folder.
+std::vector<std::filesystem::path> sceneNetInputs(const std::filesystem::path& path,
+                                                  const ImportOptions& options);
+
 }  // namespace dollytrack::io

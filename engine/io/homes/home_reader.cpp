@@ -6,9 +6,8 @@
 #include "engine/io/homes/room_builder.h"
 #include "engine/io/homes/wall_builder.h"
 #include "engine/io/import_labels.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
-
-#include <fstream>
 
 namespace dollytrack::homes {
 namespace {
@@ -36,25 +35,6 @@ Result<Home> homeIn(const FileSource& archive, const std::string& where) {
                     where);
     }
     return fail(ErrorCode::BadInput, "the archive holds no Home.xml, so it is no home", where);
-}
-
-Result<std::vector<std::uint8_t>> readFile(const fs::path& path, std::uintmax_t most) {
-    std::error_code error;
-    const auto size = fs::file_size(path, error);
-    if (error || size > most) {
-        return fail(ErrorCode::BadInput,
-                    error ? "the file cannot be read; check its path and permissions"
-                          : "the file is too large for a home",
-                    path.string());
-    }
-    std::vector<std::uint8_t> bytes(size);
-    std::ifstream in(path, std::ios::binary);
-    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!in && size > 0) {
-        return fail(ErrorCode::BadInput, "the file cannot be read; check its permissions",
-                    path.string());
-    }
-    return bytes;
 }
 
 void addStructure(const Home& home, HomeMaterials& materials, RawScene& scene) {
@@ -112,16 +92,17 @@ Result<RawScene> readHome(const fs::path& path, const ImportOptions& options,
     const std::string where = path.string();
     std::vector<std::unique_ptr<FileSource>> places;
     Result<Home> home = tl::unexpected(Error{});
-    if (const auto bytes = readFile(path, std::uintmax_t{4} << 30); !bytes) {
-        return tl::unexpected(bytes.error());
-    } else if (bytes->size() > 1 && (*bytes)[0] == 'P' && (*bytes)[1] == 'K') {
-        auto archive = openArchive(*bytes, where);
+    const Result<std::string> bytes = io::readNamedFile(path, std::uint64_t{4} << 30);
+    if (!bytes) return tl::unexpected(bytes.error());
+    std::vector<std::uint8_t> raw(bytes->begin(), bytes->end());
+    if (bytes->starts_with("PK")) {
+        auto archive = openArchive(std::move(raw), where);
         if (!archive) return tl::unexpected(archive.error());
         places.push_back(std::move(*archive));
         home = homeIn(*places.front(), where);
     } else {
         places.push_back(openFolder(path.parent_path()));
-        home = parse(*bytes, where);
+        home = parse(raw, where);
     }
     if (!home) return tl::unexpected(home.error());
     for (const fs::path& folder : options.model_folders) {
@@ -152,6 +133,10 @@ Result<RawScene> readHome(const fs::path& path, const ImportOptions& options,
         return tl::unexpected(error);
     }
     return scene;
+}
+
+std::vector<fs::path> homeInputs(const fs::path& /*path*/, const ImportOptions& options) {
+    return options.model_folders;
 }
 
 }  // namespace dollytrack::homes

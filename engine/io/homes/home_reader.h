@@ -25,4 +25,8 @@ Result<Home> readHomeFile(std::string bytes, const std::filesystem::path& path);
 Result<RawScene> readHome(const std::filesystem::path& path, const ImportOptions& options,
                           const JobContext& job);
 
+/// What readHome() opens besides the home's own folder.
+std::vector<std::filesystem::path> homeInputs(const std::filesystem::path& path,
+                                              const ImportOptions& options);
+
 }  // namespace dollytrack::homes

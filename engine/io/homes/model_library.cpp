@@ -34,7 +34,6 @@ class NamedFiles : public FileSource {
         const std::string& name) const override {
         return files_.read(name == alias_ ? name_ : name);
     }
-    [[nodiscard]] std::vector<std::string> names() const override { return files_.names(); }
 
   private:
     const FileSource& files_;

@@ -187,8 +187,9 @@ TEST(Front3d, PaintsModelsWithThePictureBesideThem) {
     const TempFolder folder;
     const auto path = test::writeFrontHouse(folder);
     EXPECT_EQ(imported(path).report.textures_found, 0);
-    // A picture of 1 x 1 pixel as PBM: the reader tells by the bytes, not by the name.
-    static_cast<void>(folder.write("3D-FUTURE-model/jid-1/texture.png", "P1\n1 1\n0\n"));
+    // A picture of 1 x 1 pixel as PPM: the reader tells by the bytes, not by the name.
+    static_cast<void>(
+        folder.write("3D-FUTURE-model/jid-1/texture.png", "P6\n1 1\n255\n\x10\x20\x30"));
     const Scene scene = imported(path);
     EXPECT_EQ(scene.report.textures_found, 1) << "once for both sofas";
     const Object& sofa = *find(scene, "L-shaped Sofa");
@@ -203,7 +204,8 @@ TEST(Front3d, TexturesOfTheBuildingAreFoundByUrl) {
     const auto path = folder.write("house.json", house);
     const Scene missing = imported(path);
     EXPECT_EQ(missing.report.textures_missing.size(), 1U);
-    static_cast<void>(folder.write("3D-FRONT-texture/pic-1/texture.png", "P1\n1 1\n0\n"));
+    static_cast<void>(
+        folder.write("3D-FRONT-texture/pic-1/texture.png", "P6\n1 1\n255\n\x10\x20\x30"));
     const Scene scene = imported(path);
     EXPECT_EQ(scene.report.textures_found, 1);
     EXPECT_TRUE(scene.materials[0].base_color.isOnes());

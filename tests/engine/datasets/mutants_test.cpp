@@ -64,7 +64,7 @@ void readMutants(const TempFolder& folder, const std::string& name, int& read) {
     std::mt19937 random(7);
     for (int i = 0; i < 300; ++i) {
         const auto path = folder.write(name, mutant(text, random));
-        const Result<Scene> scene = importScene(path);
+        const Result<Scene> scene = importScene(path, {.in_process = true});
         if (!scene) {
             EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << i;
             EXPECT_EQ(scene.error().message.find('\n'), std::string::npos) << i;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace dollytrack::io {
+
+/// A picture as a codec unpacks it: rows from the top without gaps; grey, grey and alpha, RGB or
+/// RGBA.
+struct UnpackedPicture {
+    int width = 0;
+    int height = 0;
+    int channels = 0;  // 1 to 4
+    int bits = 8;      // of a channel; 16 are in the machine's byte order
+    std::vector<std::uint8_t> data;
+};
+
+/// Sizes the data for what a file's head tells; false for sides that are none, and too many pixels.
+bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
+              UnpackedPicture& picture);
+
+using PictureBytes = std::span<const std::uint8_t>;
+
+/// One function a library; each only for bytes that begin like its format. Nothing when they are
+/// no whole picture.
+std::optional<UnpackedPicture> unpackPng(PictureBytes bytes);
+std::optional<UnpackedPicture> unpackJpeg(PictureBytes bytes);
+std::optional<UnpackedPicture> unpackWebp(PictureBytes bytes);
+std::optional<UnpackedPicture> unpackTiff(PictureBytes bytes);
+std::optional<UnpackedPicture> unpackOther(PictureBytes bytes);  // TGA, BMP, PSD, GIF, PNM, HDR
+
+}  // namespace dollytrack::io

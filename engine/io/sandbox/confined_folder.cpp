@@ -1,0 +1,161 @@
+#include "engine/io/sandbox/confined_folder.h"
+
+#include "engine/io/sandbox/input_record.h"
+
+#include <fcntl.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostEntries = 20'000;
+constexpr int kMostLevels = 5;
+constexpr int kOpenFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+
+std::string realPath(const std::string& path) {
+    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                           &std::free);
+    return real ? std::string(real.get()) : std::string();
+}
+
+/// Where the kernel has no openat2(): the path without links has to begin with the folder's. What
+/// another program changes in between is not noticed.
+int openByRealPath(const fs::path& folder, const std::string& relative) {
+    const std::string root = realPath(folder.string());
+    const std::string file = realPath((folder / relative).string());
+    if (root.empty() || file.empty()) return -1;
+    if (root != "/" && !file.starts_with(root + "/")) {
+        errno = EXDEV;
+        return -1;
+    }
+    return ::open(file.c_str(), kOpenFlags | O_NOFOLLOW);
+}
+
+Error cannotOpen(int error, const std::string& name) {
+    if (error == EXDEV || error == ELOOP) {
+        return {ErrorCode::BadInput,
+                "it lies outside the scene's folder and is not opened; copy it into that folder",
+                name};
+    }
+    return {ErrorCode::BadInput,
+            std::string("the file cannot be opened (") + std::strerror(error) + ")", name};
+}
+
+}  // namespace
+
+ConfinedFolder::ConfinedFolder(fs::path folder)
+    : folder_(folder.empty() ? fs::path(".") : std::move(folder)) {}
+
+std::string ConfinedFolder::relative(const fs::path& file) const {
+    std::string name = file.string();
+    const std::string own = folder_.string();
+    const std::string prefix = own.ends_with('/') ? own : own + "/";
+    if (name.starts_with(prefix)) {
+        name.erase(0, prefix.size());
+        name.erase(0, std::min(name.find_first_not_of('/'), name.size()));
+    }
+    return name;
+}
+
+int ConfinedFolder::openDescriptor(const std::string& relative) const {
+    // Only for the moment: a scene made of models has more folders than a process has descriptors.
+    // O_PATH: of the folder itself nothing is read, so it need not be readable.
+    const int folder = ::open(folder_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return -1;
+    open_how how{};
+    how.flags = kOpenFlags;
+    how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
+    long opened = -1;
+    do {  // EAGAIN: something beneath was renamed meanwhile
+        opened = ::syscall(SYS_openat2, folder, relative.c_str(), &how, sizeof(how));
+    } while (opened < 0 && (errno == EINTR || errno == EAGAIN));
+    const int error = errno;
+    ::close(folder);
+    errno = error;
+    if (opened < 0 && (errno == ENOSYS || errno == EPERM)) {
+        if (relative.starts_with('/')) {
+            errno = EXDEV;
+            return -1;
+        }
+        return openByRealPath(folder_, relative);
+    }
+    return static_cast<int>(opened);
+}
+
+Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
+    const std::string name = relative(file);
+    if (name.find('\0') != std::string::npos) {
+        return tl::unexpected(cannotOpen(ENOENT, name));
+    }
+    const int descriptor = openDescriptor(name);
+    if (descriptor < 0) {
+        const int error = errno;
+        const bool outside = error == EXDEV || error == ELOOP;
+        InputRecord::note(outside ? InputUse::Refused : InputUse::Missing, folder_ / name);
+        return tl::unexpected(cannotOpen(error, name));
+    }
+    Result<InputFile> opened = InputFile::adopt(descriptor, name);
+    InputRecord::note(opened ? InputUse::File : InputUse::Missing, folder_ / name,
+                      opened ? opened->identity() : FileIdentity{});
+    return opened;
+}
+
+bool ConfinedFolder::has(const fs::path& file) const {
+    const std::string name = relative(file);
+    const int descriptor = name.find('\0') == std::string::npos ? openDescriptor(name) : -1;
+    struct stat status {};
+    const bool regular =
+        descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    if (descriptor >= 0) ::close(descriptor);
+    if (!regular) InputRecord::note(InputUse::Missing, folder_ / name);
+    return regular;
+}
+
+std::vector<fs::path> ConfinedFolder::list() const {
+    InputRecord::note(InputUse::Listing, folder_);
+    std::vector<fs::path> files;
+    std::error_code error;
+    std::size_t seen = 0;
+    std::vector<fs::path> level = {fs::path()};
+    for (int depth = 0; depth < kMostLevels && !level.empty() && seen < kMostEntries; ++depth) {
+        std::vector<fs::path> next;
+        for (const fs::path& folder : level) {
+            std::vector<fs::directory_entry> entries;
+            fs::directory_iterator it(folder_ / folder, error);
+            for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+                if (++seen >= kMostEntries) break;
+                entries.push_back(*it);
+            }
+            std::sort(entries.begin(), entries.end());
+            for (const fs::directory_entry& entry : entries) {
+                if (entry.is_symlink(error)) continue;
+                const fs::path name = folder / entry.path().filename();
+                if (entry.is_directory(error)) {
+                    next.push_back(name);
+                } else if (entry.is_regular_file(error)) {
+                    files.push_back(name);
+                }
+            }
+        }
+        level = std::move(next);
+    }
+    return files;
+}
+
+bool hasFile(const fs::path& file) {
+    return ConfinedFolder(file.parent_path()).has(file.filename());
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace dollytrack::io {
+
+/// A sum over bytes that tells accidents: each step can be undone, so that two runs of bytes of
+/// one length that differ in one word never have the same. It is no protection against intent.
+[[nodiscard]] std::uint64_t frameSum(std::span<const std::uint8_t> bytes);
+
+/// Writes values one after the other; without a place to write it only counts the bytes. The
+/// same function that lists a struct's members can be handed a FrameReader.
+class FrameWriter {
+  public:
+    static constexpr bool kReads = false;
+
+    explicit FrameWriter(std::uint8_t* out = nullptr) : out_(out) {}
+
+    template <class T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    void number(const T& value) { bytes(&value, sizeof(T)); }
+    void text(const std::string& value) {
+        number(std::uint64_t{value.size()});
+        bytes(value.data(), value.size());
+    }
+    template <class T>
+    void array(const std::vector<T>& values) {
+        number(std::uint64_t{values.size()});
+        bytes(values.data(), values.size() * sizeof(T));
+    }
+    template <class T, class Members>
+    void list(const std::vector<T>& values, std::size_t /*least_bytes*/, Members members) {
+        number(std::uint64_t{values.size()});
+        for (const T& value : values) members(*this, value);
+    }
+    template <class T, class Members>
+    void maybe(const std::optional<T>& value, Members members) {
+        number(std::uint8_t{value.has_value()});
+        if (value) members(*this, *value);
+    }
+    void bytes(const void* from, std::size_t size) {
+        if (out_ != nullptr && size > 0) std::memcpy(out_ + size_, from, size);
+        size_ += size;
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+  private:
+    std::uint8_t* out_;
+    std::size_t size_ = 0;
+};
+
+/// Reads them back. No count is believed before the bytes for it are there; after the first thing
+/// that is wrong everything comes empty and good() is false.
+class FrameReader {
+  public:
+    static constexpr bool kReads = true;
+
+    explicit FrameReader(std::span<const std::uint8_t> from) : from_(from) {}
+
+    template <class T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    void number(T& value) {
+        if constexpr (std::is_same_v<T, bool>) {
+            std::uint8_t byte = 0;
+            bytes(&byte, 1);
+            if (byte > 1) refuse();
+            value = byte == 1;
+        } else {
+            bytes(&value, sizeof(T));
+        }
+    }
+    void text(std::string& value) { fill(value); }
+    template <class T>
+    void array(std::vector<T>& values) {
+        fill(values);
+    }
+    /// `least_bytes`: that each entry takes at least.
+    template <class T, class Members>
+    void list(std::vector<T>& values, std::size_t least_bytes, Members members) {
+        const std::size_t count = takeCount(least_bytes);
+        values.clear();
+        // Growing would copy, but nothing large is made for entries that may be empty.
+        values.reserve(std::min<std::size_t>(count, 1U << 16U));
+        for (std::size_t i = 0; i < count && good_; ++i) members(*this, values.emplace_back());
+    }
+    template <class T, class Members>
+    void maybe(std::optional<T>& value, Members members) {
+        bool there = false;
+        number(there);
+        value.reset();
+        if (there) members(*this, value.emplace());
+    }
+    void bytes(void* into, std::size_t size) {
+        if (size > from_.size()) {
+            refuse();
+            std::memset(into, 0, size);
+            return;
+        }
+        if (size > 0) std::memcpy(into, from_.data(), size);
+        from_ = from_.subspan(size);
+    }
+    [[nodiscard]] bool good() const { return good_; }
+    /// Good, and nothing is left over.
+    [[nodiscard]] bool finished() const { return good_ && from_.empty(); }
+
+  private:
+    std::size_t takeCount(std::size_t least_bytes) {
+        std::uint64_t count = 0;
+        number(count);
+        if (count <= from_.size() / least_bytes) return static_cast<std::size_t>(count);
+        refuse();
+        return 0;
+    }
+    template <class Container>
+    void fill(Container& values) {
+        using T = typename Container::value_type;
+        values.resize(takeCount(sizeof(T)));
+        bytes(static_cast<void*>(values.data()), values.size() * sizeof(T));
+    }
+    void refuse() {
+        good_ = false;
+        from_ = {};
+    }
+
+    std::span<const std::uint8_t> from_;
+    bool good_ = true;
+};
+
+}  // namespace dollytrack::io

@@ -1,0 +1,152 @@
+#include "engine/io/sandbox/importer.h"
+
+#include "engine/core/result.h"
+#include "engine/io/import_settings.h"
+#include "engine/io/input_check.h"
+#include "engine/io/sandbox/importer_protocol.h"
+#include "engine/io/sandbox/input_list.h"
+#include "engine/io/sandbox/input_record.h"
+#include "engine/io/sandbox/isolation.h"
+#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/scene_format.h"
+#include "engine/jobs/parallel.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dollytrack::io {
+namespace {
+
+void tell(ImporterMessage::Kind kind, std::uint64_t value) {
+    const ImporterMessage message{kind, 1, value};
+    while (::write(kMessageDescriptor, &message, sizeof(message)) < 0 && errno == EINTR) {
+    }
+}
+
+/// What the program was asked to read.
+struct Task {
+    std::filesystem::path scene;
+    ImportOptions options;
+    std::vector<std::filesystem::path> readable;
+};
+
+std::optional<Task> taskOf(int count, char** arguments) {
+    constexpr int kFewest = 6;
+    if (count < kFewest || arguments[1] != std::to_string(kFrameVersion)) return std::nullopt;
+    const std::string parent = arguments[2];
+    pid_t id = 0;
+    std::from_chars(parent.data(), parent.data() + parent.size(), id);
+    // It may have died before this program could ask to be taken along.
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != id) return std::nullopt;
+    struct stat status {};
+    if (::fstat(kFrameDescriptor, &status) != 0 || ::fstat(kMessageDescriptor, &status) != 0) {
+        return std::nullopt;
+    }
+    const nlohmann::json settings = nlohmann::json::parse(arguments[4], nullptr, false);
+    Result<ImportOptions> options = importOptionsFromJson(settings);
+    if (!options) return std::nullopt;
+    Task task{arguments[5], std::move(*options), {}};
+    task.options.read_textures = std::string(arguments[3]) == "1";
+    const std::filesystem::path folder = task.scene.parent_path();
+    task.readable = {task.scene, folder.empty() ? std::filesystem::path(".") : folder};
+    for (int i = kFewest; i < count; ++i) task.readable.emplace_back(arguments[i]);
+    return task;
+}
+
+void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
+    std::string names;
+    for (const InputUse& use : record.uses()) {
+        if (use.kind == InputUse::Refused) names += (names.empty() ? "" : ", ") + use.path.string();
+    }
+    if (names.empty()) return;
+    notes.push_back("the scene names files outside its folder, which were not opened: " + names);
+}
+
+Result<ReadScene> readScene(const Task& task, const InputRecord& record, const JobContext& job) {
+    const std::string where = task.scene.string();
+    try {
+        const Result<const SceneFormat*> format = checkSceneFile(task.scene);
+        if (!format) return tl::unexpected(format.error());
+        Result<RawScene> raw =
+            (*format)->read(task.scene, task.options, job.stage(0.0, 0.7, "reading"));
+        if (!raw) return tl::unexpected(raw.error());
+        ReadScene scene{std::move(*raw), {}};
+        if (task.options.read_textures) {
+            scene.textures = loadTextures(task.scene, scene.raw.textures, job);
+        }
+        noteRefused(record, scene.raw.notes);
+        for (TextureRequest& request : scene.raw.textures) request.embedded = {};
+        job.report(1.0);
+        return scene;
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::BadInput,
+                    "reading it takes more than " + std::to_string(kMostAddressSpace >> 30U) +
+                        " GiB of memory; if it is not damaged, make it smaller or split it",
+                    where);
+    } catch (const std::exception& error) {
+        return fail(ErrorCode::BadInput,
+                    std::string("the file cannot be read as a 3D scene (") + error.what() + ")",
+                    where);
+    }
+}
+
+/// The frame, and behind it the list of what was read, into the memory that the parent has made.
+bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& uses) {
+    struct stat status {};
+    if (::fstat(kFrameDescriptor, &status) != 0) return false;
+    const std::size_t frame = frameSize(outcome);
+    const std::string list = inputListText(uses);
+    const std::size_t size = frame + list.size();
+    if (size > static_cast<std::size_t>(status.st_size)) return false;
+    void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, kFrameDescriptor, 0);
+    if (memory == MAP_FAILED) return false;
+    const std::span out(static_cast<std::uint8_t*>(memory), size);
+    writeFrame(outcome, out.first(frame));
+    std::copy(list.begin(), list.end(), out.begin() + static_cast<std::ptrdiff_t>(frame));
+    ::munmap(memory, size);
+    tell(ImporterMessage::Depends, list.size());
+    tell(ImporterMessage::Done, frame);
+    return true;
+}
+
+}  // namespace
+
+int runImporter(int count, char** arguments) {
+    std::optional<Task> task = taskOf(count, arguments);
+    if (!task) return 2;
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    setThreadCount(std::clamp(cores, 1, kMostThreads));
+    tell(ImporterMessage::Isolated, isolateProcess(task->readable));
+    InputRecord record([](const FileIdentity& file) { tell(ImporterMessage::Opened, file.size); });
+    const JobContext job(nullptr, [](double fraction, std::string_view) {
+        tell(ImporterMessage::Progress,
+             static_cast<std::uint64_t>(std::clamp(fraction, 0.0, 1.0) * 1e6));
+    });
+    Result<ReadScene> outcome = readScene(*task, record, job);
+    constexpr std::uint64_t kRoomForList = std::uint64_t{256} << 20U;
+    if (outcome && frameSize(outcome) > kMostFrameBytes - kRoomForList) {
+        outcome =
+            fail(ErrorCode::BadInput,
+                 "what it holds takes more than 2.75 GiB; make its meshes or pictures smaller",
+                 task->scene.string());
+    }
+    // Nothing is to be tidied up: memory goes with the process.
+    ::_exit(handBack(outcome, record.uses()) ? 0 : 1);
+}
+
+}  // namespace dollytrack::io

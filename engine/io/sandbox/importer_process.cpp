@@ -1,0 +1,186 @@
+#include "engine/io/sandbox/importer_process.h"
+
+#include "engine/core/log.h"
+#include "engine/io/import_settings.h"
+#include "engine/io/sandbox/input_list.h"
+#include "engine/io/sandbox/isolation.h"
+#include "engine/io/sandbox/reading_clock.h"
+#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/spawned_importer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kStep{40};
+
+constexpr const char* kExportAgain =
+    "; the file is damaged or beyond its reader: export it again, preferably as glTF";
+
+std::vector<std::string> commandFor(const fs::path& scene, const ImportOptions& options,
+                                    const std::vector<fs::path>& more_inputs) {
+    using Json = nlohmann::json;
+    std::vector<std::string> command = {
+        importerProgram().string(),
+        std::to_string(kFrameVersion),
+        std::to_string(::getpid()),
+        options.read_textures ? "1" : "0",
+        importOptionsToJson(options).dump(-1, ' ', false, Json::error_handler_t::replace),
+        scene.string()};
+    for (const fs::path& input : more_inputs) command.push_back(input.string());
+    return command;
+}
+
+void tellMissingLayers(std::uint64_t layers) {
+    static std::atomic<bool> told = false;
+    const std::string names = layerNames(static_cast<std::uint32_t>(layers));
+    if (names.empty() || told.exchange(true)) return;
+    log::warn("import", "scene files are read without the protection of " + names +
+                            ", which this system does not offer");
+}
+
+/// What the messages so far have said.
+struct Heard {
+    std::optional<std::uint64_t> frame_bytes;
+    std::uint64_t list_bytes = 0;
+    bool sound = true;
+};
+
+void hear(const ImporterMessage& message, const JobContext& job, ReadingClock& clock,
+          Heard& heard) {
+    switch (message.kind) {
+        case ImporterMessage::Isolated:
+            tellMissingLayers(message.value);
+            return;
+        case ImporterMessage::Opened:
+            clock.opened(message.value);
+            return;
+        case ImporterMessage::Progress:
+            if (message.value <= 1'000'000) job.report(static_cast<double>(message.value) * 1e-6);
+            return;
+        case ImporterMessage::Depends:
+            heard.list_bytes = message.value;
+            return;
+        case ImporterMessage::Done:
+            heard.frame_bytes = message.value;
+            return;
+        default:
+            heard.sound = false;
+    }
+}
+
+tl::unexpected<Error> tookTooLong(const ReadingClock& clock, const std::string& where) {
+    return fail(ErrorCode::BadInput,
+                "reading it took longer than " +
+                    std::to_string(std::lround(clock.allowed().count())) + " s and was given up" +
+                    kExportAgain,
+                where);
+}
+
+tl::unexpected<Error> damagedHandBack(const std::string& reason, const std::string& where) {
+    return fail(ErrorCode::BadInput,
+                "the importer handed back something damaged (" + reason + ")" + kExportAgain,
+                where);
+}
+
+/// Nothing when it ended well.
+std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs::path& scene) {
+    const std::string where = scene.string();
+    const std::string name = scene.filename().string();
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        if (signal == SIGXCPU) return tookTooLong(clock, where).value();
+        const std::string how = signal == SIGKILL ? "was killed" : "crashed";
+        return Error{ErrorCode::BadInput,
+                     "the importer " + how + " (signal " + std::to_string(signal) + ") on " + name +
+                         kExportAgain,
+                     where};
+    }
+    if (WEXITSTATUS(status) == 0) return std::nullopt;
+    if (WEXITSTATUS(status) == 2) {
+        return Error{ErrorCode::Failed,
+                     "the program that reads scene files is of another version; build or install "
+                     "both together",
+                     importerProgram().string()};
+    }
+    return Error{ErrorCode::BadInput,
+                 "the importer ended with nothing (exit code " +
+                     std::to_string(WEXITSTATUS(status)) + ") on " + name + kExportAgain,
+                 where};
+}
+
+Result<HandBack> takeHandBack(FrameMemory memory, const Heard& heard, const std::string& where) {
+    const std::uint64_t frame = heard.frame_bytes.value_or(0);
+    const bool fits = frame > 0 && frame <= kMostFrameBytes && heard.list_bytes <= kMostFrameBytes;
+    if (!heard.sound || !fits) return damagedHandBack("its messages", where);
+    const auto bytes = memory.close(frame + heard.list_bytes);
+    if (!bytes) return damagedHandBack(bytes.error().message, where);
+    const auto list = bytes->subspan(frame);
+    HandBack back{std::move(memory), bytes->first(frame), std::nullopt};
+    if (!list.empty()) {
+        back.inputs = parseInputList({reinterpret_cast<const char*>(list.data()), list.size()});
+        if (!back.inputs) return damagedHandBack("its list of files", where);
+    }
+    return back;
+}
+
+}  // namespace
+
+fs::path importerProgram() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path() / "dollytrack-import";
+}
+
+Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& options,
+                                    const JobContext& job,
+                                    const std::vector<fs::path>& more_inputs) {
+    const std::string where = scene.string();
+    Result<FrameMemory> memory = FrameMemory::make(kMostFrameBytes);
+    if (!memory) return tl::unexpected(memory.error());
+    Result<SpawnedImporter> importer =
+        SpawnedImporter::start(commandFor(scene, options, more_inputs), memory->descriptor());
+    if (!importer) return tl::unexpected(importer.error());
+    ReadingClock clock;
+    Heard heard;
+    bool talks = true;
+    double limited = 0.0;
+    while (true) {
+        // Its threads may all be busy for as long as the clock runs.
+        if (clock.allowed().count() > limited) {
+            limited = clock.allowed().count();
+            importer->limitProcessorTime(
+                static_cast<std::uint64_t>(std::ceil(limited * kMostThreads)) + 1);
+        }
+        std::vector<ImporterMessage> messages;
+        if (talks) {
+            talks = importer->receive(kStep, messages);
+        } else {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        for (const ImporterMessage& message : messages) hear(message, job, clock, heard);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
+        if (!talks && importer->end()) break;
+        if (clock.left().count() <= 0.0) return tookTooLong(clock, where);
+    }
+    if (std::optional<Error> why = whyItEnded(*importer->end(), clock, scene)) {
+        return tl::unexpected(std::move(*why));
+    }
+    return takeHandBack(std::move(*memory), heard, where);
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,94 @@
+#include "engine/io/sandbox/input_file.h"
+
+#include "engine/io/sandbox/input_record.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+std::int64_t nanoseconds(const timespec& time) {
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
+Result<InputFile> InputFile::adopt(int descriptor, const std::string& where) {
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+        ::close(descriptor);
+        return fail(ErrorCode::BadInput, "this is not an ordinary file", where);
+    }
+    const FileIdentity identity{status.st_dev, status.st_ino,
+                                static_cast<std::uint64_t>(status.st_size),
+                                nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+    return InputFile(descriptor, identity, where);
+}
+
+InputFile::~InputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      identity_(other.identity_),
+      where_(std::move(other.where_)) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(identity_, other.identity_);
+    std::swap(where_, other.where_);
+    return *this;
+}
+
+std::size_t InputFile::read(std::uint64_t offset, void* into, std::size_t size) const {
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t got = ::pread(descriptor_, static_cast<char*>(into) + done, size - done,
+                                    static_cast<off_t>(offset + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+Result<std::string> InputFile::readAll(std::uint64_t most) const {
+    if (size() > most) {
+        return fail(ErrorCode::BadInput,
+                    "the file has " + std::to_string(size()) + " bytes; at most " +
+                        std::to_string(most) + " can be read",
+                    where_);
+    }
+    std::string bytes(size(), '\0');
+    if (read(0, bytes.data(), bytes.size()) != bytes.size()) {
+        return fail(ErrorCode::BadInput, "the file cannot be read to its end", where_);
+    }
+    return bytes;
+}
+
+Result<InputFile> openNamedFile(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0) {
+        return fail(ErrorCode::BadInput,
+                    std::string("the file cannot be opened (") + std::strerror(errno) + ")",
+                    path.string());
+    }
+    Result<InputFile> file = InputFile::adopt(descriptor, path.string());
+    if (file) InputRecord::note(InputUse::File, path, file->identity());
+    return file;
+}
+
+Result<std::string> readNamedFile(const std::filesystem::path& path, std::uint64_t most) {
+    const Result<InputFile> file = openNamedFile(path);
+    if (!file) return tl::unexpected(file.error());
+    return file->readAll(most);
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace dollytrack::io {
+
+/// Which file it is, and which state of it: equal as long as nobody wrote to it or replaced it.
+struct FileIdentity {
+    std::uint64_t device = 0;
+    std::uint64_t inode = 0;
+    std::uint64_t size = 0;  // bytes
+    std::int64_t modified_ns = 0;
+    std::int64_t changed_ns = 0;
+    auto operator<=>(const FileIdentity&) const = default;
+};
+
+/// A regular file that is open for reading; closed with this object.
+class InputFile {
+  public:
+    /// Takes over a descriptor. BadInput when it is no regular file: a pipe would block for ever,
+    /// a device has no end.
+    [[nodiscard]] static Result<InputFile> adopt(int descriptor, const std::string& where);
+    ~InputFile();
+    InputFile(InputFile&& other) noexcept;
+    InputFile& operator=(InputFile&& other) noexcept;
+
+    /// Up to `size` bytes from `offset` on; fewer at the end of the file and after an error.
+    [[nodiscard]] std::size_t read(std::uint64_t offset, void* into, std::size_t size) const;
+    /// All of it. BadInput when it is larger than `most` bytes or cannot be read.
+    [[nodiscard]] Result<std::string> readAll(std::uint64_t most) const;
+
+    [[nodiscard]] const FileIdentity& identity() const { return identity_; }
+    [[nodiscard]] std::uint64_t size() const { return identity_.size; }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+  private:
+    InputFile(int descriptor, FileIdentity identity, std::string where)
+        : descriptor_(descriptor), identity_(identity), where_(std::move(where)) {}
+
+    int descriptor_ = -1;
+    FileIdentity identity_;
+    std::string where_;
+};
+
+/// Opens a file that a person has named: links are followed, wherever they lead. Noted in the
+/// InputRecord.
+[[nodiscard]] Result<InputFile> openNamedFile(const std::filesystem::path& path);
+
+/// All of such a file. Errors: BadInput.
+[[nodiscard]] Result<std::string> readNamedFile(const std::filesystem::path& path,
+                                                std::uint64_t most);
+
+}  // namespace dollytrack::io

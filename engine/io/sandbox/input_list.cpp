@@ -1,0 +1,56 @@
+#include "engine/io/sandbox/input_list.h"
+
+#include "engine/io/sandbox/frame_archive.h"
+
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr std::size_t kMostUses = 100'000;
+
+template <class Archive, class T>
+void useMembers(Archive& archive, T& use) {
+    auto& [kind, path, identity] = use;
+    auto& [device, inode, size, modified_ns, changed_ns] = identity;
+    archive.number(kind);
+    if constexpr (Archive::kReads) {
+        std::string name;
+        archive.text(name);
+        path = std::move(name);
+    } else {
+        archive.text(path.native());
+    }
+    for (auto* number : {&device, &inode, &size}) archive.number(*number);
+    for (auto* time : {&modified_ns, &changed_ns}) archive.number(*time);
+}
+
+void write(FrameWriter& writer, const std::vector<InputUse>& uses) {
+    writer.list(uses, 0, [](FrameWriter& to, const InputUse& use) { useMembers(to, use); });
+}
+
+}  // namespace
+
+std::string inputListText(const std::vector<InputUse>& uses) {
+    if (uses.size() > kMostUses) return {};
+    FrameWriter counter;
+    write(counter, uses);
+    std::string text(counter.size(), '\0');
+    FrameWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
+    write(writer, uses);
+    return text;
+}
+
+std::optional<std::vector<InputUse>> parseInputList(std::string_view text) {
+    FrameReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    std::vector<InputUse> uses;
+    reader.list(uses, 52, [](FrameReader& from, InputUse& use) { useMembers(from, use); });
+    if (!reader.finished() || uses.size() > kMostUses) return std::nullopt;
+    for (const InputUse& use : uses) {
+        const bool known = use.kind <= InputUse::Refused;
+        if (!known || use.path.native().find('\0') != std::string::npos) return std::nullopt;
+    }
+    return uses;
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,62 @@
+#include "engine/io/sandbox/isolation.h"
+
+#include "engine/io/sandbox/call_filter.h"
+#include "engine/io/sandbox/folder_rules.h"
+
+#include <malloc.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+namespace dollytrack::io {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;  // their shadow memory takes terabytes of addresses
+#else
+constexpr bool kSanitized = false;
+#endif
+
+bool limit(__rlimit_resource resource, rlim_t most) {
+    const rlimit both{most, most};
+    return ::setrlimit(resource, &both) == 0;
+}
+
+/// The processor time is limited by the parent, which knows how much there is to read.
+bool setLimits() {
+    // Each of malloc's arenas would reserve 64 MiB of addresses.
+    ::mallopt(M_ARENA_MAX, 2);
+    bool all = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+    // Core files that are piped to a program ignore their limit, but not this.
+    all = ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0 && all;
+    all = limit(RLIMIT_CORE, 0) && all;
+    all = limit(RLIMIT_FSIZE, 0) && all;
+    all = limit(RLIMIT_NOFILE, kMostOpenFiles) && all;
+    if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostFrameBytes) && all;
+    return all;
+}
+
+}  // namespace
+
+std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders) {
+    std::uint32_t missing = 0;
+    if (!setLimits()) missing |= kLimits;
+    const bool ruled = kSanitized || lockIntoFolders(folders);
+    if (!ruled) missing |= kFolderRules;
+    // openat2() keeps its flags where a filter cannot see them: without Landlock it could write.
+    if (!kSanitized && !filterCalls(ruled)) missing |= kCallFilter;
+    return missing;
+}
+
+std::string layerNames(std::uint32_t layers) {
+    std::string names;
+    const auto add = [&](std::uint32_t layer, const char* name) {
+        if ((layers & layer) == 0) return;
+        names += (names.empty() ? "" : " and ") + std::string(name);
+    };
+    add(kLimits, "resource limits");
+    add(kFolderRules, "Landlock");
+    add(kCallFilter, "seccomp");
+    return names;
+}
+
+}  // namespace dollytrack::io

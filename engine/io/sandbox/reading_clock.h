@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace dollytrack::io {
+
+/// How long a reading may take: a damaged file shall be given up soon, and a large sound one on a
+/// slow machine be waited for.
+class ReadingClock {
+  public:
+    using Seconds = std::chrono::duration<double>;
+
+    static constexpr Seconds kLeast{10.0};
+    static constexpr Seconds kMost{900.0};
+    static constexpr Seconds kForMebibyte{2.0};
+
+    void opened(std::uint64_t bytes) { bytes_ += static_cast<double>(bytes); }
+    [[nodiscard]] Seconds allowed() const {
+        return std::min(kMost, kLeast + kForMebibyte * (bytes_ / 1048576.0));
+    }
+    [[nodiscard]] Seconds left() const { return allowed() - (Clock::now() - begin_); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin_ = Clock::now();
+    double bytes_ = 0.0;
+};
+
+}  // namespace dollytrack::io

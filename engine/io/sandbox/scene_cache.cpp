@@ -1,0 +1,218 @@
+#include "engine/io/sandbox/scene_cache.h"
+
+#include "engine/io/durable_file.h"
+#include "engine/io/import_settings.h"
+#include "engine/io/sandbox/frame_archive.h"
+#include "engine/io/sandbox/importer_process.h"
+#include "engine/io/sandbox/input_file.h"
+#include "engine/io/scene_format.h"
+#include "engine/io/sha256.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMagic = 0x31454843414354'44ULL;  // "DTCACHE1"
+constexpr std::uint64_t kDefaultMebibytes = 2048;
+constexpr const char* kExtension = ".scene";
+
+struct EntryHead {
+    std::uint64_t magic = kMagic;
+    std::uint64_t list_bytes = 0;  // of the inputs, behind this head
+    std::uint64_t list_sum = 0;
+    std::uint64_t frame_bytes = 0;  // behind the list
+};
+
+std::span<const std::uint8_t> bytesOf(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+fs::path userFolder() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    // The specification wants an absolute path, and others to be ignored.
+    if (cache != nullptr && *cache == '/') return fs::path(cache) / "dollytrack" / "scenes";
+    if (home != nullptr && *home == '/') return fs::path(home) / ".cache" / "dollytrack" / "scenes";
+    return {};
+}
+
+std::uint64_t userMebibytes() {
+    const char* given = std::getenv("DOLLYTRACK_CACHE_MB");
+    const std::string_view text = given != nullptr ? given : "";
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 24U;
+    return error == std::errc() && number <= kMost ? number : kDefaultMebibytes;
+}
+
+/// A file of this user, mapped for reading.
+class MappedEntry {
+  public:
+    explicit MappedEntry(const fs::path& path) {
+        descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        struct stat status {};
+        if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode) ||
+            status.st_uid != ::geteuid() || status.st_size <= 0) {
+            return;
+        }
+        size_ = static_cast<std::size_t>(status.st_size);
+        void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
+        if (view != MAP_FAILED) view_ = static_cast<const std::uint8_t*>(view);
+    }
+    ~MappedEntry() {
+        if (view_ != nullptr) ::munmap(const_cast<std::uint8_t*>(view_), size_);
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    MappedEntry(const MappedEntry&) = delete;
+    MappedEntry& operator=(const MappedEntry&) = delete;
+
+    [[nodiscard]] std::span<const std::uint8_t> bytes() const {
+        return view_ != nullptr ? std::span(view_, size_) : std::span<const std::uint8_t>();
+    }
+    /// It is the youngest now.
+    void touch() const { ::futimens(descriptor_, nullptr); }
+
+  private:
+    int descriptor_ = -1;
+    std::size_t size_ = 0;
+    const std::uint8_t* view_ = nullptr;
+};
+
+struct Entry {
+    std::vector<KeptInput> inputs;
+    std::span<const std::uint8_t> frame;
+};
+
+std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
+    EntryHead head;
+    if (bytes.size() < sizeof(head)) return std::nullopt;
+    std::memcpy(&head, bytes.data(), sizeof(head));
+    const auto rest = bytes.subspan(sizeof(head));
+    if (head.magic != kMagic || head.list_bytes > rest.size() ||
+        head.frame_bytes != rest.size() - head.list_bytes) {
+        return std::nullopt;
+    }
+    const auto list = rest.first(head.list_bytes);
+    if (head.list_sum != frameSum(list)) return std::nullopt;
+    auto inputs = parseKeptInputs({reinterpret_cast<const char*>(list.data()), list.size()});
+    if (!inputs) return std::nullopt;
+    return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
+}
+
+}  // namespace
+
+std::optional<SceneCache> SceneCache::ofUser() {
+    const char* off = std::getenv("DOLLYTRACK_NO_CACHE");
+    if (off != nullptr && *off != '\0') return std::nullopt;
+    const fs::path folder = userFolder();
+    const std::uint64_t mebibytes = userMebibytes();
+    std::error_code error;
+    if (folder.empty() || mebibytes == 0) return std::nullopt;
+    fs::create_directories(folder, error);
+    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) return std::nullopt;
+    return SceneCache(folder, mebibytes << 20U);
+}
+
+std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
+                              const ImportOptions& options, const InputRoots& roots) {
+    FileIdentity readers;
+    if (const Result<InputFile> program = openNamedFile(importerProgram())) {
+        readers = program->identity();
+    }
+    using Json = nlohmann::json;
+    const std::string settings =
+        importOptionsToJson(options).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string labels;
+    if (options.labels) labels = sha256OfFile(*options.labels).value_or("");
+    std::string more;
+    for (std::size_t i = 1; i < roots.size(); ++i) more += roots[i].string() + '\0';
+    return sha256Of(fmt::format("{} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion, readers.size,
+                                readers.modified_ns, lowerExtension(scene), sha256,
+                                options.read_textures, settings, labels, more));
+}
+
+fs::path SceneCache::fileOf(const std::string& key) const {
+    return folder_ / (key + kExtension);
+}
+
+std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoots& roots) const {
+    const MappedEntry file(fileOf(key));
+    const std::optional<Entry> entry = entryIn(file.bytes());
+    if (!entry || !stillHold(roots, entry->inputs)) return std::nullopt;
+    bool damaged = false;
+    Result<ReadScene> read = readFrame(entry->frame, damaged);
+    if (!read) return std::nullopt;
+    file.touch();
+    return std::move(*read);
+}
+
+bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::string& sha256,
+                      const InputRoots& roots, const std::vector<InputUse>& inputs,
+                      std::span<const std::uint8_t> frame) const {
+    const auto kept = keptInputs(scene, sha256, roots, inputs);
+    if (!kept) return false;
+    const std::string list = keptInputsText(*kept);
+    const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
+    const std::size_t size = sizeof(head) + list.size() + frame.size();
+    if (size > most_bytes_) return false;
+    makeRoom(size);
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(size);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(&head);
+    bytes.insert(bytes.end(), first, first + sizeof(head));
+    bytes.insert(bytes.end(), list.begin(), list.end());
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    return writeWhole(fileOf(key), bytes).has_value();
+}
+
+void SceneCache::makeRoom(std::uint64_t bytes) const {
+    struct Old {
+        fs::file_time_type time;
+        fs::path path;
+        std::uint64_t size;
+    };
+    std::vector<Old> entries;
+    std::error_code error;
+    const auto now = fs::file_time_type::clock::now();
+    fs::directory_iterator it(folder_, error);
+    for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+        std::error_code gone;
+        if (!it->is_regular_file(gone) || it->is_symlink(gone)) continue;
+        const auto time = it->last_write_time(gone);
+        const std::string name = it->path().filename().string();
+        if (name.ends_with(kExtension)) {
+            entries.push_back({time, it->path(), it->file_size(gone)});
+        } else if (name.find(std::string(kExtension) + ".tmp.") != std::string::npos &&
+                   now - time > std::chrono::hours(1)) {
+            fs::remove(it->path(), gone);  // of a program that was ended while it wrote
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const Old& a, const Old& b) {
+        return a.time != b.time ? a.time < b.time : a.path < b.path;
+    });
+    std::uint64_t total = bytes;
+    for (const Old& entry : entries) total += entry.size;
+    for (const Old& entry : entries) {
+        if (total <= most_bytes_) break;
+        fs::remove(entry.path, error);
+        total -= entry.size;
+    }
+}
+
+}  // namespace dollytrack::io

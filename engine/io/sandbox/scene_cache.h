@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/sandbox/input_record.h"
+#include "engine/io/sandbox/kept_inputs.h"
+#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/scene_import.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dollytrack::io {
+
+/// Keeps what importers read, an entry a file. An entry counts as long as every file that the
+/// reading opened has the same content, those it missed are still missing, and the folders it
+/// searched hold the same names. Whatever is damaged, cut off or somebody else's is passed over.
+class SceneCache {
+  public:
+    /// The user's: $XDG_CACHE_HOME/dollytrack/scenes, else ~/.cache/dollytrack/scenes, of at most
+    /// $DOLLYTRACK_CACHE_MB (2048) MiB. Nothing when $DOLLYTRACK_NO_CACHE is set and not empty, or
+    /// there is no folder one can write to.
+    [[nodiscard]] static std::optional<SceneCache> ofUser();
+
+    SceneCache(std::filesystem::path folder, std::uint64_t most_bytes)
+        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+
+    /// Names an entry by the content of the scene file, its extension, the options that matter to
+    /// readers, the roots besides the scene's folder, and the readers themselves: the frame's
+    /// version and the importer's file.
+    [[nodiscard]] static std::string keyOf(const std::filesystem::path& scene,
+                                           const std::string& sha256, const ImportOptions& options,
+                                           const InputRoots& roots);
+
+    /// The kept reading, checked like one that is handed back.
+    [[nodiscard]] std::optional<ReadScene> find(const std::string& key,
+                                                const InputRoots& roots) const;
+
+    /// Keeps a frame, durably and whole or not at all; the oldest entries make room. False when
+    /// it was not kept: too large, no room on the disk, an input that has changed since it was
+    /// read or lies beneath none of the roots.
+    bool keep(const std::string& key, const std::filesystem::path& scene, const std::string& sha256,
+              const InputRoots& roots, const std::vector<InputUse>& inputs,
+              std::span<const std::uint8_t> frame) const;
+
+  private:
+    [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
+    void makeRoom(std::uint64_t bytes) const;
+
+    std::filesystem::path folder_;
+    std::uint64_t most_bytes_;
+};
+
+}  // namespace dollytrack::io

@@ -1,0 +1,171 @@
+#include "engine/io/sandbox/scene_check.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/mesh_part_builder.h"
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+constexpr int kMostClasses = 40;
+constexpr double kLongestFront = 1e6;  // not yet unit; false for what is no number
+
+tl::unexpected<Error> wrong(std::string message) {
+    return fail(ErrorCode::BadInput, std::move(message));
+}
+
+template <class Vector>
+bool allFinite(const std::vector<Vector>& values) {
+    // A sum of zeros is not a number as soon as one factor is none; without branches it is quick.
+    float sum = 0.0F;
+    for (const Vector& value : values) sum += (value * 0.0F).sum();
+    return sum == 0.0F;
+}
+
+bool soundPart(const MeshPart& part, const RawScene& raw) {
+    if (part.node < 0 || static_cast<std::size_t>(part.node) >= raw.nodes.size()) return false;
+    if (part.material >= raw.materials.size()) return false;
+    const std::size_t count = part.positions.size();
+    if (part.normals.size() != count || part.uvs.size() != count) return false;
+    std::uint32_t highest = 0;
+    for (const Triangle& triangle : part.triangles) {
+        highest = std::max({highest, triangle[0], triangle[1], triangle[2]});
+    }
+    if (!part.triangles.empty() && highest >= count) return false;
+    if (!allFinite(part.positions) || !allFinite(part.normals) || !allFinite(part.uvs)) {
+        return false;
+    }
+    return std::all_of(part.normals.begin(), part.normals.end(),
+                       [](const Eigen::Vector3f& normal) { return normal.squaredNorm() < 1.1F; });
+}
+
+bool within(float value, float most) {
+    return value >= 0.0F && value <= most;  // false for what is no number
+}
+
+bool soundMaterial(const Material& material, std::size_t textures) {
+    constexpr float kBrightest = 1e6F;
+    const auto color = [](const Eigen::Vector3f& c, float most) {
+        return within(c.x(), most) && within(c.y(), most) && within(c.z(), most);
+    };
+    return color(material.base_color, 1.0F) && color(material.emission, kBrightest) &&
+           within(material.opacity, 1.0F) && within(material.metallic, 1.0F) &&
+           within(material.roughness, 1.0F) && material.texture >= -1 &&
+           material.texture < static_cast<std::int64_t>(textures);
+}
+
+bool soundTexture(const Texture& texture) {
+    if (texture.width == 0 && texture.height == 0) return texture.rgba.empty();
+    if (texture.width <= 0 || texture.height <= 0) return false;
+    const std::int64_t pixels = std::int64_t{texture.width} * texture.height;
+    return pixels <= kMostPixels && texture.rgba.size() == static_cast<std::size_t>(4 * pixels);
+}
+
+Status checkNodes(RawScene& raw) {
+    std::vector<int> children(raw.nodes.size(), 0);
+    for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
+        SourceNode& node = raw.nodes[i];
+        if (node.parent < -1 || node.parent >= static_cast<std::int64_t>(i)) {
+            return wrong("node " + std::to_string(i) + " does not follow its parent");
+        }
+        if (node.parent >= 0) ++children[static_cast<std::size_t>(node.parent)];
+        node.name = cleanText(node.name);
+    }
+    for (std::size_t i = 0; i < raw.nodes.size(); ++i) raw.nodes[i].children = children[i];
+    return {};
+}
+
+Status checkParts(RawScene& raw) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::atomic<std::size_t> bad = kNone;
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    for (const MeshPart& part : raw.parts) {
+        vertices += part.positions.size();
+        triangles += part.triangles.size();
+    }
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (vertices > kMost || triangles > kMost) return wrong("there are too many triangles");
+    parallelFor(raw.parts.size(), [&](std::size_t i) {
+        MeshPart& part = raw.parts[i];
+        if (!soundPart(part, raw)) {
+            bad = i;
+            return;
+        }
+        part.name = cleanText(part.name);
+        measurePart(part);
+    });
+    if (bad != kNone) return wrong("mesh " + std::to_string(bad) + " is not whole");
+    return {};
+}
+
+Status checkObjects(RawScene& raw) {
+    std::vector<bool> taken(raw.parts.size(), false);
+    for (SourceObject& object : raw.objects) {
+        const bool front_is_sound = !object.front || object.front->norm() < kLongestFront;
+        if (object.nyu40 < 0 || object.nyu40 > kMostClasses || !front_is_sound) {
+            return wrong("an object's class or front is none");
+        }
+        for (const std::size_t part : object.parts) {
+            if (part >= taken.size() || taken[part]) return wrong("an object's mesh is none");
+            taken[part] = true;
+        }
+        object.name = cleanText(object.name);
+        object.category = cleanText(object.category);
+    }
+    return {};
+}
+
+Status checkTextures(ReadScene& scene) {
+    TextureSet& set = scene.textures;
+    const std::size_t asked = scene.raw.textures.size();
+    const bool counted = set.found >= 0 && set.missing.size() + set.broken.size() +
+                                                   static_cast<std::size_t>(set.found) ==
+                                               set.textures.size();
+    // None at all: they were not to be read.
+    if (!counted || (set.textures.size() != asked && !set.textures.empty())) {
+        return wrong("the pictures are not those that were asked for");
+    }
+    for (Texture& texture : set.textures) {
+        if (!soundTexture(texture)) return wrong("a picture is not whole");
+        texture.name = cleanText(texture.name);
+    }
+    for (TextureRequest& request : scene.raw.textures) request.name = cleanText(request.name);
+    for (std::string& name : set.missing) name = cleanText(name);
+    for (std::string& name : set.broken) name = cleanText(name);
+    return {};
+}
+
+}  // namespace
+
+Status checkScene(ReadScene& scene) {
+    RawScene& raw = scene.raw;
+    if (raw.file_unit_m && !(*raw.file_unit_m > 0.0 && *raw.file_unit_m < 1e9)) {
+        return wrong("the file's unit is no length");
+    }
+    if (raw.file_up_axis != 0 && (raw.file_up_axis < 'x' || raw.file_up_axis > 'z')) {
+        return wrong("the file's upward axis is none");
+    }
+    for (Material& material : raw.materials) {
+        if (!soundMaterial(material, raw.textures.size())) {
+            return wrong("a material's value is out of range");
+        }
+        material.name = cleanText(material.name);
+    }
+    for (std::string& note : raw.notes) note = cleanText(note);
+    for (std::string& warning : raw.warnings) warning = cleanText(warning);
+    for (Status (*check)(RawScene&) : {checkNodes, checkParts, checkObjects}) {
+        if (Status status = check(raw); !status) return status;
+    }
+    return checkTextures(scene);
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,137 @@
+#include "engine/io/sandbox/scene_reading.h"
+
+#include "engine/io/sandbox/importer_process.h"
+#include "engine/io/sandbox/scene_cache.h"
+#include "engine/io/sandbox/scene_check.h"
+#include "engine/io/sha256.h"
+
+#include <exception>
+#include <future>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::io {
+namespace {
+
+Result<ReadScene> readHere(const SceneFormat& format, const std::filesystem::path& path,
+                           const ImportOptions& options, const JobContext& job) {
+    Result<RawScene> raw = format.read(path, options, job.stage(0.0, 0.7, "reading"));
+    if (!raw) return tl::unexpected(raw.error());
+    ReadScene scene{std::move(*raw), {}};
+    if (options.read_textures) {
+        scene.textures = loadTextures(path, scene.raw.textures, job);
+    }
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
+    if (Status sound = checkScene(scene); !sound) {
+        return fail(ErrorCode::BadInput, sound.error().message, path.string());
+    }
+    return scene;
+}
+
+/// Where a reading is kept, and under which name.
+struct CachePlace {
+    SceneCache cache;
+    std::string key;
+    std::string sha256;  // of the scene file
+    InputRoots roots;
+};
+
+/// Writes cache entries while others go on with the scene; a program waits for it as it ends.
+class Keeper {
+  public:
+    ~Keeper() {
+        if (worker_.joinable()) worker_.join();
+    }
+    void keep(CachePlace place, std::filesystem::path scene, HandBack back) {
+        const std::lock_guard lock(mutex_);
+        if (worker_.joinable()) worker_.join();
+        worker_ = std::thread(
+            [place = std::move(place), scene = std::move(scene), back = std::move(back)] {
+                try {
+                    place.cache.keep(place.key, scene, place.sha256, place.roots, *back.inputs,
+                                     back.frame);
+                } catch (const std::exception&) {
+                    // Nobody waits for it; the file is read again another time.
+                }
+            });
+    }
+
+  private:
+    std::mutex mutex_;
+    std::thread worker_;
+};
+
+/// What the reader opens besides what lies beneath the scene's folder.
+std::vector<std::filesystem::path> moreInputs(const SceneFormat& format,
+                                              const std::filesystem::path& path,
+                                              const ImportOptions& options) {
+    std::vector<std::filesystem::path> inputs;
+    if (format.more_inputs != nullptr) inputs = format.more_inputs(path, options);
+    if (options.labels) inputs.push_back(*options.labels);
+    return inputs;
+}
+
+Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptions& options,
+                            const JobContext& job,
+                            const std::vector<std::filesystem::path>& more_inputs,
+                            const std::optional<CachePlace>& place) {
+    Result<HandBack> back = runImporterProcess(path, options, job, more_inputs);
+    if (!back) return tl::unexpected(back.error());
+    bool damaged = false;
+    Result<ReadScene> scene = readFrame(back->frame, damaged);
+    if (!scene && damaged) {
+        return fail(ErrorCode::BadInput,
+                    "the importer handed back something damaged (" + scene.error().message +
+                        "); the file is damaged: export it again, preferably as glTF",
+                    path.string());
+    }
+    if (scene && place && back->inputs) {
+        static Keeper keeper;
+        keeper.keep(*place, path, std::move(*back));
+    }
+    return scene;
+}
+
+Result<SceneReading> readThroughCache(const std::filesystem::path& path,
+                                      const ImportOptions& options, const JobContext& job,
+                                      const std::vector<std::filesystem::path>& more_inputs,
+                                      SceneCache cache) {
+    Result<std::string> digest = sha256OfFile(path);
+    if (!digest) return tl::unexpected(digest.error());
+    const InputRoots roots = inputRoots(path, more_inputs);
+    const std::string key = SceneCache::keyOf(path, *digest, options, roots);
+    if (std::optional<ReadScene> kept = cache.find(key, roots)) {
+        return SceneReading{std::move(*kept), std::move(*digest)};
+    }
+    Result<ReadScene> scene = readApart(path, options, job, more_inputs,
+                                        CachePlace{std::move(cache), key, *digest, roots});
+    if (!scene) return tl::unexpected(scene.error());
+    return SceneReading{std::move(*scene), std::move(*digest)};
+}
+
+}  // namespace
+
+Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesystem::path& path,
+                                   const ImportOptions& options, const JobContext& job) {
+    const std::vector<std::filesystem::path> more_inputs = moreInputs(format, path, options);
+    if (options.use_cache && !options.in_process) {
+        if (std::optional<SceneCache> cache = SceneCache::ofUser()) {
+            return readThroughCache(path, options, job, more_inputs, std::move(*cache));
+        }
+    }
+    // Reading and hashing can go on side by side.
+    std::future<Result<std::string>> hash =
+        std::async(std::launch::async, [path] { return sha256OfFile(path); });
+    Result<ReadScene> scene = options.in_process
+                                  ? readHere(format, path, options, job)
+                                  : readApart(path, options, job, more_inputs, std::nullopt);
+    if (!scene) return tl::unexpected(scene.error());
+    Result<std::string> digest = hash.get();
+    if (!digest) return tl::unexpected(digest.error());
+    return SceneReading{std::move(*scene), std::move(*digest)};
+}
+
+}  // namespace dollytrack::io

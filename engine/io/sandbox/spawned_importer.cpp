@@ -1,0 +1,134 @@
+#include "engine/io/sandbox/spawned_importer.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr int kLowestDescriptor = 10;
+
+/// Both ends above those that the child is given.
+bool makePipe(int& read_end, int& write_end) {
+    std::array<int, 2> low{};
+    if (::pipe2(low.data(), O_CLOEXEC) != 0) return false;
+    read_end = ::fcntl(low[0], F_DUPFD_CLOEXEC, kLowestDescriptor);
+    write_end = ::fcntl(low[1], F_DUPFD_CLOEXEC, kLowestDescriptor);
+    ::close(low[0]);
+    ::close(low[1]);
+    return read_end >= 0 && write_end >= 0;
+}
+
+/// Nothing but the two descriptors, a process group and no signal of the parent's.
+int spawn(const std::vector<std::string>& arguments, int frame, int pipe, pid_t& process) {
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_adddup2(&files, STDIN_FILENO, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, STDIN_FILENO, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, frame, kFrameDescriptor);
+    posix_spawn_file_actions_adddup2(&files, pipe, kMessageDescriptor);
+    posix_spawn_file_actions_addclosefrom_np(&files, kMessageDescriptor + 1);
+    posix_spawnattr_t look;
+    posix_spawnattr_init(&look);
+    sigset_t none;
+    sigset_t all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&look, &none);
+    posix_spawnattr_setsigdefault(&look, &all);
+    posix_spawnattr_setpgroup(&look, 0);
+    posix_spawnattr_setflags(
+        &look, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    std::vector<char*> words;
+    for (const std::string& argument : arguments) {
+        words.push_back(const_cast<char*>(argument.c_str()));
+    }
+    words.push_back(nullptr);
+    const int error = posix_spawn(&process, words[0], &files, &look, words.data(), environ);
+    posix_spawnattr_destroy(&look);
+    posix_spawn_file_actions_destroy(&files);
+    return error;
+}
+
+}  // namespace
+
+Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& arguments,
+                                               int frame_descriptor) {
+    int read_end = -1;
+    int write_end = -1;
+    int error = makePipe(read_end, write_end) ? 0 : errno;
+    pid_t process = -1;
+    if (error == 0) error = spawn(arguments, frame_descriptor, write_end, process);
+    if (write_end >= 0) ::close(write_end);
+    if (error == 0) {
+        ::fcntl(read_end, F_SETFL, O_NONBLOCK);
+        return SpawnedImporter(process, read_end);
+    }
+    if (read_end >= 0) ::close(read_end);
+    const std::string hint = error == ENOENT
+                                 ? "it has to lie beside this program; build or install it again"
+                                 : std::strerror(error);
+    return fail(ErrorCode::Failed, "the program that reads scene files cannot be started: " + hint,
+                arguments[0]);
+}
+
+SpawnedImporter::SpawnedImporter(SpawnedImporter&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      pipe_(std::exchange(other.pipe_, -1)),
+      pending_(std::move(other.pending_)),
+      end_(other.end_) {}
+
+SpawnedImporter::~SpawnedImporter() {
+    if (process_ > 0 && !end_) {
+        kill();
+        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+    if (pipe_ >= 0) ::close(pipe_);
+}
+
+bool SpawnedImporter::receive(std::chrono::milliseconds wait,
+                              std::vector<ImporterMessage>& messages) {
+    pollfd watched{pipe_, POLLIN, 0};
+    if (::poll(&watched, 1, static_cast<int>(wait.count())) <= 0) return true;
+    std::array<char, 4096> bytes{};
+    const ssize_t got = ::read(pipe_, bytes.data(), bytes.size());
+    if (got < 0) return errno == EINTR || errno == EAGAIN;
+    if (got == 0) return false;
+    pending_.append(bytes.data(), static_cast<std::size_t>(got));
+    std::size_t at = 0;
+    for (; pending_.size() - at >= sizeof(ImporterMessage); at += sizeof(ImporterMessage)) {
+        std::memcpy(&messages.emplace_back(), pending_.data() + at, sizeof(ImporterMessage));
+    }
+    pending_.erase(0, at);
+    return true;
+}
+
+std::optional<int> SpawnedImporter::end() {
+    int status = 0;
+    if (!end_ && ::waitpid(process_, &status, WNOHANG) == process_) end_ = status;
+    return end_;
+}
+
+void SpawnedImporter::limitProcessorTime(std::uint64_t seconds) const {
+    const rlimit limit{seconds, seconds};
+    ::prlimit(process_, RLIMIT_CPU, &limit, nullptr);
+}
+
+void SpawnedImporter::kill() const {
+    // Once it is waited for, its number may belong to somebody else.
+    if (process_ > 0 && !end_) ::kill(process_, SIGKILL);
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/sandbox/importer_protocol.h"
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack::io {
+
+/// A running importer and the pipe that its messages come through. Killed and waited for, at the
+/// latest, by the destructor.
+class SpawnedImporter {
+  public:
+    /// `arguments[0]` is the program. Error: Failed.
+    [[nodiscard]] static Result<SpawnedImporter> start(const std::vector<std::string>& arguments,
+                                                       int frame_descriptor);
+    ~SpawnedImporter();
+    SpawnedImporter(SpawnedImporter&& other) noexcept;
+    SpawnedImporter& operator=(SpawnedImporter&&) = delete;
+
+    /// Waits for messages, no longer than told. False when none will come any more.
+    [[nodiscard]] bool receive(std::chrono::milliseconds wait,
+                               std::vector<ImporterMessage>& messages);
+    /// The status as waitpid() tells it, once it has ended.
+    [[nodiscard]] std::optional<int> end();
+    void limitProcessorTime(std::uint64_t seconds) const;
+    void kill() const;
+
+  private:
+    SpawnedImporter(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
+
+    pid_t process_ = -1;
+    int pipe_ = -1;
+    std::string pending_;  // the beginning of a message
+    std::optional<int> end_;
+};
+
+}  // namespace dollytrack::io

@@ -1,0 +1,358 @@
+"""Files that are damaged or mean harm: whatever they do to their reader, the program goes on and
+says what is wrong. Usage: hostile_test.py DOLLYTRACK IMPORT_MANY [--long]"""
+import itertools
+import json
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import time
+import unittest
+import zlib
+
+IMPORT_MANY = sys.argv.pop(2)
+from program import FolderCase, PROGRAM, run  # noqa: E402  (takes its own argument away)
+from mutants import mutant  # noqa: E402
+import small_models  # noqa: E402
+
+LONG = "--long" in sys.argv
+if LONG:
+    sys.argv.remove("--long")
+MUTANTS = 20_000 if LONG else 500
+BAD_INPUT = 2       # the engine's code for it
+LONGEST_S = 10.0    # for a small file, until it is given up
+PARENT_GROWTH_KIB = 256 * 1024
+CHILD_PEAK_KIB = 2 * 1024 * 1024
+
+
+class Importer:
+    """One process that imports file after file, as the editor does."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([IMPORT_MANY, *arguments], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True)
+
+    def read(self, path):
+        self.process.stdin.write(f"{path}\n")
+        self.process.stdin.flush()
+        line = self.process.stdout.readline()
+        if not line:
+            raise AssertionError(f"the program itself died on {path}: {self.process.wait()}")
+        return json.loads(line)
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.stdout.close()
+        return self.process.wait()
+
+
+class HostileCase(FolderCase):
+    def setUp(self):
+        self.importer = Importer()
+
+    def tearDown(self):
+        self.assertEqual(self.importer.close(), 0)
+
+    def write(self, name, data):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+        return path
+
+    def refused(self, path, *words, seconds=4.0, name=None):
+        """One sentence that names the file and the cause, in time."""
+        answer = self.importer.read(path)
+        self.assertIn("message", answer, answer)
+        self.assertEqual(answer["code"], BAD_INPUT, answer)
+        self.assertIn(name or pathlib.Path(path).name, answer["where"] + answer["message"], answer)
+        self.assertGreater(len(answer["message"]), 10)
+        self.assertNotIn("\n", answer["message"])
+        self.assertLess(answer["seconds"], seconds * SLOWNESS, answer)
+        for word in words:
+            self.assertIn(word, answer["message"])
+        return answer
+
+
+def measured_slowness():
+    """How much longer than on an idle machine a child takes; times are held against it."""
+    begin = time.time()
+    for _ in range(5):
+        subprocess.run([PROGRAM, "--version"], stdout=subprocess.DEVNULL, check=True)
+    return max(1.0, (time.time() - begin) / 5 / 0.2)
+
+
+SLOWNESS = measured_slowness()
+
+
+class Seeds(HostileCase):
+    def test_each_kind_is_read_before_it_is_damaged(self):
+        self.write("room.mtl", small_models.mtl())
+        self.write("oak.png", small_models.png())
+        for name, make in small_models.SEEDS.items():
+            answer = self.importer.read(self.write(name, make()))
+            self.assertEqual(answer.get("triangles"), 12, (name, answer))
+        self.assertEqual(self.importer.read(self.folder / "room.obj")["textures"], 1)
+        self.assertEqual(self.importer.read(self.folder / "room.glb")["textures"], 1)
+
+    def test_so_is_each_kind_that_is_made_of_several_files(self):
+        small_models.write_beside(self.folder)
+        for name, make, opened, triangles in small_models.SCENES:
+            path = self.write(name, make())
+            answer = self.importer.read(self.folder / opened if opened else path)
+            self.assertNotIn("message", answer)
+            self.assertEqual(answer["triangles"], triangles or answer["triangles"], answer)
+            self.assertEqual(answer["warnings"], [], name)
+
+    def test_read_apart_or_here_it_is_the_same(self):
+        small_models.write_beside(self.folder)
+        here = Importer("--here")
+        for name, make, *_ in [*small_models.SEEDS.items(), *small_models.SCENES]:
+            path = self.write(name, make())
+            if path.suffix in (".csv", ".hdf5"):
+                path = self.folder / "ai" / "room.obj"
+            apart, same = self.importer.read(path), here.read(path)
+            for key in ("digest", "objects", "triangles", "textures", "notes", "warnings"):
+                self.assertEqual(apart[key], same[key], name)
+        self.assertEqual(here.close(), 0)
+
+
+class Mutants(HostileCase):
+    def test_the_program_outlives_them_all(self):
+        seeds = [(name, make(), None) for name, make in small_models.SEEDS.items()]
+        seeds += [(name, make(), opened) for name, make, opened, _ in small_models.SCENES]
+        small_models.write_beside(self.folder)
+        ends = dict.fromkeys(["read", "refused", "crashed", "too long"], 0)
+        by_kind = {}
+        peak = None
+        for number, (name, seed, opened) in zip(range(MUTANTS), itertools.cycle(seeds)):
+            damaged = self.write(name if opened else f"m{number}_{name}", mutant(seed, number))
+            path = self.folder / opened if opened else damaged
+            answer = self.importer.read(path)
+            peak = peak or answer["peak_kib"]
+            end = "read"
+            if "message" in answer:
+                self.assertEqual(answer["code"], BAD_INPUT, answer)
+                said = answer["where"] + answer["message"]
+                self.assertTrue(path.name in said or damaged.name in said, answer)
+                end = ("crashed" if "(signal" in answer["message"] else
+                       "too long" if "took longer" in answer["message"] else "refused")
+            # The clock runs 10 s and 2 s for a MiB; killing and tidying up come on top.
+            self.assertLess(answer["seconds"], LONGEST_S + 2.0 * SLOWNESS, answer)
+            ends[end] += 1
+            by_kind.setdefault(pathlib.Path(name).suffix, {}).setdefault(end, 0)
+            by_kind[pathlib.Path(name).suffix][end] += 1
+            damaged.unlink()
+            if opened:
+                damaged.write_bytes(seed)
+        self.assertLess(answer["peak_kib"] - peak, PARENT_GROWTH_KIB)
+        self.assertLess(answer["child_peak_kib"], CHILD_PEAK_KIB)
+        self.assertGreater(ends["read"], MUTANTS // 50)
+        self.assertGreater(ends["refused"], MUTANTS // 10)
+        print(f"\n{MUTANTS} mutants: {ends}\n{by_kind}", file=sys.stderr)
+
+
+class HandMade(HostileCase):
+    """What is known to bring readers down, or to lead them astray."""
+
+    def gltf(self, name, document):
+        return self.write(name, json.dumps(document).encode())
+
+    def test_deep_and_cyclic_node_graphs(self):
+        chain = [{"children": [i + 1]} for i in range(20_000)] + [{"mesh": 0}]
+        document, _ = small_models.gltf_json()
+        document = {**json.loads(small_models.gltf()), "nodes": chain,
+                    "scenes": [{"nodes": [0]}]}
+        self.refused(self.gltf("chain.gltf", document), seconds=5)
+        document["nodes"] = [{"children": [1]}, {"children": [0]}]
+        self.refused(self.gltf("cycle.gltf", document), seconds=5)
+
+    def test_nested_brackets(self):
+        self.refused(self.write("deep.gltf", b'{"asset":' + b"[" * 200_000), seconds=5)
+
+    def test_known_endless_loop_and_counts(self):
+        head = b"ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n" \
+               b"property float z\nend_header\n"
+        for count in (2**31, 2**32 - 1, 4_000_000_000):
+            self.refused(self.write(f"count{count}.ply", head % count + b"0 0 0\n"),
+                         seconds=LONGEST_S + 2)
+        binary = head.replace(b"ascii", b"binary_little_endian")
+        self.refused(self.write("binary.ply", binary % 4_000_000_000), seconds=LONGEST_S + 2)
+        self.refused(self.write("count.stl", b"\0" * 80 + struct.pack("<I", 2**32 - 1)))
+
+    def test_claimed_lengths(self):
+        document, _ = small_models.gltf_json("data:application/octet-stream;base64,AAAA")
+        document["buffers"][0]["byteLength"] = 2**32
+        self.refused(self.gltf("claims.gltf", document))
+        document["accessors"][0]["count"] = 2**32 - 1
+        self.refused(self.gltf("accessor.gltf", document))
+
+    def test_bad_indices_and_corners(self):
+        obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        self.refused(self.write("far.obj", obj + b"f 1 2 999999999\n"))
+        self.refused(self.write("negative.obj", obj + b"f 1 2 -99\n"))
+        self.refused(self.write("corners.obj", obj + b"f" + b" 1 2 3" * 300_000 + b"\n"),
+                     seconds=LONGEST_S)
+        answer = self.importer.read(
+            self.write("name.obj", b"o " + b"x" * 5_000_000 + b"\n" + obj + b"f 1 2 3\n"))
+        self.assertTrue("message" in answer or answer["triangles"] == 1)
+
+    def test_numbers_that_are_none_are_left_out(self):
+        ply = small_models.ply().replace(b"5 4 3", b"nan 4 inf")
+        answer = self.importer.read(self.write("nan.ply", ply))
+        self.assertLess(answer["triangles"], 12)
+        ply = small_models.ply().replace(b"3 0 1 3", b"3 0 1 99")
+        answer = self.importer.read(self.write("index.ply", ply))
+        if "message" not in answer:
+            self.assertLess(answer["triangles"], 12)
+
+    def test_many_materials(self):
+        mtl = b"".join(b"newmtl m%d\n" % i for i in range(1_000_000))
+        self.write("many.mtl", mtl)
+        obj = small_models.obj().replace(b"room.mtl", b"many.mtl").replace(b"oak", b"m7")
+        answer = self.importer.read(self.write("many.obj", obj))
+        self.assertTrue("message" in answer or answer["triangles"] == 12, answer)
+
+    def test_picture_bomb(self):
+        rows = zlib.compress(b"\0" * 100)
+        head = struct.pack(">IIBBBBB", 65_000, 65_000, 8, 2, 0, 0, 0)
+
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(
+                ">I", zlib.crc32(kind + data))
+
+        bomb = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", rows)
+        self.write("bomb/oak.png", bomb + chunk(b"IEND", b""))
+        self.write("bomb/room.mtl", small_models.mtl())
+        answer = self.importer.read(self.write("bomb/room.obj", small_models.obj()))
+        self.assertEqual((answer["triangles"], answer["textures"]), (12, 0))
+        self.assertLess(answer["child_peak_kib"], CHILD_PEAK_KIB)
+
+    def test_tables_that_lead_to_other_files(self):
+        import h5py
+        small_models.write_beside(self.folder)
+        classes = self.folder / "ai/_detail/mesh/mesh_objects_si.hdf5"
+        opened = self.folder / "ai" / "room.obj"
+        (self.folder / "secret.bin").write_bytes(struct.pack("<2i", 4, 5))
+        with h5py.File(self.folder / "other.hdf5", "w") as other:
+            other.create_dataset("dataset", data=[4, 5], dtype="int32")
+
+        def external(file):
+            file.create_dataset("dataset", (2,), "int32",
+                                external=[(str(self.folder / "secret.bin"), 0, 8)])
+
+        def link(file):
+            file["dataset"] = h5py.ExternalLink(str(self.folder / "other.hdf5"), "dataset")
+
+        def virtual(file):
+            layout = h5py.VirtualLayout((2,), "int32")
+            layout[:] = h5py.VirtualSource(str(self.folder / "other.hdf5"), "dataset", (2,))
+            file.create_virtual_dataset("dataset", layout)
+
+        for lead in (external, link, virtual):
+            with h5py.File(classes, "w") as file:
+                lead(file)
+            self.refused(opened, "dataset", name=classes.name)
+            here = Importer("--here")
+            self.assertIn("dataset", here.read(opened)["message"])
+            here.close()
+
+    def test_archives_that_are_none(self):
+        sound = small_models.sh3d()
+        for name, data in {"cut.sh3d": sound[:len(sound) // 2], "head.sh3d": b"PK\3\4",
+                           "end.sh3d": b"PK\5\6" + b"\xff" * 18}.items():
+            self.refused(self.write(name, data))
+
+    def test_empty_and_pointer_files(self):
+        self.refused(self.write("empty.glb", b""), "empty")
+        self.refused(self.write("lfs.glb", b"version https://git-lfs.github.com/spec/v1\n"), "lfs")
+
+
+class Program(FolderCase):
+    """The command line itself."""
+
+    def test_a_crash_is_one_sentence(self):
+        chain = [{"children": [i + 1]} for i in range(20_000)] + [{"mesh": 0}]
+        document = {**json.loads(small_models.gltf()), "nodes": chain}
+        path = self.folder / "chain.gltf"
+        path.write_text(json.dumps(document))
+        result = run("info", path)
+        self.assertFails(result, 4, "chain.gltf", "importer crashed (signal 11)", "export it again")
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1)
+
+    def test_without_its_importer_it_says_so(self):
+        alone = self.folder / "alone"
+        alone.mkdir()
+        shutil.copy(PROGRAM, alone / "dollytrack")
+        (self.folder / "room.obj").write_bytes(small_models.obj())
+        result = subprocess.run([alone / "dollytrack", "info", self.folder / "room.obj"],
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("dollytrack-import", result.stderr)
+        self.assertIn("beside this program", result.stderr)
+
+    def test_the_importer_alone_says_what_it_is(self):
+        importer = pathlib.Path(PROGRAM).parent / "dollytrack-import"
+        for arguments in ([], ["room.obj"], ["--help"]):
+            result = subprocess.run([importer, *arguments], capture_output=True, text=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("does nothing by itself", result.stderr)
+
+    def test_cancelling_ends_the_child(self):
+        # Read for ever, but for the clock: a pipe as the scene's own buffer would be refused.
+        body = b"ply\nformat ascii 1.0\nelement face 1\nproperty list char int x\nend_header"
+        path = self.folder / "loop.ply"
+        path.write_bytes(body)
+        process = subprocess.Popen([PROGRAM, "info", path], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        begin = time.time()
+        process.communicate(timeout=60)
+        self.assertLess(time.time() - begin, 2.0 * SLOWNESS)
+        left = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
+        self.assertEqual(left.stdout, "")
+
+    def test_cached_scenes(self):
+        folder = self.folder / "cached"
+        folder.mkdir()
+        (folder / "room.obj").write_bytes(small_models.obj())
+        (folder / "room.mtl").write_bytes(small_models.mtl())
+        (folder / "oak.png").write_bytes(small_models.png())
+        cache = self.folder / "cache"
+        environment = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+        environment.pop("DOLLYTRACK_NO_CACHE", None)
+
+        def info(*options, **changes):
+            result = run(*options, "info", "--json", folder / "room.obj",
+                         env={**environment, **changes})
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stdout
+
+        def entries():
+            return sorted(cache.rglob("*.scene"))
+
+        first = info("--no-cache")
+        self.assertEqual(entries(), [])
+        self.assertEqual(info(DOLLYTRACK_NO_CACHE="1"), first)
+        self.assertEqual(info(DOLLYTRACK_CACHE_MB="0"), first)
+        self.assertEqual(entries(), [])
+        self.assertEqual(info(), first)
+        self.assertEqual(len(entries()), 1)
+        # It is really taken: a library call that the importer needs, traced, does not happen.
+        self.assertEqual(info(), first)
+        (folder / "oak.png").unlink()
+        self.assertNotEqual(info(), first)
+        (folder / "oak.png").write_bytes(small_models.png())
+        self.assertEqual(info(), first)
+        entries()[0].write_bytes(b"damaged")
+        self.assertEqual(info(), first)
+        # No folder to write to.
+        self.assertEqual(info(XDG_CACHE_HOME="/proc/nowhere"), first)
+        self.assertEqual(info(XDG_CACHE_HOME="relative", HOME="/proc/nowhere"), first)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,262 @@
+"""The same small room as a file of every kind: whole to begin with, for tests that damage it."""
+import base64
+import io
+import json
+import struct
+import zipfile
+import zlib
+
+CORNERS = [(x, y, z) for z in (0, 3) for y in (0, 4) for x in (0, 5)]
+QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+TRIANGLES = [t for a, b, c, d in QUADS for t in ((a, b, c), (a, c, d))]
+
+
+def png(width=4, height=4):
+    rows = b"".join(b"\0" + bytes([200, 150, 100] * width) for _ in range(height))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(
+            ">I", zlib.crc32(kind + data))
+
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) +
+            chunk(b"IEND", b""))
+
+
+def obj():
+    lines = ["mtllib room.mtl", "o room"]
+    lines += ["v %g %g %g" % c for c in CORNERS] + ["vt 0 0", "vt 1 0", "vt 1 1", "vn 0 0 1"]
+    lines += ["usemtl oak"] + ["f " + " ".join(f"{v + 1}/1/1" for v in q) for q in QUADS]
+    return "\n".join(lines).encode() + b"\n"
+
+
+def mtl():
+    return b"newmtl oak\nKd 0.5 0.4 0.3\nNs 10\nd 1\nmap_Kd oak.png\n"
+
+
+def ply(form="ascii"):
+    head = (f"ply\nformat {form} 1.0\ncomment a room\nelement vertex {len(CORNERS)}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {len(TRIANGLES)}\nproperty list uchar int vertex_indices\nend_header\n")
+    if form == "ascii":
+        body = "".join("%g %g %g\n" % c for c in CORNERS)
+        body += "".join("3 %d %d %d\n" % t for t in TRIANGLES)
+        return (head + body).encode()
+    end = "<" if "little" in form else ">"
+    body = b"".join(struct.pack(end + "3f", *c) for c in CORNERS)
+    return head.encode() + body + b"".join(struct.pack(end + "B3i", 3, *t) for t in TRIANGLES)
+
+
+def stl(text=False):
+    if text:
+        facets = "".join("facet normal 0 0 1\nouter loop\n" +
+                         "".join("vertex %g %g %g\n" % CORNERS[v] for v in t) +
+                         "endloop\nendfacet\n" for t in TRIANGLES)
+        return f"solid room\n{facets}endsolid room\n".encode()
+    body = b"".join(struct.pack("<12fH", 0, 0, 1, *(x for v in t for x in CORNERS[v]), 0)
+                    for t in TRIANGLES)
+    return b"\0" * 80 + struct.pack("<I", len(TRIANGLES)) + body
+
+
+def gltf_json(uri=None):
+    points = b"".join(struct.pack("<3f", *c) for c in CORNERS)
+    indices = b"".join(struct.pack("<3H", *t) for t in TRIANGLES)
+    image = png()
+    image_at = len(points) + len(indices)
+    data = points + indices + image
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": "room", "children": [1]}, {"name": "box", "mesh": 0}],
+        "meshes": [{"name": "box", "primitives": [
+            {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0}],
+        "images": [{"bufferView": 2, "mimeType": "image/png"}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3",
+             "min": [0, 0, 0], "max": [5, 4, 3]},
+            {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(points)},
+                        {"buffer": 0, "byteOffset": len(points), "byteLength": len(indices)},
+                        {"buffer": 0, "byteOffset": image_at, "byteLength": len(image)}],
+        "buffers": [{"byteLength": len(data)}]}
+    if uri is not None:
+        document["buffers"][0]["uri"] = uri
+    return document, data
+
+
+def gltf():
+    document, data = gltf_json()
+    document["buffers"][0]["uri"] = ("data:application/octet-stream;base64," +
+                                     base64.b64encode(data).decode())
+    return json.dumps(document).encode()
+
+
+def glb():
+    document, data = gltf_json()
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    data += b"\0" * (-len(data) % 4)
+    size = 12 + 8 + len(text) + 8 + len(data)
+    return (struct.pack("<4sII", b"glTF", 2, size) + struct.pack("<I4s", len(text), b"JSON") +
+            text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
+def dae():
+    numbers = " ".join("%g %g %g" % c for c in CORNERS)
+    indices = " ".join("%d %d %d" % t for t in TRIANGLES)
+    return f"""<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g" name="room"><mesh>
+<source id="p"><float_array id="a" count="24">{numbers}</float_array><technique_common>
+<accessor source="#a" count="8" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="12"><input semantic="VERTEX" source="#v" offset="0"/><p>{indices}</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n" name="room">
+<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>
+""".encode()
+
+
+def _fbx_node(name, values=(), children=(), at=0):
+    """One node of a binary FBX 7.4 file that begins at byte `at`."""
+    data = b""
+    for value in values:
+        if isinstance(value, bytes):
+            data += b"S" + struct.pack("<I", len(value)) + value
+        elif isinstance(value, int):
+            version = name.endswith("Version")
+            data += b"I" + struct.pack("<i", value) if version else (
+                b"L" + struct.pack("<q", value))
+        elif isinstance(value, list):
+            kind, code = ("d", "d") if isinstance(value[0], float) else ("i", "i")
+            packed = zlib.compress(struct.pack(f"<{len(value)}{code}", *value))
+            data += kind.encode() + struct.pack("<III", len(value), 1, len(packed)) + packed
+        else:
+            data += b"D" + struct.pack("<d", value)
+    head = 13 + len(name)
+    inside = b""
+    for child in children:
+        inside += _fbx_node(*child, at=at + head + len(data) + len(inside))
+    if children:
+        inside += b"\0" * 13
+    end = at + head + len(data) + len(inside)
+    return (struct.pack("<IIIB", end, len(values), len(data), len(name)) + name.encode() + data +
+            inside)
+
+
+def fbx():
+    points = [float(x) for c in CORNERS for x in c]
+    indices = [i for t in TRIANGLES for i in (t[0], t[1], ~t[2])]
+    setting = ("P", (b"UnitScaleFactor", b"double", b"Number", b"", 100.0))
+    tree = [
+        ("FBXHeaderExtension", (), [("FBXVersion", (7400,))]),
+        ("GlobalSettings", (), [("Version", (1000,)), ("Properties70", (), [setting])]),
+        ("Objects", (), [
+            ("Geometry", (1, b"box\0\1Geometry", b"Mesh"),
+             [("Vertices", (points,)), ("PolygonVertexIndex", (indices,))]),
+            ("Model", (2, b"room\0\1Model", b"Mesh"), [("Version", (232,))])]),
+        ("Connections", (), [("C", (b"OO", 1, 2)), ("C", (b"OO", 2, 0))])]
+    data = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", 7400)
+    for node in tree:
+        data += _fbx_node(*node, at=len(data))
+    return data + b"\0" * 13
+
+
+SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_little_endian"),
+         "big.ply": lambda: ply("binary_big_endian"), "room.stl": stl,
+         "text.stl": lambda: stl(True), "room.gltf": gltf, "room.glb": glb, "room.dae": dae,
+         "room.fbx": fbx}
+
+
+def front3d():
+    """A house whose one piece of furniture is the room, beside a floor of its own."""
+    return json.dumps({
+        "uid": "house", "north_vector": [0, 0, -1],
+        "furniture": [{"uid": "1/model", "jid": "abc", "category": "Bed", "valid": True}],
+        "mesh": [{"uid": "m/0", "jid": "", "type": "Floor", "material": "paint",
+                  "xyz": [0, 0, 0, 6, 0, 0, 6, 0, 5, 0, 0, 5], "normal": [], "uv": [],
+                  "faces": [0, 2, 1, 0, 3, 2]}],
+        "material": [{"uid": "paint", "jid": "oak", "texture": "", "color": [255, 0, "128", 255],
+                      "UVTransform": [0, 2, 0, -3, 0, 0, 0, 0, 1]}],
+        "scene": {"room": [{"type": "Bedroom", "instanceid": "Bedroom-1", "children": [
+            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [1, 1, 1]}]}]},
+    }).encode()
+
+
+def scenenet():
+    return b"""layout_file: ./office/layout.obj
+object
+03928116/aaa
+wnid
+03928116
+scale
+1.6
+transformation
+1.000 0.000 0.000 1.0
+0.000 1.000 0.000 0.5
+0.000 0.000 1.000 2.0
+end
+"""
+
+
+def home_xml():
+    return b"""<?xml version='1.0'?>
+<home version='7000' name='flat.sh3d' wallHeight='250.0'>
+<wall id='a' wallAtEnd='b' xStart='0' yStart='0' xEnd='400' yEnd='0' height='250' thickness='10'/>
+<wall id='b' wallAtStart='a' xStart='400' yStart='0' xEnd='400' yEnd='300' height='250'
+ thickness='10'/>
+<room name='Hall'><point x='5' y='5'/><point x='395' y='5'/><point x='395' y='295'/>
+<texture attribute='floorTexture' name='Tiles' width='20' height='20' image='oak.png'/></room>
+<doorOrWindow name='Window' model='room.obj' x='200' y='0' elevation='90' width='80' depth='10'
+ height='100' cutOutShape='M0,0 v1 h1 v-1 z' wallThickness='1'/>
+<pieceOfFurniture name='Box' model='room.obj' x='200' y='150' width='120' depth='80' height='75'/>
+</home>
+"""
+
+
+def sh3d():
+    """Stored, not packed, so that damage reaches what is in it."""
+    bytes_ = io.BytesIO()
+    with zipfile.ZipFile(bytes_, "w", zipfile.ZIP_STORED) as out:
+        for name, data in (("Home.xml", home_xml()), ("room.obj", obj()), ("room.mtl", mtl()),
+                           ("oak.png", png())):
+            out.writestr(name, data)
+    return bytes_.getvalue()
+
+
+def hdf5(*numbers):
+    """Hypersim's way: one dataset of this name."""
+    import h5py
+    bytes_ = io.BytesIO()
+    with h5py.File(bytes_, "w") as file:
+        file.create_dataset("dataset", data=numbers, dtype="int32")
+    return bytes_.getvalue()
+
+
+def write_beside(folder):
+    """What the scenes below need besides themselves."""
+    for name, data in {
+            "room.obj": obj(), "room.mtl": mtl(), "oak.png": png(), "office/layout.obj": obj(),
+            "3D-FUTURE-model/abc/raw_model.obj": obj(), "3D-FRONT-texture/oak/texture.png": png(),
+            "ShapeNetCore.v2/03928116/aaa/models/model_normalized.obj": obj(),
+            "ai/room.obj": obj(), "ai/room.mtl": mtl(),
+            "ai/_detail/mesh/metadata_objects.csv": b"object_name\nroom\nroom_2\n",
+            "ai/_detail/metadata_scene.csv": b"name,value\nmeters_per_asset_unit,0.5\n",
+            "ai/_detail/mesh/mesh_objects_si.hdf5": hdf5(4, 5),
+            "ai/_detail/mesh/mesh_objects_sii.hdf5": hdf5(1, 2)}.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+
+
+# What is damaged, its bytes, what is opened (nothing: itself), triangles of the sound scene.
+SCENES = [
+    ("house.json", front3d, None, 14), ("scene.txt", scenenet, None, 24),
+    ("Home.xml", home_xml, None, None), ("flat.sh3d", sh3d, None, None),
+    ("ai/_detail/mesh/metadata_objects.csv", lambda: b"object_name\nroom\n\"room 2\"\n",
+     "ai/room.obj", 12),
+    ("ai/_detail/mesh/mesh_objects_si.hdf5", lambda: hdf5(4, 5), "ai/room.obj", 12)]

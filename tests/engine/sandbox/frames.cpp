@@ -1,0 +1,56 @@
+#include "tests/engine/sandbox/frames.h"
+
+#include "engine/io/mesh_part_builder.h"
+
+namespace dollytrack::test {
+
+io::ReadScene smallReadScene() {
+    io::ReadScene scene;
+    RawScene& raw = scene.raw;
+    raw.nodes = {{"root", -1, 2}, {"table", 0, 0}, {"lamp", 0, 0}};
+    raw.materials.resize(2);
+    raw.materials[0].name = "oak";
+    raw.materials[0].texture = 0;
+    raw.materials[1].emission = {4.0F, 4.0F, 3.0F};
+    for (int i = 0; i < 2; ++i) {
+        MeshPart part;
+        part.name = i == 0 ? "table_top" : "bulb";
+        part.node = 1 + i;
+        part.material = static_cast<std::uint32_t>(i);
+        const float z = static_cast<float>(i);
+        part.positions = {{0, 0, z}, {1, 0, z}, {1, 2, z}, {0, 2, z}};
+        part.normals.assign(4, Eigen::Vector3f::UnitZ());
+        part.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        part.triangles = {{0, 1, 2}, {0, 2, 3}};
+        measurePart(part);
+        raw.parts.push_back(part);
+    }
+    raw.objects = {{"table", "dining table", 7, false, {0}, Eigen::Vector3d(1, 0, 0)},
+                   {"lamp", "lamp", 35, false, {1}, std::nullopt}};
+    for (const char* name : {"oak.png", "gone.png", "broken.png"}) {
+        TextureRequest request;
+        request.name = name;
+        raw.textures.push_back(request);
+        scene.textures.textures.push_back({name, 0, 0, {}});
+    }
+    scene.textures.textures[0].width = 2;
+    scene.textures.textures[0].height = 1;
+    scene.textures.textures[0].rgba = {1, 2, 3, 4, 5, 6, 7, 8};
+    scene.textures.found = 1;
+    scene.textures.missing = {"gone.png"};
+    scene.textures.broken = {"broken.png"};
+    raw.repairs.no_area = 3;
+    raw.file_unit_m = 0.01;
+    raw.file_up_axis = 'y';
+    raw.notes = {"one thing worth knowing"};
+    raw.warnings = {"one thing to look at"};
+    return scene;
+}
+
+std::vector<std::uint8_t> frameOf(const Result<io::ReadScene>& outcome) {
+    std::vector<std::uint8_t> frame(io::frameSize(outcome));
+    io::writeFrame(outcome, frame);
+    return frame;
+}
+
+}  // namespace dollytrack::test

@@ -1,0 +1,79 @@
+#include "engine/io/sandbox/importer_process.h"
+#include "engine/io/sandbox/scene_frame.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <string>
+
+namespace dollytrack {
+namespace {
+
+using test::TempFolder;
+
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
+    const TempFolder folder;
+    EXPECT_FALSE(folder.write("room.mtl", "newmtl oak\nmap_Kd gone.png\n").empty());
+    const auto path =
+        folder.write("room.obj", std::string("mtllib room.mtl\nusemtl oak\n") + kTriangle);
+    const auto back = io::runImporterProcess(path, {}, {});
+    ASSERT_TRUE(back) << back.error().message;
+    bool damaged = true;
+    const auto scene = io::readFrame(back->frame, damaged);
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->raw.parts.size(), 1U);
+    EXPECT_EQ(scene->textures.missing, std::vector<std::string>{"gone.png"});
+    ASSERT_TRUE(back->inputs);
+    const auto asked = [&](io::InputUse::Kind kind, const std::string& name) {
+        return std::any_of(back->inputs->begin(), back->inputs->end(), [&](const auto& use) {
+            return use.kind == kind && use.path == folder.path() / name;
+        });
+    };
+    EXPECT_TRUE(asked(io::InputUse::File, "room.obj"));
+    EXPECT_TRUE(asked(io::InputUse::File, "room.mtl"));
+    EXPECT_TRUE(asked(io::InputUse::Missing, "gone.png"));
+    EXPECT_FALSE(asked(io::InputUse::File, "gone.png"));
+}
+
+// A chain of nodes deeper than the reader's stack.
+TEST(ImporterProcess, ItsCrashIsAnError) {
+    const TempFolder folder;
+    std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
+    for (int i = 1; i < 30'000; ++i) text += R"({"children":[)" + std::to_string(i) + "]},";
+    text += "{}]}";
+    const auto back = io::runImporterProcess(folder.write("chain.gltf", text), {}, {});
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.error().code, ErrorCode::BadInput);
+    EXPECT_NE(back.error().message.find("crashed (signal 11) on chain.gltf"), std::string::npos)
+        << back.error().message;
+}
+
+TEST(ImporterProcess, CancellingEndsIt) {
+    const TempFolder folder;
+    std::string text;
+    for (int i = 0; i < 300'000; ++i) text += kTriangle;
+    const auto path = folder.write("large.obj", text);
+    const auto cancelled = std::make_shared<std::atomic<bool>>(true);
+    const auto back = io::runImporterProcess(path, {}, JobContext(cancelled, {}));
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.error().code, ErrorCode::Cancelled);
+}
+
+TEST(ImporterProcess, ForwardsProgress) {
+    const TempFolder folder;
+    double last = -1.0;
+    const JobContext job(nullptr, [&](double fraction, std::string_view) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+    });
+    ASSERT_TRUE(io::runImporterProcess(folder.write("room.obj", kTriangle), {}, job));
+    EXPECT_EQ(last, 1.0);
+}
+
+}  // namespace
+}  // namespace dollytrack

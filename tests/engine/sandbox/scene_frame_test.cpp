@@ -1,0 +1,199 @@
+#include "engine/io/sandbox/scene_frame.h"
+#include "engine/core/clean_text.h"
+#include "tests/engine/sandbox/frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace dollytrack {
+namespace {
+
+using io::ReadScene;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t kHeaderBytes = 32;
+
+/// What whoever works with a scene relies on, said a second time and without the code under test.
+void expectSound(const ReadScene& scene) {
+    const RawScene& raw = scene.raw;
+    for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
+        ASSERT_LT(raw.nodes[i].parent, static_cast<int>(i));
+        ASSERT_GE(raw.nodes[i].parent, -1);
+        ASSERT_EQ(cleanText(raw.nodes[i].name), raw.nodes[i].name);
+    }
+    for (const MeshPart& part : raw.parts) {
+        ASSERT_LT(static_cast<std::size_t>(part.node), raw.nodes.size());
+        ASSERT_LT(part.material, raw.materials.size());
+        ASSERT_EQ(part.normals.size(), part.positions.size());
+        ASSERT_EQ(part.uvs.size(), part.positions.size());
+        for (const Triangle& triangle : part.triangles) {
+            for (const std::uint32_t corner : triangle) ASSERT_LT(corner, part.positions.size());
+        }
+        for (std::size_t v = 0; v < part.positions.size(); ++v) {
+            ASSERT_TRUE(part.positions[v].allFinite() && part.normals[v].allFinite() &&
+                        part.uvs[v].allFinite());
+            ASSERT_TRUE(part.bounds.contains(part.positions[v]));
+        }
+        ASSERT_TRUE(std::isfinite(part.area));
+    }
+    for (const Material& material : raw.materials) {
+        ASSERT_LT(material.texture, static_cast<int>(raw.textures.size()));
+        ASSERT_TRUE(material.base_color.allFinite() && material.emission.allFinite());
+    }
+    for (const SourceObject& object : raw.objects) {
+        for (const std::size_t part : object.parts) ASSERT_LT(part, raw.parts.size());
+        ASSERT_TRUE(object.nyu40 >= 0 && object.nyu40 <= 40);
+    }
+    for (const Texture& texture : scene.textures.textures) {
+        ASSERT_EQ(texture.rgba.size(), 4 * static_cast<std::size_t>(texture.width) *
+                                           static_cast<std::size_t>(texture.height));
+    }
+    const double unit_m = raw.file_unit_m.value_or(1.0);
+    ASSERT_TRUE(std::isfinite(unit_m) && unit_m > 0.0);
+}
+
+TEST(SceneFrame, BringsEverythingBack) {
+    const ReadScene before = test::smallReadScene();
+    const Bytes frame = test::frameOf(before);
+    bool damaged = true;
+    const Result<ReadScene> after = io::readFrame(frame, damaged);
+    ASSERT_TRUE(after) << after.error().message;
+    EXPECT_FALSE(damaged);
+    expectSound(*after);
+    ASSERT_EQ(after->raw.parts.size(), 2U);
+    EXPECT_EQ(after->raw.parts[1].positions, before.raw.parts[1].positions);
+    EXPECT_EQ(after->raw.parts[1].triangles, before.raw.parts[1].triangles);
+    EXPECT_EQ(after->raw.parts[1].area, 2.0);
+    EXPECT_EQ(after->raw.objects[0].front, before.raw.objects[0].front);
+    EXPECT_EQ(after->raw.file_unit_m, 0.01);
+    EXPECT_EQ(after->raw.notes, before.raw.notes);
+    EXPECT_EQ(after->textures.textures[0].rgba, before.textures.textures[0].rgba);
+    EXPECT_EQ(after->textures.broken, before.textures.broken);
+    // And written again it is the same to the last byte.
+    EXPECT_EQ(test::frameOf(*after), frame);
+}
+
+TEST(SceneFrame, BringsErrorsBackCleaned) {
+    const Bytes frame =
+        test::frameOf(tl::unexpected(Error{ErrorCode::BadInput, "bad\x1b[31m\nfile", "room.obj"}));
+    bool damaged = true;
+    const Result<ReadScene> error = io::readFrame(frame, damaged);
+    ASSERT_FALSE(error);
+    EXPECT_FALSE(damaged);
+    EXPECT_EQ(error.error().message, "bad[31mfile");
+    // What only this process can know is not believed.
+    const Bytes other = test::frameOf(tl::unexpected(Error{ErrorCode::CannotWrite, "x", ""}));
+    EXPECT_EQ(io::readFrame(other, damaged).error().code, ErrorCode::BadInput);
+}
+
+// Every single changed byte, and every length it could be cut to, is noticed.
+TEST(SceneFrame, NoticesEveryByte) {
+    const Bytes frame = test::frameOf(test::smallReadScene());
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        for (const int change : {0x01, 0x80, 0xFF}) {
+            Bytes other = frame;
+            other[i] ^= static_cast<std::uint8_t>(change);
+            bool damaged = false;
+            ASSERT_FALSE(io::readFrame(other, damaged)) << i;
+            ASSERT_TRUE(damaged);
+        }
+        bool damaged = false;
+        ASSERT_FALSE(io::readFrame(std::span(frame).first(i), damaged)) << i;
+    }
+}
+
+// With the sum made right again, as an importer would that has been taken over: what comes
+// through has to be a scene one can work with.
+TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
+    const Bytes frame = test::frameOf(test::smallReadScene());
+    std::mt19937 random(7);
+    const std::array<std::uint64_t, 8> evil = {0,
+                                               1,
+                                               0x7FFFFFFF,
+                                               0xFFFFFFFF,
+                                               0x7FC00000,  // not a number, as a float
+                                               0x7F800000,  // infinity
+                                               0x7FFFFFFFFFFFFFFF,
+                                               0xFFFFFFFFFFFFFFFF};
+    int refused = 0;
+    int sound = 0;
+    for (int mutant = 0; mutant < 20'000; ++mutant) {
+        Bytes other = frame;
+        const int changes = 1 + static_cast<int>(random() % 3);
+        for (int i = 0; i < changes; ++i) {
+            const std::size_t width = std::array{1, 4, 8}[random() % 3];
+            const std::size_t at = kHeaderBytes + random() % (other.size() - kHeaderBytes - width);
+            std::uint64_t value = random() % 2 == 0 ? evil[random() % evil.size()] : random();
+            std::memcpy(other.data() + at, &value, width);
+        }
+        io::sealFrame(other);
+        bool damaged = false;
+        const Result<ReadScene> read = io::readFrame(other, damaged);
+        if (!read) {
+            ++refused;
+            ASSERT_TRUE(damaged);
+            ASSERT_FALSE(read.error().message.empty());
+            continue;
+        }
+        ++sound;
+        expectSound(*read);
+        if (HasFatalFailure()) FAIL() << "mutant " << mutant;
+    }
+    // Both kinds came up, or this proves little.
+    EXPECT_GT(refused, 1000);
+    EXPECT_GT(sound, 1000);
+}
+
+TEST(SceneFrame, CountsAreNotBelieved) {
+    Bytes frame = test::frameOf(test::smallReadScene());
+    // The first number behind the header says how many nodes there are.
+    for (const std::uint64_t count :
+         {std::uint64_t{4}, std::uint64_t{1} << 32U, std::numeric_limits<std::uint64_t>::max()}) {
+        std::memcpy(frame.data() + kHeaderBytes, &count, sizeof(count));
+        io::sealFrame(frame);
+        bool damaged = false;
+        EXPECT_FALSE(io::readFrame(frame, damaged)) << count;
+        EXPECT_TRUE(damaged);
+    }
+}
+
+/// Something wrong with a scene, which a taken-over importer could hand back.
+using Spoil = void (*)(ReadScene&);
+
+TEST(SceneFrame, RefusesScenesThatAreNotSound) {
+    const std::vector<std::pair<const char*, Spoil>> cases = {
+        {"index", [](ReadScene& s) { s.raw.parts[0].triangles[0][1] = 4; }},
+        {"nan", [](ReadScene& s) { s.raw.parts[0].positions[0].x() = NAN; }},
+        {"infinite uv", [](ReadScene& s) { s.raw.parts[0].uvs[0].y() = INFINITY; }},
+        {"long normal", [](ReadScene& s) { s.raw.parts[0].normals[0] *= 2.0F; }},
+        {"fewer normals", [](ReadScene& s) { s.raw.parts[0].normals.pop_back(); }},
+        {"node", [](ReadScene& s) { s.raw.parts[0].node = 3; }},
+        {"negative node", [](ReadScene& s) { s.raw.parts[0].node = -1; }},
+        {"material", [](ReadScene& s) { s.raw.parts[0].material = 2; }},
+        {"parent", [](ReadScene& s) { s.raw.nodes[1].parent = 1; }},
+        {"texture", [](ReadScene& s) { s.raw.materials[0].texture = 3; }},
+        {"color", [](ReadScene& s) { s.raw.materials[0].base_color.x() = 1.5F; }},
+        {"opacity", [](ReadScene& s) { s.raw.materials[0].opacity = NAN; }},
+        {"object's part", [](ReadScene& s) { s.raw.objects[0].parts[0] = 2; }},
+        {"part taken twice", [](ReadScene& s) { s.raw.objects[0].parts = {1}; }},
+        {"class", [](ReadScene& s) { s.raw.objects[0].nyu40 = 41; }},
+        {"front", [](ReadScene& s) { s.raw.objects[0].front->x() = NAN; }},
+        {"axis", [](ReadScene& s) { s.raw.file_up_axis = 'w'; }},
+        {"picture's size", [](ReadScene& s) { s.textures.textures[0].width = 3; }},
+        {"huge picture", [](ReadScene& s) { s.textures.textures[0].width = 1 << 30; }},
+        {"pictures", [](ReadScene& s) { s.textures.textures.pop_back(); }},
+        {"count of pictures", [](ReadScene& s) { s.textures.found = 2; }}};
+    for (const auto& [name, spoil] : cases) {
+        ReadScene scene = test::smallReadScene();
+        spoil(scene);
+        bool damaged = false;
+        EXPECT_FALSE(io::readFrame(test::frameOf(scene), damaged)) << name;
+        EXPECT_TRUE(damaged) << name;
+    }
+}
+
+}  // namespace
+}  // namespace dollytrack

@@ -1,0 +1,44 @@
+"""Small sound inputs for the fuzzers to begin with. Usage: seeds.py FOLDER"""
+import json
+import pathlib
+import struct
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "app"))
+import small_models  # noqa: E402
+
+ROOT = pathlib.Path(sys.argv[1])
+FORMATS = 10
+
+
+def write(kind, name, data):
+    folder = ROOT / kind
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(data)
+
+
+project = {"dollytrack_project": 1, "scene": {"path": "room.glb", "sha256": "0" * 64},
+           "import": {"unit_m": 1.0, "up_axis": "y", "labels": "a.csv"},
+           "parameters": {"fill": 0.5}, "edits": {"scene": {"ignore": ["chair"]}}, "result": None}
+write("project", "small", json.dumps(project).encode())
+write("labels", "small", b"# words\nsofa,sofa\ncoffee table,table,target\nleg,,part\n")
+head = b"ply\nformat %s 1.0\nelement vertex 2\nproperty float x\nproperty float y\n" \
+       b"property float z\nelement face 1\nproperty list uchar int v\nend_header\n"
+write("ply_points", "text", head % b"ascii" + b"0 0 0\n1 2 3\n3 0 1 1\n")
+write("ply_points", "binary", head % b"binary_little_endian" + struct.pack("<6f", *range(6)))
+texts = {"tum": b"# t\n0.0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n",
+         "kitti": b"1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n",
+         "colmap": b"1 1 0 0 0 0 0 0 1 a.png\n\n2 1 0 0 0 1 0 0 1 b.png\n\n",
+         "json": json.dumps([{"pos": [0, 0, 1], "target": [1, 0, 1], "fov": 60}]).encode(),
+         "frames": json.dumps({"camera_angle_x": 1, "frames": [
+             {"file_path": "a", "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0],
+                                                     [0, 0, 0, 1]]}]}).encode()}
+for name, text in texts.items():
+    for kind in range(FORMATS):
+        write("trajectory", f"{name}{kind}", bytes([kind]) + text)
+write("front3d", "small", small_models.front3d())
+write("scenenet", "small", small_models.scenenet())
+write("home", "xml", small_models.home_xml())
+write("home", "archive", small_models.sh3d())
+write("frame", "zeros", bytes(200))
+write("frame", "one_node", struct.pack("<QQ4sii", 1, 4, b"room", -1, 0) + bytes(180))
