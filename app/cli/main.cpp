@@ -138,6 +138,7 @@ int main(int argc, char** argv) {
     cli::addCompareCommand(app, session);
     cli::addSweepCommand(app, session);
     cli::addBatchCommand(app, session);
+    cli::addGenerateCommand(app, session);
     cli::addParamsCommand(app, session);
 
     try {

@@ -29,7 +29,9 @@ std::string catalogWord(const std::string& id) {
 std::vector<std::size_t> placeBox(const HomePiece& piece, double elevation,
                                   HomeMaterials& materials, RawScene& scene) {
     Eigen::AlignedBox3d box(Vector3d::Constant(-0.5), Vector3d::Constant(0.5));
-    const Eigen::Affine3d to_source = sourceFromModel(piece, box, elevation);
+    HomePiece plain = piece;
+    plain.model_rotation.reset();
+    const Eigen::Affine3d to_source = sourceFromModel(plain, {box, box}, elevation);
     const std::uint32_t material = materials.of(piece.surface, Eigen::Vector3f(0.5F, 0.5F, 0.5F));
     SurfaceMesh mesh;
     for (int axis = 0; axis < 3; ++axis) {
@@ -105,8 +107,8 @@ Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& mate
                             "the home's furniture has more than 50 million triangles");
             }
             const auto found = placements.try_emplace(model, model->raw, scene).first;
-            object.parts =
-                found->second.place(object.name, sourceFromModel(piece, model->bounds, elevation));
+            object.parts = found->second.place(
+                object.name, sourceFromModel(piece, boundsOf(*model, piece), elevation));
             overlay(piece, object.parts, materials, scene);
         } else {
             auto& [reason, count] = missing[piece.model];

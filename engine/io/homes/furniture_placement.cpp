@@ -20,24 +20,41 @@ AlignedBox3d moved(const AlignedBox3d& box, const Affine3d& transform) {
     return result;
 }
 
+Affine3d turnOf(const HomePiece& piece) {
+    Affine3d turn = Affine3d::Identity();
+    if (piece.model_rotation) turn.linear() = *piece.model_rotation;
+    return turn;
+}
+
 /// The model in a box of unit size around 0.
-Affine3d unitFromModel(const HomePiece& piece, const AlignedBox3d& bounds) {
-    Affine3d centred(Translation3d(-bounds.center()));
-    AlignedBox3d box = moved(bounds, centred);
-    if (piece.model_rotation) {
-        Affine3d turn = Affine3d::Identity();
-        turn.linear() = *piece.model_rotation;
-        centred = turn * centred;
-        box = moved(bounds, centred);
-        if (piece.centered_at_origin) centred = Translation3d(-box.center()) * centred;
+Affine3d unitFromModel(const HomePiece& piece, const ModelBounds& bounds) {
+    Affine3d centred = turnOf(piece) * Translation3d(-bounds.own.center());
+    if (piece.model_rotation && piece.centered_at_origin) {
+        centred = Translation3d(-bounds.turned.center()) * centred;
     }
-    const Vector3d size = box.sizes().cwiseMax(1e-3);
+    const Vector3d size = bounds.turned.sizes().cwiseMax(1e-3);
     return Eigen::Scaling(Vector3d(size.cwiseInverse())) * centred;
 }
 
 }  // namespace
 
-Affine3d sourceFromModel(const HomePiece& piece, const AlignedBox3d& bounds,
+ModelBounds boundsOf(const FurnitureModel& model, const HomePiece& piece) {
+    const Affine3d turn = turnOf(piece) * Translation3d(-model.bounds.center());
+    ModelBounds bounds{model.bounds, {}};
+    if (!piece.model_rotation) {
+        bounds.turned = moved(model.bounds, turn);
+        return bounds;
+    }
+    for (const MeshPart& part : model.raw.parts) {
+        if (part.triangles.empty()) continue;
+        for (const Eigen::Vector3f& p : part.positions) {
+            bounds.turned.extend(turn * p.cast<double>());
+        }
+    }
+    return bounds;
+}
+
+Affine3d sourceFromModel(const HomePiece& piece, const ModelBounds& bounds,
                          double level_elevation) {
     const Vector3d size(piece.mirrored ? -piece.width : piece.width, piece.height, piece.depth);
     Affine3d sized = Eigen::Scaling(size) * unitFromModel(piece, bounds);
@@ -45,7 +62,7 @@ Affine3d sourceFromModel(const HomePiece& piece, const AlignedBox3d& bounds,
     if (piece.pitch != 0.0 || piece.roll != 0.0) {
         const Affine3d tilt(piece.pitch != 0.0 ? AngleAxisd(-piece.pitch, Vector3d::UnitX())
                                                : AngleAxisd(-piece.roll, Vector3d::UnitZ()));
-        const AlignedBox3d box = moved(bounds, tilt * sized);
+        const AlignedBox3d box = moved(bounds.own, tilt * sized);
         sized = Translation3d(-box.center()) * tilt * sized;
         height = box.sizes().y();
     }

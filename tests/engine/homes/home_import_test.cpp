@@ -140,6 +140,19 @@ TEST_F(HomeImport, TheUsersTableOfLabelsComesFirst) {
               "bed");
 }
 
+// Models drawn askew are turned straight: it is the turned model that fills the piece's size.
+TEST_F(HomeImport, SizesAModelByItsOwnShapeAndNotItsBox) {
+    const Scene scene =
+        read("<pieceOfFurniture modelRotation='0.8 0 0.6 0 1 0 -0.6 0 0.8'" + kPiece + "/>");
+    const Object& piece = named(scene, "Armchair");
+    Eigen::AlignedBox3d box;
+    for (std::uint32_t i = 0; i < piece.vertex_count; ++i) {
+        box.extend(scene.positions[piece.first_vertex + i].cast<double>());
+    }
+    EXPECT_NEAR((box.sizes() - Vector3d(0.8, 0.4, 0.5)).norm(), 0.0, 1e-5) << box.sizes();
+    EXPECT_NEAR((box.center() - Vector3d(1.0, -2.0, 0.35)).norm(), 0.0, 1e-5) << box.center();
+}
+
 TEST_F(HomeImport, JoinsWallsAtTheirCorners) {
     const Scene scene = read("");
     const Object& wall = named(scene, "wall_1");

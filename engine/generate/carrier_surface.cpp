@@ -1,0 +1,128 @@
+#include "engine/generate/carrier_surface.h"
+
+#include "engine/generate/placed_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::generate {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// cm
+constexpr double kLift = 0.05;      // between a thing and what it stands on
+constexpr double kUneven = 0.6;     // how much lower a corner's support may be
+constexpr double kHeadroom = 1.0;   // above a thing in a shelf
+constexpr double kSupported = 0.7;  // how far out its corners are carried, of half its size
+
+/// Height at which the vertical line through p meets a triangle.
+std::optional<double> heightAt(const TriangleInRoom& t, const Vector2d& p) {
+    const auto side = [&](const Vector3d& a, const Vector3d& b) {
+        return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    };
+    const double u = side(t[1], t[2]);
+    const double v = side(t[2], t[0]);
+    const double w = side(t[0], t[1]);
+    const double sum = u + v + w;
+    if (std::abs(sum) < 1e-9) return std::nullopt;
+    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    if (!inside) return std::nullopt;
+    return (u * t[0].z() + v * t[1].z() + w * t[2].z()) / sum;
+}
+
+std::vector<double> heightsAt(const std::vector<const TriangleInRoom*>& triangles,
+                              const Vector2d& p) {
+    std::vector<double> heights;
+    for (const TriangleInRoom* t : triangles) {
+        if (const auto height = heightAt(*t, p)) heights.push_back(*height);
+    }
+    std::sort(heights.begin(), heights.end());
+    return heights;
+}
+
+}  // namespace
+
+CarrierSurface::CarrierSurface(const homes::FurnitureModel& model, const PlacedPiece& placed)
+    : carrier_(placed.box()), triangles_(trianglesOf(model, placed)) {}
+
+CarrierSurface::Nearby CarrierSurface::trianglesIn(const UprightBox& box) const {
+    const double reach_x = reachAlong(box, Vector2d::UnitX());
+    const double reach_y = reachAlong(box, Vector2d::UnitY());
+    const auto apart = [](const TriangleInRoom& t, int axis, double low, double high) {
+        const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+        return most < low || least > high;
+    };
+    Nearby nearby;
+    for (const TriangleInRoom& t : triangles_) {
+        if (apart(t, 0, box.centre.x() - reach_x, box.centre.x() + reach_x)) continue;
+        if (apart(t, 1, box.centre.y() - reach_y, box.centre.y() + reach_y)) continue;
+        if (apart(t, 2, box.low, box.high)) continue;
+        nearby.push_back(&t);
+    }
+    return nearby;
+}
+
+bool CarrierSurface::isFree(const UprightBox& box) const {
+    const Nearby nearby = trianglesIn(box);
+    return std::none_of(nearby.begin(), nearby.end(),
+                        [&](const auto* t) { return reachesInto(*t, box); });
+}
+
+UprightBox CarrierSurface::wayIn(const UprightBox& box) const {
+    const Vector2d across = acrossAt(carrier_.angle);
+    const Vector2d forward = forwardAt(carrier_.angle);
+    const double back = forward.dot(box.centre - carrier_.centre) - reachAlong(box, forward);
+    const double front = carrier_.half.y() + 1.0;
+    UprightBox way = box;
+    way.angle = carrier_.angle;
+    way.half = {reachAlong(box, across), 0.5 * (front - back)};
+    way.centre = carrier_.centre + across.dot(box.centre - carrier_.centre) * across +
+                 0.5 * (front + back) * forward;
+    return way;
+}
+
+std::optional<double> CarrierSurface::restingHeight(const PlacedPiece& thing,
+                                                    Random& random) const {
+    UprightBox column = thing.box();
+    column.low = carrier_.low;
+    column.high = carrier_.high;
+    const Nearby below = trianglesIn(column);
+    const std::vector<double> middle = heightsAt(below, thing.at);
+    if (middle.empty()) return std::nullopt;
+    std::vector<std::vector<double>> corners;
+    for (const double x : {-kSupported, kSupported}) {
+        for (const double y : {-kSupported, kSupported}) {
+            const Vector2d corner = thing.at + x * column.half.x() * acrossAt(thing.angle) +
+                                    y * column.half.y() * forwardAt(thing.angle);
+            corners.push_back(heightsAt(below, corner));
+        }
+    }
+    const std::size_t first = random.below(static_cast<std::uint32_t>(middle.size()));
+    for (std::size_t k = 0; k < middle.size(); ++k) {
+        const double height = middle[(first + k) % middle.size()];
+        double base = height;
+        const bool held = std::all_of(corners.begin(), corners.end(), [&](const auto& heights) {
+            bool any = false;
+            for (const double at_corner : heights) {
+                if (std::abs(at_corner - height) > kUneven) continue;
+                base = std::max(base, at_corner);
+                any = true;
+            }
+            return any;
+        });
+        if (!held) continue;
+        UprightBox box = thing.box();
+        box.low = base + 0.5 * kLift;
+        box.high = base + kLift + thing.piece->height;
+        UprightBox from_above = box;
+        from_above.high = std::max(carrier_.high, box.high) + 1.0;
+        UprightBox in_shelf = box;
+        in_shelf.high += kHeadroom;
+        if (isFree(from_above) || isFree(wayIn(in_shelf))) return base + kLift;
+    }
+    return std::nullopt;
+}
+
+}  // namespace dollytrack::generate

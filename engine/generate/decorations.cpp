@@ -1,0 +1,69 @@
+#include "engine/generate/furnisher.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::generate {
+namespace {
+
+constexpr int kTries = 12;
+constexpr double kEyeHeight = 155.0;  // cm: the middle of what hangs on a wall
+constexpr double kSwitchSize = 20.0;
+constexpr double kHeadroom = 165.0;  // under a lamp
+constexpr double kFixed = 0.3;       // between a thing and the wall or ceiling it hangs on
+
+/// Where the library hangs it, or at eye height.
+double hangingHeight(const CatalogPiece& piece, double room_height) {
+    const bool own = piece.width < kSwitchSize || piece.elevation > 180.0;
+    if (own) return std::min(piece.elevation, room_height - piece.height - 5.0);
+    return kEyeHeight - 0.5 * piece.height;
+}
+
+}  // namespace
+
+void addCeilingLamp(Furnisher& f, const Eigen::Vector2d& at) {
+    for (int i = 0; i < kTries; ++i) {
+        const CatalogPiece* piece = f.pick(FurnitureRole::CeilingLamp);
+        if (!piece) return;
+        PlacedPiece placed;
+        placed.piece = piece;
+        placed.role = FurnitureRole::CeilingLamp;
+        placed.at = at;
+        placed.hold = PlacedPiece::Hold::Ceiling;
+        placed.elevation = f.layout.height() - piece->height - kFixed;
+        if (placed.elevation > kHeadroom && f.layout.add(placed)) return;
+    }
+}
+
+void addWallThing(Furnisher& f) {
+    for (int i = 0; i < kTries; ++i) {
+        const CatalogPiece* piece = f.pick(FurnitureRole::WallThing);
+        if (!piece) return;
+        const int wall = f.anyWall();
+        const double room = f.layout.wallLength(wall) - piece->width;
+        if (room < 20.0) continue;
+        const double along = 0.5 * piece->width + f.random.uniform(10.0, room - 10.0);
+        PlacedPiece placed =
+            f.layout.atWall(*piece, FurnitureRole::WallThing, {wall, along}, kFixed);
+        placed.hold = PlacedPiece::Hold::Wall;
+        placed.elevation = hangingHeight(*piece, f.layout.height());
+        if (f.layout.add(placed)) return;
+    }
+}
+
+void addFloorThing(Furnisher& f, FurnitureRole role) {
+    for (int i = 0; i < kTries; ++i) {
+        const CatalogPiece* piece = f.pick(role);
+        if (!piece) return;
+        // Not in the middle of the room: within half a metre of some wall, its back to it.
+        const int wall = f.anyWall();
+        const double along = f.random.uniform(0.0, f.layout.wallLength(wall));
+        const double slack = 0.5 * (std::hypot(piece->width, piece->depth) - piece->depth);
+        PlacedPiece placed =
+            f.layout.atWall(*piece, role, {wall, along}, slack + f.random.uniform(1.0, 20.0));
+        placed.angle += f.random.uniform(-0.6, 0.6);
+        if (f.layout.add(placed)) return;
+    }
+}
+
+}  // namespace dollytrack::generate

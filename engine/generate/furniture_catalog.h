@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/generate/catalog_text.h"
+#include "engine/io/file_source.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dollytrack::generate {
+
+/// What a library says of itself: its LICENSE.TXT.
+struct LibraryNotice {
+    std::string library;
+    std::string text;
+};
+
+/// Furniture libraries of Sweet Home 3D (.sh3f: a zip of OBJ models with
+/// PluginFurnitureCatalog.properties).
+class FurnitureCatalog {
+  public:
+    /// Opens every .sh3f in a folder, by name; an empty path is the folder where Debian's
+    /// sweethome3d-furniture puts them. BadInput, naming that package, when there is none.
+    static Result<FurnitureCatalog> open(const std::filesystem::path& folder);
+
+    [[nodiscard]] const std::vector<CatalogPiece>& pieces() const { return pieces_; }
+    [[nodiscard]] const std::vector<LibraryNotice>& notices() const { return notices_; }
+    [[nodiscard]] std::vector<const FileSource*> files() const;
+
+  private:
+    Status take(const std::filesystem::path& path);
+
+    std::vector<std::unique_ptr<FileSource>> archives_;
+    std::vector<CatalogPiece> pieces_;
+    std::vector<LibraryNotice> notices_;
+};
+
+}  // namespace dollytrack::generate

@@ -1,0 +1,42 @@
+#include "engine/generate/furniture_pool.h"
+
+namespace dollytrack::generate {
+namespace {
+
+// Some libraries hold sculpted models; a room of them would be slow everywhere.
+constexpr std::size_t kFinest = 80'000;  // triangles
+
+}  // namespace
+
+FurniturePool::FurniturePool(const FurnitureCatalog& catalog)
+    : catalog_(catalog), models_(catalog.files()) {
+    for (const RoleRule& rule : builtInRoles()) {
+        for (const CatalogPiece& piece : catalog_.pieces()) {
+            if (rule.admits(piece)) pieces_[static_cast<std::size_t>(rule.role)].push_back(&piece);
+        }
+    }
+}
+
+const std::vector<const CatalogPiece*>& FurniturePool::piecesOf(FurnitureRole role) const {
+    return pieces_[static_cast<std::size_t>(role)];
+}
+
+bool FurniturePool::isUsable(const CatalogPiece& piece, const JobContext& job) {
+    const homes::FurnitureModel* model = modelOf(piece, job);
+    if (!model) return false;
+    // Some models name pictures that their library lacks.
+    for (const TextureRequest& picture : model->raw.textures) {
+        if (picture.embedded.empty()) return false;
+    }
+    std::size_t triangles = 0;
+    for (const MeshPart& part : model->raw.parts) triangles += part.triangles.size();
+    return triangles <= kFinest;
+}
+
+const homes::FurnitureModel* FurniturePool::modelOf(const CatalogPiece& piece,
+                                                    const JobContext& job) {
+    std::string why;
+    return models_.find(piece.model, job, why);
+}
+
+}  // namespace dollytrack::generate

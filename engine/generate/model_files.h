@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/generate/furniture_catalog.h"
+#include "engine/generate/room_layout.h"
+#include "engine/io/zip_writer.h"
+
+#include <vector>
+
+namespace dollytrack::generate {
+
+/// The files of every model that a layout uses, each once: all that lies in the model's folder of
+/// its library, which holds its materials, pictures and often a licence.
+Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
+                                            const FurnitureCatalog& catalog);
+
+}  // namespace dollytrack::generate

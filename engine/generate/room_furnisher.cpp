@@ -1,0 +1,96 @@
+#include "engine/generate/room_furnisher.h"
+
+#include <algorithm>
+
+namespace dollytrack::generate {
+namespace {
+
+using enum FurnitureRole;
+
+void addSome(Furnisher& f, FurnitureRole role, int count) {
+    for (int i = 0; i < count; ++i) addAtWall(f, role);
+}
+
+/// The groups first: they need most room.
+void furnishKind(RoomKind kind, double area, Furnisher& f) {
+    const int more = std::clamp(static_cast<int>(area / 18.0), 1, 4);
+    switch (kind) {
+        case RoomKind::Suite:
+            addBedGroup(f);
+            addSofaGroup(f);
+            addDiningGroup(f);
+            addDeskGroup(f);
+            addSome(f, Wardrobe, 2);
+            addSome(f, Bookcase, 2);
+            addSome(f, Dresser, 1);
+            break;
+        case RoomKind::Bedroom:
+            addBedGroup(f);
+            addSome(f, Wardrobe, more);
+            if (area > 14.0) addDeskGroup(f);
+            addSome(f, Dresser, more);
+            addSome(f, Bookcase, 1);
+            addSome(f, Armchair, area > 18.0 ? 2 : 0);
+            break;
+        case RoomKind::Living:
+            addSofaGroup(f);
+            if (area > 50.0) addSofaGroup(f);
+            if (area > 35.0) addDiningGroup(f);
+            addSome(f, Bookcase, more + 1);
+            addSome(f, Dresser, 1);
+            addSome(f, Cabinet, 1);
+            break;
+        case RoomKind::Dining:
+            addDiningGroup(f);
+            addSome(f, Dresser, 2);
+            addSome(f, Cabinet, 2);
+            addSome(f, Bookcase, 2);
+            break;
+        case RoomKind::Kitchen:
+            addKitchen(f);
+            if (area > 9.0) addDiningGroup(f);
+            break;
+        case RoomKind::Office:
+            for (int i = 0; i < more + 1; ++i) addDeskGroup(f);
+            addSome(f, Bookcase, more + 1);
+            addSome(f, Cabinet, more);
+            if (area > 30.0) addSofaGroup(f);
+            break;
+        case RoomKind::Studio:
+            addBedGroup(f);
+            addDeskGroup(f);
+            addSome(f, Bookcase, 1);
+            addSome(f, Dresser, 1);
+            break;
+    }
+}
+
+}  // namespace
+
+void furnish(const RoomSpec& spec, Furnisher& furnisher) {
+    addDoorAndWindows(furnisher);
+    const double area = spec.length_m * spec.width_m;
+    furnishKind(spec.kind, area, furnisher);
+    const int lamps = area > 35.0 ? 2 : 1;
+    for (int i = 0; i < lamps; ++i) {
+        addCeilingLamp(furnisher, {furnisher.layout.length() * (i + 1) / (lamps + 1),
+                                   0.5 * furnisher.layout.width()});
+    }
+}
+
+void decorate(int objects, int tries, Furnisher& furnisher) {
+    for (int i = 0; i < tries && furnisher.layout.furnished() < objects; ++i) {
+        const std::uint32_t kind = furnisher.random.below(8);
+        if (kind < 3) {
+            addWallThing(furnisher);
+        } else if (kind < 5) {
+            addFloorThing(furnisher, FloorPlant);
+        } else if (kind == 5) {
+            addFloorThing(furnisher, FloorLamp);
+        } else {
+            addFloorThing(furnisher, FloorThing);
+        }
+    }
+}
+
+}  // namespace dollytrack::generate
