@@ -56,8 +56,8 @@ Status FurnitureCatalog::take(const fs::path& path) {
     return {};
 }
 
-std::vector<const FileSource*> FurnitureCatalog::files() const {
-    std::vector<const FileSource*> files;
+std::vector<const Archive*> FurnitureCatalog::files() const {
+    std::vector<const Archive*> files;
     for (const auto& archive : archives_) files.push_back(archive.get());
     return files;
 }

@@ -27,12 +27,12 @@ class FurnitureCatalog {
 
     [[nodiscard]] const std::vector<CatalogPiece>& pieces() const { return pieces_; }
     [[nodiscard]] const std::vector<LibraryNotice>& notices() const { return notices_; }
-    [[nodiscard]] std::vector<const FileSource*> files() const;
+    [[nodiscard]] std::vector<const Archive*> files() const;
 
   private:
     Status take(const std::filesystem::path& path);
 
-    std::vector<std::unique_ptr<FileSource>> archives_;
+    std::vector<std::unique_ptr<Archive>> archives_;
     std::vector<CatalogPiece> pieces_;
     std::vector<LibraryNotice> notices_;
 };

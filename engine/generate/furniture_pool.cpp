@@ -6,10 +6,15 @@ namespace {
 // Some libraries hold sculpted models; a room of them would be slow everywhere.
 constexpr std::size_t kFinest = 80'000;  // triangles
 
+std::vector<const FileSource*> sourcesOf(const FurnitureCatalog& catalog) {
+    const auto archives = catalog.files();
+    return {archives.begin(), archives.end()};
+}
+
 }  // namespace
 
 FurniturePool::FurniturePool(const FurnitureCatalog& catalog)
-    : catalog_(catalog), models_(catalog.files()) {
+    : catalog_(catalog), models_(sourcesOf(catalog)) {
     for (const RoleRule& rule : builtInRoles()) {
         for (const CatalogPiece& piece : catalog_.pieces()) {
             if (rule.admits(piece)) pieces_[static_cast<std::size_t>(rule.role)].push_back(&piece);

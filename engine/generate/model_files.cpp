@@ -18,7 +18,7 @@ Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
     std::set<std::string> folders;
     for (const PlacedPiece& placed : layout.pieces()) folders.insert(folderOf(placed.piece->model));
     std::map<std::string, std::vector<std::uint8_t>> files;  // by name, so that their order is one
-    for (const FileSource* source : catalog.files()) {
+    for (const Archive* source : catalog.files()) {
         for (const std::string& name : source->names()) {
             if (!folders.contains(folderOf(name)) || files.contains(name)) continue;
             auto bytes = source->read(name);

@@ -22,6 +22,13 @@ class FileSource {
         const std::string& name) const = 0;
 };
 
+/// One that knows what it holds.
+class Archive : public FileSource {
+  public:
+    /// Every file's name, sorted.
+    [[nodiscard]] virtual std::vector<std::string> names() const = 0;
+};
+
 /// "a/./b\c" as "a/b/c"; nothing for a name that is absolute, leaves its folder or is empty.
 std::optional<std::string> safeRelativeName(const std::string& name);
 
@@ -32,10 +39,10 @@ std::unique_ptr<FileSource> openFolder(const std::filesystem::path& folder);
 /// the archive, encrypted entries, more than 100,000 entries, an entry over 512 MiB and archives
 /// over 4 GiB unpacked. Entries are unpacked one by one, when read, and never beyond the size that
 /// the archive declares.
-Result<std::unique_ptr<FileSource>> openArchive(const std::filesystem::path& path);
+Result<std::unique_ptr<Archive>> openArchive(const std::filesystem::path& path);
 
 /// The same over bytes already read, which are kept; `where` names them in errors.
-Result<std::unique_ptr<FileSource>> openArchive(std::vector<std::uint8_t> bytes,
-                                                const std::string& where);
+Result<std::unique_ptr<Archive>> openArchive(std::vector<std::uint8_t> bytes,
+                                             const std::string& where);
 
 }  // namespace dollytrack

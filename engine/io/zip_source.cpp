@@ -23,7 +23,7 @@ struct CloseEntry {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-class ZipSource : public FileSource {
+class ZipSource : public Archive {
   public:
     ZipSource(std::vector<std::uint8_t> bytes, std::string where)
         : bytes_(std::move(bytes)), where_(std::move(where)) {}
@@ -71,6 +71,12 @@ class ZipSource : public FileSource {
         }
         if (bytes.size() != found->second.size) return damaged(*safe);
         return std::optional(std::move(bytes));
+    }
+
+    [[nodiscard]] std::vector<std::string> names() const override {
+        std::vector<std::string> names;
+        for (const auto& [name, entry] : entries_) names.push_back(name);
+        return names;
     }
 
   private:
@@ -124,14 +130,14 @@ class ZipSource : public FileSource {
 
 }  // namespace
 
-Result<std::unique_ptr<FileSource>> openArchive(std::vector<std::uint8_t> bytes,
-                                                const std::string& where) {
+Result<std::unique_ptr<Archive>> openArchive(std::vector<std::uint8_t> bytes,
+                                             const std::string& where) {
     auto source = std::make_unique<ZipSource>(std::move(bytes), where);
     if (Status open = source->open(); !open) return tl::unexpected(open.error());
-    return std::unique_ptr<FileSource>(std::move(source));
+    return std::unique_ptr<Archive>(std::move(source));
 }
 
-Result<std::unique_ptr<FileSource>> openArchive(const std::filesystem::path& path) {
+Result<std::unique_ptr<Archive>> openArchive(const std::filesystem::path& path) {
     const Result<std::string> bytes = io::readNamedFile(path, kMostBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return openArchive({bytes->begin(), bytes->end()}, path.string());
