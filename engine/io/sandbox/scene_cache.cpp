@@ -1,6 +1,7 @@
 #include "engine/io/sandbox/scene_cache.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/file_descriptor.h"
 #include "engine/io/import_settings.h"
 #include "engine/io/sandbox/frame_archive.h"
 #include "engine/io/sandbox/importer_process.h"
@@ -64,20 +65,19 @@ std::uint64_t userMebibytes() {
 /// A file of this user, mapped for reading.
 class MappedEntry {
   public:
-    explicit MappedEntry(const fs::path& path) {
-        descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    explicit MappedEntry(const fs::path& path)
+        : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)) {
         struct stat status {};
-        if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode) ||
+        if (!file_.valid() || ::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode) ||
             status.st_uid != ::geteuid() || status.st_size <= 0) {
             return;
         }
         size_ = static_cast<std::size_t>(status.st_size);
-        void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
+        void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file_.get(), 0);
         if (view != MAP_FAILED) view_ = static_cast<const std::uint8_t*>(view);
     }
     ~MappedEntry() {
         if (view_ != nullptr) ::munmap(const_cast<std::uint8_t*>(view_), size_);
-        if (descriptor_ >= 0) ::close(descriptor_);
     }
     MappedEntry(const MappedEntry&) = delete;
     MappedEntry& operator=(const MappedEntry&) = delete;
@@ -86,10 +86,10 @@ class MappedEntry {
         return view_ != nullptr ? std::span(view_, size_) : std::span<const std::uint8_t>();
     }
     /// It is the youngest now.
-    void touch() const { ::futimens(descriptor_, nullptr); }
+    void touch() const { ::futimens(file_.get(), nullptr); }
 
   private:
-    int descriptor_ = -1;
+    FileDescriptor file_;
     std::size_t size_ = 0;
     const std::uint8_t* view_ = nullptr;
 };
