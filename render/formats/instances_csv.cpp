@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 namespace dollytrack::render {
-namespace {}  // namespace
 
 std::string instancesCsvText(const DatasetContents& contents) {
     std::string text =
