@@ -25,7 +25,6 @@ ProcessorWait::ProcessorWait(pid_t process)
 }
 
 ProcessorWait::Seconds ProcessorWait::update() {
-    const Clock::time_point now = Clock::now();
     Seconds longest{0.0};
     std::error_code error;
     std::filesystem::directory_iterator thread(folder_, error);
@@ -35,8 +34,9 @@ ProcessorWait::Seconds ProcessorWait::update() {
         longest = std::max(longest, waited - before);
         before = std::max(before, waited);
     }
-    sum_ += std::min<Seconds>(longest, now - last_);
-    last_ = now;
+    // The kernel counts a wait when it is over, so it can be longer than the time between two
+    // looks.
+    sum_ = std::min<Seconds>(sum_ + longest, Clock::now() - begin_);
     return sum_;
 }
 

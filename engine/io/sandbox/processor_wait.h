@@ -16,8 +16,8 @@ class ProcessorWait {
 
     /// The process has to be the caller's child, not yet waited for.
     explicit ProcessorWait(pid_t process);
-    /// Looks again, and gives the sum so far: of each time between two looks what the thread that
-    /// waited longest has waited, so never more than the time that passed.
+    /// Looks again, and gives the sum so far: of all looks what the thread that waited longest
+    /// since the last has waited; never more than the time that passed.
     Seconds update();
 
   private:
@@ -25,7 +25,7 @@ class ProcessorWait {
 
     std::string folder_;
     std::map<std::string, Seconds> of_thread_;
-    Clock::time_point last_ = Clock::now();
+    Clock::time_point begin_ = Clock::now();
     Seconds sum_{0.0};
 };
 
