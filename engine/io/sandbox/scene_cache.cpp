@@ -32,6 +32,8 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMagic = 0x31454843414354'44ULL;  // "DTCACHE1"
 constexpr std::uint64_t kDefaultMebibytes = 2048;
 constexpr const char* kExtension = ".scene";
+constexpr const char* kDigestExtension = ".digest";
+constexpr std::size_t kDigestLength = 64;
 
 struct EntryHead {
     std::uint64_t magic = kMagic;
@@ -115,6 +117,16 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
 }
 
+bool isDigest(std::string_view text) {
+    return text.size() == kDigestLength &&
+           text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+bool hasSettled(const FileIdentity& file, std::chrono::nanoseconds settled) {
+    const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+    return now - std::chrono::nanoseconds(std::max(file.changed_ns, file.modified_ns)) > settled;
+}
+
 }  // namespace
 
 std::optional<SceneCache> SceneCache::ofUser() {
@@ -145,6 +157,34 @@ std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
     return sha256Of(fmt::format("{} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion, readers.size,
                                 readers.modified_ns, lowerExtension(scene), sha256,
                                 options.read_textures, settings, labels, more));
+}
+
+Result<std::string> SceneCache::digestOf(const fs::path& scene) const {
+    const Result<InputFile> file = openNamedFile(scene);
+    if (!file) return tl::unexpected(file.error());
+    const FileIdentity before = file->identity();
+    const std::string name =
+        sha256Of(fmt::format("{} {} {} {} {}", before.device, before.inode, before.size,
+                             before.modified_ns, before.changed_ns));
+    const fs::path known = folder_ / (name + kDigestExtension);
+    {
+        const MappedEntry entry(known);
+        const auto bytes = entry.bytes();
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        if (isDigest(text)) {
+            entry.touch();
+            return std::string(text);
+        }
+    }
+    const bool settled = hasSettled(before, settled_);
+    Result<std::string> digest = sha256OfFile(scene);
+    if (!digest || !settled) return digest;
+    const Result<InputFile> after = openNamedFile(scene);
+    // Whether it is kept changes nothing but the time that the next reading takes.
+    if (after && after->identity() == before) {
+        (void)writeWhole(known, std::string_view(*digest), Durability::Renamed);
+    }
+    return digest;
 }
 
 fs::path SceneCache::fileOf(const std::string& key) const {
@@ -196,7 +236,7 @@ void SceneCache::makeRoom(std::uint64_t bytes) const {
         if (!it->is_regular_file(gone) || it->is_symlink(gone)) continue;
         const auto time = it->last_write_time(gone);
         const std::string name = it->path().filename().string();
-        if (name.ends_with(kExtension)) {
+        if (name.ends_with(kExtension) || name.ends_with(kDigestExtension)) {
             entries.push_back({time, it->path(), it->file_size(gone)});
         } else if (name.find(std::string(kExtension) + ".tmp.") != std::string::npos &&
                    now - time > std::chrono::hours(1)) {

@@ -31,6 +31,7 @@ class SpawnedImporter {
     /// The status as waitpid() tells it, once it has ended.
     [[nodiscard]] std::optional<int> end();
     void limitProcessorTime(std::uint64_t seconds) const;
+    [[nodiscard]] pid_t process() const { return process_; }
     void kill() const;
 
   private:
