@@ -6,11 +6,25 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dollytrack::render {
 
-/// The rows of a table that `names` name, in the table's order; all of them for the one name "all",
+/// For a guess at what was meant by " RGB".
+inline std::string lowerTrimmed(std::string_view text) {
+    std::string plain;
+    for (const char c : text) {
+        if (c >= 'A' && c <= 'Z') {
+            plain += static_cast<char>(c - 'A' + 'a');
+        } else if (c != ' ') {
+            plain += c;
+        }
+    }
+    return plain;
+}
+
+/// The rows of a table that `names` name, in the table's order; all of them where one is "all",
 /// the standard ones when it is empty. A row has a `name` and a `standard`. Error: Usage, with the
 /// closest name, at `where`.
 template <class Row>
@@ -19,10 +33,10 @@ Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
                                            const std::string& kind, const std::string& where) {
     std::vector<std::string> known;
     for (const Row& row : table) known.push_back(row.name);
-    const bool all_wanted = names == std::vector<std::string>{"all"};
+    const bool all_wanted = std::find(names.begin(), names.end(), "all") != names.end();
     for (const std::string& name : names) {
-        if (all_wanted || std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const std::string close = closestName(name, known);
+        if (name == "all" || std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string close = closestName(lowerTrimmed(name), known);
         std::string all;
         for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
         return fail(ErrorCode::Usage,

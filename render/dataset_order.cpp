@@ -3,6 +3,7 @@
 #include "render/scene_hash.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace dollytrack::render {
 namespace {
@@ -59,6 +60,17 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     for (const int distance : settings.flow_distances) {
         if (distance >= 1) continue;
         return fail(ErrorCode::Usage, "A distance of flow is a number of frames from 1 on.",
+                    "--flow-distances");
+    }
+    const bool has_flow =
+        std::ranges::any_of(order.contents.modalities, [](const Modality* modality) {
+            return std::string_view(modality->name).starts_with("flow_");
+        });
+    for (const int distance : settings.flow_distances) {
+        if (!has_flow || distance == 1 || distance < std::ssize(order.contents.frames)) continue;
+        return fail(ErrorCode::Usage,
+                    "no two of the " + std::to_string(order.contents.frames.size()) +
+                        " frames are " + std::to_string(distance) + " apart",
                     "--flow-distances");
     }
     order.contents.flow_distances = settings.flow_distances;

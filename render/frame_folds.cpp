@@ -97,6 +97,14 @@ Result<FrameFolds> splitFrames(const std::vector<DatasetFrame>& frames,
                 });
             if (!leaks) fold.train.push_back(static_cast<int>(i));
         }
+        if (fold.train.empty()) {
+            return fail(
+                ErrorCode::Usage,
+                "fold " + std::to_string(result.folds.size()) +
+                    " would have no frame to train on: all are within a second or a step of those "
+                    "it is judged by; export more of the trajectory, or ask for more folds",
+                "--folds");
+        }
         fold.val = std::move(part);
         result.folds.push_back(std::move(fold));
     }

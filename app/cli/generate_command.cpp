@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 namespace dollytrack::cli {
 namespace {
@@ -16,6 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kListName = "generated.json";
+constexpr const char* kTruthName = "objects.json";
+constexpr const char* kLicensesName = "LICENSES";
+constexpr std::string_view kRoomPrefix = "room_";
 
 struct GenerateArguments {
     std::string out;
@@ -87,6 +92,31 @@ Result<generate::RoomSpec> specOf(const generate::RoomPreset& preset,
     return spec;
 }
 
+bool isRoomName(std::string_view name) {
+    if (!name.starts_with(kRoomPrefix) || name.size() == kRoomPrefix.size()) return false;
+    return name.find_first_not_of("0123456789", kRoomPrefix.size()) == std::string_view::npos;
+}
+
+/// The files that writeRoom() writes; what somebody has put beside them stays.
+Status removeRooms(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> rooms;
+    fs::directory_iterator it(folder, error);
+    for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+        if (isRoomName(it->path().filename().string())) rooms.push_back(it->path());
+    }
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    for (const fs::path& room : rooms) {
+        const std::string home = room.filename().string() + ".sh3d";
+        for (const fs::path& file : {room / kTruthName, room / kLicensesName, room / home}) {
+            fs::remove(file, error);
+            if (error) return tl::unexpected(io::writeError(error.value(), file));
+        }
+        fs::remove(room, error);  // fails when something else lies in it
+    }
+    return {};
+}
+
 /// Rooms are not strewn among other files, nor over older rooms.
 Status prepareFolder(const fs::path& folder, bool overwrite) {
     std::error_code error;
@@ -104,12 +134,7 @@ Status prepareFolder(const fs::path& folder, bool overwrite) {
                     "The folder holds generated rooms; --overwrite replaces them.",
                     folder.string());
     }
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (!entry.path().filename().string().starts_with("room_")) continue;
-        fs::remove_all(entry.path(), error);
-        if (error) return tl::unexpected(io::writeError(error.value(), entry.path()));
-    }
-    return {};
+    return removeRooms(folder);
 }
 
 Status writeRoom(const generate::GeneratedRoom& room, const fs::path& folder) {
@@ -118,8 +143,8 @@ Status writeRoom(const generate::GeneratedRoom& room, const fs::path& folder) {
     if (error) return tl::unexpected(io::writeError(error.value(), folder));
     const std::string name = folder.filename().string() + ".sh3d";
     constexpr auto kLater = io::Durability::Renamed;
-    return io::writeWhole(folder / "objects.json", room.truth.dump(1) + "\n", kLater)
-        .and_then([&] { return io::writeWhole(folder / "LICENSES", room.licenses, kLater); })
+    return io::writeWhole(folder / kTruthName, room.truth.dump(1) + "\n", kLater)
+        .and_then([&] { return io::writeWhole(folder / kLicensesName, room.licenses, kLater); })
         .and_then([&] { return io::writeWhole(folder / name, room.home, kLater); });
 }
 
@@ -150,7 +175,7 @@ Status generateRooms(const GenerateArguments& arguments,
         if (!spec) return tl::unexpected(spec.error());
         const auto room = generator.make(*spec, arguments.seed, number, job);
         if (!room) return tl::unexpected(room.error());
-        const std::string folder = fmt::format("room_{:04}", i);
+        const std::string folder = fmt::format("{}{:04}", kRoomPrefix, i);
         if (Status status = writeRoom(*room, fs::path(arguments.out) / folder); !status) {
             return status;
         }
@@ -182,6 +207,10 @@ Result<ExitCode> runGenerate(const GenerateArguments& arguments, const Session& 
     }
     const JobContext job = session.job().stage(0.0, 1.0, "generating rooms");
     const Status made = generateRooms(arguments, *presets, *catalog, job, rooms);
+    // What is listed is on the disk, also after a power cut.
+    if (Status status = io::syncFolder(arguments.out); made && !status) {
+        return tl::unexpected(status.error());
+    }
     // Also when stopped: what is finished is listed.
     if (Status status = writeList(arguments, rooms); made && !status) {
         return tl::unexpected(status.error());

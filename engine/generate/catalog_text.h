@@ -11,10 +11,11 @@ namespace dollytrack::generate {
 
 /// A model of a furniture library as its catalogue describes it; cm, front towards +y of the plan.
 struct CatalogPiece {
-    std::string id;        // "Scopia#bed1"
-    std::string name;      // English: "Bed"
-    std::string category;  // "Bedroom"
-    std::string model;     // a name in the library's files
+    std::string id;           // "Scopia#bed1"
+    std::string name;         // English: "Bed"
+    std::string category;     // "Bedroom"
+    std::string model;        // a name in the library's files
+    std::size_t archive = 0;  // of FurnitureCatalog::files(), the one that holds it
     std::string creator;
     std::string license;  // of the library
     std::string library;  // "Scopia catalog"

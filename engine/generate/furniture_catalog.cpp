@@ -45,6 +45,7 @@ Status FurnitureCatalog::take(const fs::path& path) {
                     path.string());
     }
     CatalogText catalog = parseCatalog(std::string((*text)->begin(), (*text)->end()));
+    for (CatalogPiece& piece : catalog.pieces) piece.archive = archives_.size();
     std::move(catalog.pieces.begin(), catalog.pieces.end(), std::back_inserter(pieces_));
     const auto notice = (*archive)->read(kLicenseName);
     if (notice && *notice) {

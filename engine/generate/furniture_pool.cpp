@@ -1,20 +1,19 @@
 #include "engine/generate/furniture_pool.h"
 
+#include <algorithm>
+
 namespace dollytrack::generate {
 namespace {
 
 // Some libraries hold sculpted models; a room of them would be slow everywhere.
 constexpr std::size_t kFinest = 80'000;  // triangles
 
-std::vector<const FileSource*> sourcesOf(const FurnitureCatalog& catalog) {
-    const auto archives = catalog.files();
-    return {archives.begin(), archives.end()};
-}
-
 }  // namespace
 
-FurniturePool::FurniturePool(const FurnitureCatalog& catalog)
-    : catalog_(catalog), models_(sourcesOf(catalog)) {
+FurniturePool::FurniturePool(const FurnitureCatalog& catalog) : catalog_(catalog) {
+    for (const Archive* archive : catalog.files()) {
+        models_.emplace_back(std::vector<const FileSource*>{archive});
+    }
     for (const RoleRule& rule : builtInRoles()) {
         for (const CatalogPiece& piece : catalog_.pieces()) {
             if (rule.admits(piece)) pieces_[static_cast<std::size_t>(rule.role)].push_back(&piece);
@@ -24,6 +23,10 @@ FurniturePool::FurniturePool(const FurnitureCatalog& catalog)
 
 const std::vector<const CatalogPiece*>& FurniturePool::piecesOf(FurnitureRole role) const {
     return pieces_[static_cast<std::size_t>(role)];
+}
+
+bool FurniturePool::hasPieces() const {
+    return std::ranges::any_of(pieces_, [](const auto& of_role) { return !of_role.empty(); });
 }
 
 bool FurniturePool::isUsable(const CatalogPiece& piece, const JobContext& job) {
@@ -41,7 +44,7 @@ bool FurniturePool::isUsable(const CatalogPiece& piece, const JobContext& job) {
 const homes::FurnitureModel* FurniturePool::modelOf(const CatalogPiece& piece,
                                                     const JobContext& job) {
     std::string why;
-    return models_.find(piece.model, job, why);
+    return models_[piece.archive].find(piece.model, job, why);
 }
 
 }  // namespace dollytrack::generate

@@ -17,6 +17,8 @@ class FurniturePool {
 
     /// The role's pieces, in the catalogue's order.
     [[nodiscard]] const std::vector<const CatalogPiece*>& piecesOf(FurnitureRole role) const;
+    /// Whether any piece has a role.
+    [[nodiscard]] bool hasPieces() const;
     /// Whether the model can be read, has all its pictures and is not too fine.
     bool isUsable(const CatalogPiece& piece, const JobContext& job);
     /// Null when it cannot be read.
@@ -24,7 +26,7 @@ class FurniturePool {
 
   private:
     const FurnitureCatalog& catalog_;
-    homes::ModelLibrary models_;
+    std::vector<homes::ModelLibrary> models_;  // of each archive: names may be the same
     std::array<std::vector<const CatalogPiece*>, kRoleCount> pieces_;
 };
 

@@ -1,6 +1,5 @@
 #include "engine/generate/model_files.h"
 
-#include <map>
 #include <set>
 
 namespace dollytrack::generate {
@@ -13,22 +12,30 @@ std::string folderOf(const std::string& name) {
 
 }  // namespace
 
+std::string nameInHome(std::size_t archive, const std::string& name) {
+    return std::to_string(archive) + "/" + name;
+}
+
 Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
                                             const FurnitureCatalog& catalog) {
-    std::set<std::string> folders;
-    for (const PlacedPiece& placed : layout.pieces()) folders.insert(folderOf(placed.piece->model));
-    std::map<std::string, std::vector<std::uint8_t>> files;  // by name, so that their order is one
-    for (const Archive* source : catalog.files()) {
-        for (const std::string& name : source->names()) {
-            if (!folders.contains(folderOf(name)) || files.contains(name)) continue;
-            auto bytes = source->read(name);
+    const std::vector<const Archive*> archives = catalog.files();
+    std::vector<std::set<std::string>> folders(archives.size());
+    for (const PlacedPiece& placed : layout.pieces()) {
+        folders[placed.piece->archive].insert(folderOf(placed.piece->model));
+    }
+    std::vector<ArchiveFile> files;
+    for (std::size_t i = 0; i < archives.size(); ++i) {
+        std::set<std::string> names;  // an archive may hold a name twice; its first counts
+        for (const std::string& name : archives[i]->names()) {
+            if (folders[i].contains(folderOf(name))) names.insert(name);
+        }
+        for (const std::string& name : names) {
+            auto bytes = archives[i]->read(name);
             if (!bytes) return tl::unexpected(bytes.error());
-            if (*bytes) files.emplace(name, std::move(**bytes));
+            if (*bytes) files.push_back({nameInHome(i, name), std::move(**bytes)});
         }
     }
-    std::vector<ArchiveFile> list;
-    for (auto& [name, bytes] : files) list.push_back({name, std::move(bytes)});
-    return list;
+    return files;
 }
 
 }  // namespace dollytrack::generate

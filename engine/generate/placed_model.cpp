@@ -1,5 +1,6 @@
 #include "engine/generate/placed_model.h"
 
+#include "engine/generate/model_files.h"
 #include "engine/io/homes/furniture_placement.h"
 
 namespace dollytrack::generate {
@@ -12,7 +13,7 @@ homes::HomePiece homePiece(const PlacedPiece& placed, const std::string& name) {
     piece.kind = catalog.opening ? homes::PieceKind::Opening : homes::PieceKind::Furniture;
     piece.name = name;
     piece.catalog_id = catalog.id;
-    piece.model = catalog.model;
+    piece.model = nameInHome(catalog.archive, catalog.model);
     piece.position = placed.at;
     piece.elevation = placed.elevation;
     piece.angle = placed.angle;

@@ -54,6 +54,11 @@ RoomLayout layOut(const RoomSpec& spec, FurniturePool& pool, Random& random,
 
 Result<GeneratedRoom> RoomGenerator::make(const RoomSpec& spec, std::uint64_t seed,
                                           std::uint64_t number, const JobContext& job) {
+    if (!pool_.hasPieces()) {
+        return fail(ErrorCode::BadInput,
+                    "none of the libraries' models plays a role in a room; roles are told by the "
+                    "words of the models' names, as in those of Sweet Home 3D");
+    }
     Random random(seed, number);
     const RoomLayout layout = layOut(spec, pool_, random, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "generating was cancelled");

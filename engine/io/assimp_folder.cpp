@@ -47,13 +47,14 @@ AssimpFolder::AssimpFolder(std::filesystem::path scene)
     : scene_(std::move(scene)), folder_(scene_.parent_path()) {}
 
 bool AssimpFolder::Exists(const char* file) const {
-    return scene_ == file || folder_.has(file);
+    return scene_ == file || folder_.has(folder_.relative(file));
 }
 
 Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
     const bool is_scene = scene_ == file;
-    Result<InputFile> opened = is_scene ? openNamedFile(scene_) : folder_.open(file);
+    Result<InputFile> opened =
+        is_scene ? openNamedFile(scene_) : folder_.open(folder_.relative(file));
     if (!opened) return nullptr;
     const bool material = lowerExtension(file) == ".mtl";
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;

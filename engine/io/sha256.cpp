@@ -1,5 +1,7 @@
 #include "engine/io/sha256.h"
 
+#include "engine/jobs/job.h"
+
 #include <openssl/evp.h>
 
 #include <array>
@@ -57,6 +59,10 @@ std::string sha256Of(std::string_view text) {
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path) {
+    return sha256OfFile(path, JobContext());
+}
+
+Result<std::string> sha256OfFile(const std::filesystem::path& path, const JobContext& job) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                                &std::fclose);
     if (!file) return fail(ErrorCode::BadInput, "the file cannot be opened", path.string());
@@ -64,6 +70,8 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path) {
     std::vector<std::uint8_t> block(1UL << 16U);
     while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
         hash.add(std::span(block).first(count));
+        if (job.cancelled())
+            return fail(ErrorCode::Cancelled, "hashing was cancelled", path.string());
     }
     if (std::ferror(file.get()) != 0) {
         return fail(ErrorCode::BadInput, "the file cannot be read to its end", path.string());

@@ -9,6 +9,10 @@
 #include <string>
 #include <string_view>
 
+namespace dollytrack {
+class JobContext;
+}
+
 namespace dollytrack::io {
 
 /// SHA-256 of bytes that come in pieces.
@@ -34,5 +38,8 @@ class Sha256 {
 
 /// BadInput when the file cannot be read to its end.
 [[nodiscard]] Result<std::string> sha256OfFile(const std::filesystem::path& path);
+/// The same; Cancelled when the job is.
+[[nodiscard]] Result<std::string> sha256OfFile(const std::filesystem::path& path,
+                                               const JobContext& job);
 
 }  // namespace dollytrack::io

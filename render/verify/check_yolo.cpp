@@ -1,4 +1,5 @@
 #include "engine/io/text_file.h"
+#include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
 #include "render/verify/check_list.h"
 #include "render/verify/filled_mask.h"
@@ -61,6 +62,31 @@ std::vector<Expected> expectedLines(const StoredDataset& dataset, FrameImages& i
         expected.push_back({id, nyu40 - 1, shown.box()});
     }
     return expected;
+}
+
+/// The classes' names, a line each in their order, behind the line `after` if there is one.
+void checkNames(const StoredDataset& dataset, const char* file, std::string_view after,
+                Findings& findings) {
+    const Result<std::string> text = io::readText(dataset.folder / file);
+    if (!text) {
+        findings.add({file, {}, {}, text.error().message, "the classes' names"});
+        return;
+    }
+    const std::vector<std::string_view> lines = io::splitLines(*text);
+    std::size_t at = 0;
+    if (!after.empty()) {
+        const auto found = std::ranges::find(lines, after);
+        at = static_cast<std::size_t>(std::min(found - lines.begin() + 1, std::ssize(lines)));
+    }
+    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40, ++at) {
+        const std::string name(nyu40Name(nyu40));
+        const std::string expected =
+            after.empty() ? name : fmt::format("  {}: {}", nyu40 - 1, name);
+        const std::string found = at < lines.size() ? std::string(lines[at]) : "no line";
+        if (found == expected) continue;
+        findings.add({fmt::format("{}:{}", file, at + 1), {}, {}, found, expected});
+        return;
+    }
 }
 
 class FrameCheck {
@@ -166,7 +192,9 @@ class FrameCheck {
 
 }  // namespace
 
-CheckWork beginYolo(const Subject& subject, Findings& /*findings*/) {
+CheckWork beginYolo(const Subject& subject, Findings& findings) {
+    checkNames(subject.dataset, "classes.txt", "", findings);
+    checkNames(subject.dataset, "data.yaml", "names:", findings);
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
         FrameCheck(dataset, images, findings).run();

@@ -8,6 +8,7 @@ namespace {
 using Names = std::span<const char* const>;
 
 constexpr std::array kInstance = {"instance"};
+constexpr std::array kPictures = {"rgb", "instance"};
 constexpr std::array kAnyDepth = {"depth", "depth_exr"};
 constexpr std::array kCoco = {"coco", "instance"};
 constexpr std::array kFrames = {"frames", "instance"};
@@ -48,6 +49,8 @@ constexpr std::array kChecks = {
           false, beginClasses},
     Check{"holes", "depth is missing exactly where no object is", kInstance, kAnyDepth, false,
           beginHoles},
+    Check{"pictures", "edges in the pictures are where the objects in sight meet", kPictures,
+          Names{}, false, beginPictures},
     Check{"object_boxes", "depth unprojected lies in the box of the object seen", kInstance,
           kAnyDepth, false, beginObjectBoxes},
     Check{"captures", "the captures counted are those in the images", kInstance, Names{}, false,

@@ -140,8 +140,15 @@ class Generate(FolderCase):
         before = hashes(out)
         self.assertFails(run(*first), 2, "--overwrite")
         self.assertEqual(hashes(out), before)
+        mine = [out / "room_notes.txt", out / "room_0001" / "plan.dolly", out / "room_plans" / "a"]
+        for path in mine:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text("mine")
         self.assertEqual(run(*first, "--overwrite").returncode, 0)
-        self.assertEqual([path.name for path in out.glob("room_*")], ["room_0000"])
+        for path in mine:
+            self.assertEqual(path.read_text(), "mine")
+            path.unlink()
+        self.assertEqual([path.name for path in out.glob("room_*/*.sh3d")], ["room_0000.sh3d"])
 
     def test_ctrl_c_keeps_what_is_finished(self):
         out = self.folder / "stopped"

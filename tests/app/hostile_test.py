@@ -4,6 +4,7 @@ import itertools
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import struct
@@ -14,7 +15,7 @@ import unittest
 import zlib
 
 IMPORT_MANY = sys.argv.pop(2)
-from program import FolderCase, PROGRAM, run  # noqa: E402  (takes its own argument away)
+from program import FolderCase, PROGRAM, run, wait_for  # noqa: E402  (takes its own argument away)
 from mutants import mutant  # noqa: E402
 import small_models  # noqa: E402
 
@@ -300,20 +301,71 @@ class Program(FolderCase):
             self.assertEqual(result.returncode, 2)
             self.assertIn("does nothing by itself", result.stderr)
 
-    def test_cancelling_ends_the_child(self):
-        # Read for ever, but for the clock: a pipe as the scene's own buffer would be refused.
-        body = b"ply\nformat ascii 1.0\nelement face 1\nproperty list char int x\nend_header"
-        path = self.folder / "loop.ply"
-        path.write_bytes(body)
-        process = subprocess.Popen([PROGRAM, "info", path], stdout=subprocess.PIPE,
+    def start_long_reading(self):
+        """The program, which reads a scene for seconds, and its importer's process number."""
+        path = self.folder / "large.obj"
+        if not path.exists():
+            with path.open("w") as file:
+                for i in range(400_000):
+                    file.write(f"v {i % 997}.5 {i % 991}.25 {i % 983}.125\n")
+                for i in range(1, 399_990):
+                    file.write(f"f {i} {i + 3} {i + 7}\n")
+        process = subprocess.Popen([PROGRAM, "--no-cache", "info", path], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
-        time.sleep(1.0)
+
+        def importers():
+            found = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True)
+            return found.stdout.split()
+
+        self.assertTrue(wait_for(importers))
+        return process, int(importers()[0])
+
+    def test_cancelling_ends_the_child(self):
+        process, importer = self.start_long_reading()
+        opened = pathlib.Path(f"/proc/{importer}/fd")
+        self.assertTrue(wait_for(lambda: any("large.obj" in str(fd.resolve())
+                                             for fd in opened.iterdir())))
         process.send_signal(signal.SIGINT)
         begin = time.time()
         process.communicate(timeout=60)
         self.assertLess(time.time() - begin, 2.0 * SLOWNESS)
-        left = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
-        self.assertEqual(left.stdout, "")
+        self.assertEqual(process.returncode, 130)
+        self.assertFalse(pathlib.Path(f"/proc/{importer}").exists())
+
+    def test_large_files_may_take_more_processor_time(self):
+        process, importer = self.start_long_reading()
+        limits = pathlib.Path(f"/proc/{importer}/limits")
+
+        def seconds():
+            limit = re.search(r"Max cpu time +(\d+)", limits.read_text())
+            return int(limit.group(1)) if limit else 0
+
+        # Some 40 s for a small file, and 8 s more for each MiB.
+        self.assertTrue(wait_for(lambda: seconds() > 100))
+        process.kill()
+        process.communicate()
+
+    def test_whoever_ignores_the_ends_of_children_is_served(self):
+        (self.folder / "room.obj").write_bytes(small_models.obj())
+        begin = time.time()
+        result = subprocess.run(
+            [PROGRAM, "--no-cache", "info", self.folder / "room.obj"], capture_output=True,
+            text=True, preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertLess(time.time() - begin, 8.0 * SLOWNESS)
+
+    def test_pictures_are_the_same_however_the_scene_is_named(self):
+        """A folder below the scene's may be called like the scene's own."""
+        folder = self.folder / "maps"
+        (folder / "maps").mkdir(parents=True)
+        (folder / "room.obj").write_bytes(small_models.obj())
+        (folder / "room.mtl").write_text("newmtl oak\nmap_Kd maps/oak.png\n")
+        (folder / "maps" / "oak.png").write_bytes(small_models.png())
+        (folder / "oak.png").write_bytes(b"no picture")
+        for name in [folder / "room.obj", pathlib.Path("maps") / "room.obj"]:
+            result = subprocess.run([PROGRAM, "--no-cache", "info", "--json", name],
+                                    capture_output=True, text=True, cwd=self.folder)
+            self.assertEqual(json.loads(result.stdout)["textures_found"], 1, name)
 
     def test_cached_scenes(self):
         folder = self.folder / "cached"
@@ -341,8 +393,10 @@ class Program(FolderCase):
         self.assertEqual(entries(), [])
         self.assertEqual(info(), first)
         self.assertEqual(len(entries()), 1)
-        # It is really taken: a library call that the importer needs, traced, does not happen.
+        # It is really taken: an entry that is used becomes the youngest.
+        os.utime(entries()[0], (1, 1))
         self.assertEqual(info(), first)
+        self.assertGreater(entries()[0].stat().st_mtime, 1e9)
         (folder / "oak.png").unlink()
         self.assertNotEqual(info(), first)
         (folder / "oak.png").write_bytes(small_models.png())

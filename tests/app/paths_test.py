@@ -24,10 +24,18 @@ class Traced:
         self.scene_of = {}
         self.paths = {}
         self.network = []
+        self.waiting = {}  # calls of threads whose start is not told to its end yet
+        begun = {}
         for line in text.splitlines():
             head = re.match(r"^(\d+) +(.*)$", line)
-            if head:
-                self._take(*head.groups())
+            if not head:
+                continue
+            process, call = head.groups()
+            if call.endswith("<unfinished ...>"):
+                begun[process] = call.removesuffix("<unfinished ...>")
+                continue
+            rest = re.match(r"<\.\.\. \w+ resumed>(.*)$", call)
+            self._take(process, begun.pop(process, "") + rest.group(1) if rest else call)
 
     def _take(self, process, call):
         if re.match(r'execve\(".*/dollytrack-import"', call):
@@ -40,10 +48,14 @@ class Traced:
             return
         scene = self.scene_of.get(process)
         if scene is None:
+            if process not in self.given:
+                self.waiting.setdefault(process, []).append(call)
             return
         made = re.match(r"clone3?\(.*= (\d+)$", call)
         if made:
             self.scene_of[made.group(1)] = scene
+            for earlier in self.waiting.pop(made.group(1), []):
+                self._take(made.group(1), earlier)
         if call.startswith(("socket(", "connect(")):
             self.network.append(call)
         done = re.search(r"\) = \d+<(.*)>$", call)

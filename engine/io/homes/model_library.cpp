@@ -86,7 +86,11 @@ ModelLibrary::Entry ModelLibrary::read(const std::string& name, const JobContext
 const FurnitureModel* ModelLibrary::find(const std::string& name, const JobContext& job,
                                          std::string& why) {
     auto found = entries_.find(name);
-    if (found == entries_.end()) found = entries_.emplace(name, read(name, job)).first;
+    if (found == entries_.end()) {
+        Entry entry = read(name, job);
+        if (job.cancelled()) return nullptr;  // nothing that would hold for the next reading
+        found = entries_.emplace(name, std::move(entry)).first;
+    }
     why = found->second.why;
     return found->second.model.get();
 }

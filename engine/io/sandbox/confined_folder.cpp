@@ -92,7 +92,7 @@ FileDescriptor ConfinedFolder::openDescriptor(const std::string& relative) const
 }
 
 Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
-    const std::string name = relative(file);
+    const std::string name = file.string();
     if (name.find('\0') != std::string::npos) {
         return tl::unexpected(cannotOpen(ENOENT, name));
     }
@@ -110,13 +110,17 @@ Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
 }
 
 bool ConfinedFolder::has(const fs::path& file) const {
-    const std::string name = relative(file);
+    const std::string name = file.string();
     const FileDescriptor descriptor =
         name.find('\0') == std::string::npos ? openDescriptor(name) : FileDescriptor();
+    const int error = errno;
     struct stat status {};
     const bool regular =
         descriptor.valid() && ::fstat(descriptor.get(), &status) == 0 && S_ISREG(status.st_mode);
-    if (!regular) InputRecord::note(InputUse::Missing, folder_ / name);
+    if (!regular) {
+        const bool outside = !descriptor.valid() && (error == EXDEV || error == ELOOP);
+        InputRecord::note(outside ? InputUse::Refused : InputUse::Missing, folder_ / name);
+    }
     return regular;
 }
 

@@ -17,7 +17,7 @@ class ConfinedFolder {
     /// An empty path is the working directory. A folder that is not there holds no files.
     explicit ConfinedFolder(std::filesystem::path folder);
 
-    /// `file` counts from the folder, or begins with the folder's own path. Errors: BadInput.
+    /// `file` counts from the folder. Errors: BadInput.
     [[nodiscard]] Result<InputFile> open(const std::filesystem::path& file) const;
 
     /// Whether open() would succeed; nothing is noted but that a file is missing.
@@ -29,9 +29,10 @@ class ConfinedFolder {
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
-  private:
-    /// The part of `file` that counts from the folder; nothing when it does not lie beneath it.
+    /// What counts from the folder of a path that begins with the folder's own; others as they are.
     [[nodiscard]] std::string relative(const std::filesystem::path& file) const;
+
+  private:
     [[nodiscard]] FileDescriptor openDescriptor(const std::string& relative) const;
 
     std::filesystem::path folder_;

@@ -32,8 +32,10 @@ void FrameMemory::Unmap::operator()(const std::uint8_t* view) const {
 }
 
 Result<std::span<const std::uint8_t>> FrameMemory::close(std::size_t used) {
-    if (used == 0 || used > size_ || view_ ||
-        ::fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE) != 0) {
+    if (used == 0 || used > size_) {
+        return fail(ErrorCode::BadInput, "its length is none");
+    }
+    if (view_ || ::fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE) != 0) {
         return fail(ErrorCode::BadInput, "what was handed back can still be written to");
     }
     void* view = ::mmap(nullptr, used, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_.get(), 0);

@@ -69,11 +69,15 @@ std::optional<Task> taskOf(int count, char** arguments) {
 }
 
 void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
+    constexpr std::size_t kMostNamed = 10;
     std::string names;
+    std::size_t count = 0;
     for (const InputUse& use : record.uses()) {
-        if (use.kind == InputUse::Refused) names += (names.empty() ? "" : ", ") + use.path.string();
+        if (use.kind != InputUse::Refused || ++count > kMostNamed) continue;
+        names += (names.empty() ? "" : ", ") + use.path.string();
     }
-    if (names.empty()) return;
+    if (count == 0) return;
+    if (count > kMostNamed) names += " and " + std::to_string(count - kMostNamed) + " more";
     notes.push_back("the scene names files outside its folder, which were not opened: " + names);
 }
 

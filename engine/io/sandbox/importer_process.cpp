@@ -130,6 +130,7 @@ Result<HandBack> takeHandBack(FrameMemory memory, const Heard& heard, const std:
     const bool fits = frame > 0 && frame <= kMostFrameBytes && heard.list_bytes <= kMostFrameBytes;
     if (!heard.sound || !fits) return damagedHandBack("its messages", where);
     const auto bytes = memory.close(frame + heard.list_bytes);
+    if (!bytes && bytes.error().code == ErrorCode::Failed) return tl::unexpected(bytes.error());
     if (!bytes) return damagedHandBack(bytes.error().message, where);
     const auto list = bytes->subspan(frame);
     HandBack back{std::move(memory), bytes->first(frame), std::nullopt};

@@ -12,6 +12,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <assimp/version.h>
+
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -122,6 +125,18 @@ bool isDigest(std::string_view text) {
            text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
+FileIdentity identityOf(const fs::path& program) {
+    const Result<InputFile> file = openNamedFile(program);
+    return file ? file->identity() : FileIdentity{};
+}
+
+/// The library that reads most formats: Debian updates it without us.
+fs::path assimpLibrary() {
+    Dl_info library{};
+    const bool found = ::dladdr(reinterpret_cast<const void*>(&aiGetVersionMajor), &library) != 0;
+    return found && library.dli_fname != nullptr ? library.dli_fname : "";
+}
+
 bool hasSettled(const FileIdentity& file, std::chrono::nanoseconds settled) {
     const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
     return now - std::chrono::nanoseconds(std::max(file.changed_ns, file.modified_ns)) > settled;
@@ -143,10 +158,8 @@ std::optional<SceneCache> SceneCache::ofUser() {
 
 std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
                               const ImportOptions& options, const InputRoots& roots) {
-    FileIdentity readers;
-    if (const Result<InputFile> program = openNamedFile(importerProgram())) {
-        readers = program->identity();
-    }
+    const FileIdentity importer = identityOf(importerProgram());
+    const FileIdentity assimp = identityOf(assimpLibrary());
     using Json = nlohmann::json;
     const std::string settings =
         importOptionsToJson(options).dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -154,12 +167,13 @@ std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
     if (options.labels) labels = sha256OfFile(*options.labels).value_or("");
     std::string more;
     for (std::size_t i = 1; i < roots.size(); ++i) more += roots[i].string() + '\0';
-    return sha256Of(fmt::format("{} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion, readers.size,
-                                readers.modified_ns, lowerExtension(scene), sha256,
+    return sha256Of(fmt::format("{} {} {} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion,
+                                importer.size, importer.modified_ns, assimp.size,
+                                assimp.modified_ns, lowerExtension(scene), sha256,
                                 options.read_textures, settings, labels, more));
 }
 
-Result<std::string> SceneCache::digestOf(const fs::path& scene) const {
+Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext& job) const {
     const Result<InputFile> file = openNamedFile(scene);
     if (!file) return tl::unexpected(file.error());
     const FileIdentity before = file->identity();
@@ -177,7 +191,7 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene) const {
         }
     }
     const bool settled = hasSettled(before, settled_);
-    Result<std::string> digest = sha256OfFile(scene);
+    Result<std::string> digest = sha256OfFile(scene, job);
     if (!digest || !settled) return digest;
     const Result<InputFile> after = openNamedFile(scene);
     // Whether it is kept changes nothing but the time that the next reading takes.

@@ -36,7 +36,8 @@ class SceneCache {
     /// The SHA-256 of a scene file. Large files are not hashed each time: a file that is the same
     /// by device, inode, size and both times has the digest that it had, provided that it had
     /// settled then, so that no write can have come within the same tick of the clock.
-    [[nodiscard]] Result<std::string> digestOf(const std::filesystem::path& scene) const;
+    [[nodiscard]] Result<std::string> digestOf(const std::filesystem::path& scene,
+                                               const JobContext& job = {}) const;
 
     /// Names an entry by the content of the scene file, its extension, the options that matter to
     /// readers, the roots besides the scene's folder, and the readers themselves: the frame's

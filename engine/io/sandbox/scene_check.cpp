@@ -97,7 +97,9 @@ Status checkParts(RawScene& raw) {
     parallelFor(raw.parts.size(), [&](std::size_t i) {
         MeshPart& part = raw.parts[i];
         if (!soundPart(part, raw)) {
-            bad = i;
+            std::size_t first = bad;
+            while (i < first && !bad.compare_exchange_weak(first, i)) {
+            }
             return;
         }
         part.name = cleanText(part.name);

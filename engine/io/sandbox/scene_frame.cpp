@@ -151,8 +151,7 @@ std::string shortened(const std::string& text) {
 
 /// An error that a reader may have: others would say more than it can know.
 Error cleanError(const Error& read) {
-    const bool known = read.code == ErrorCode::BadInput || read.code == ErrorCode::Usage ||
-                       read.code == ErrorCode::Cancelled;
+    const bool known = read.code == ErrorCode::BadInput || read.code == ErrorCode::Usage;
     return {known ? read.code : ErrorCode::BadInput, shortened(read.message),
             shortened(read.where)};
 }

@@ -99,7 +99,7 @@ Result<SceneReading> readThroughCache(const std::filesystem::path& path,
                                       const ImportOptions& options, const JobContext& job,
                                       const std::vector<std::filesystem::path>& more_inputs,
                                       SceneCache cache) {
-    Result<std::string> digest = cache.digestOf(path);
+    Result<std::string> digest = cache.digestOf(path, job);
     if (!digest) return tl::unexpected(digest.error());
     const InputRoots roots = inputRoots(path, more_inputs);
     const std::string key = SceneCache::keyOf(path, *digest, options, roots);
@@ -124,7 +124,7 @@ Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesys
     }
     // Reading and hashing can go on side by side.
     std::future<Result<std::string>> hash =
-        std::async(std::launch::async, [path] { return sha256OfFile(path); });
+        std::async(std::launch::async, [path, job] { return sha256OfFile(path, job); });
     Result<ReadScene> scene = options.in_process
                                   ? readHere(format, path, options, job)
                                   : readApart(path, options, job, more_inputs, std::nullopt);

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -89,7 +90,7 @@ SpawnedImporter::SpawnedImporter(SpawnedImporter&& other) noexcept
       end_(other.end_) {}
 
 SpawnedImporter::~SpawnedImporter() {
-    if (process_ > 0 && !end_) {
+    if (process_ > 0 && !end()) {
         kill();
         while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
@@ -115,12 +116,19 @@ bool SpawnedImporter::receive(std::chrono::milliseconds wait,
 
 std::optional<int> SpawnedImporter::end() {
     int status = 0;
-    if (!end_ && ::waitpid(process_, &status, WNOHANG) == process_) end_ = status;
+    if (end_) return end_;
+    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+    // Where whoever started us ignores its children's ends, nothing is left to wait for. What it
+    // has handed back tells the rest.
+    if (ended == process_ || (ended < 0 && errno == ECHILD)) end_ = status;
     return end_;
 }
 
 void SpawnedImporter::limitProcessorTime(std::uint64_t seconds) const {
-    const rlimit limit{seconds, seconds};
+    rlimit limit{};
+    if (::prlimit(process_, RLIMIT_CPU, nullptr, &limit) != 0) return;
+    // A hard limit once lowered cannot be raised again when the scene turns out to be large.
+    limit.rlim_cur = std::min<rlim_t>(seconds, limit.rlim_max);
     ::prlimit(process_, RLIMIT_CPU, &limit, nullptr);
 }
 

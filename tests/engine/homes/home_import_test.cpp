@@ -195,6 +195,14 @@ TEST_F(HomeImport, CutsRoundWindowsRound) {
     EXPECT_EQ(named(scene, "Round window").nyu40, kNyuWindow);
 }
 
+TEST_F(HomeImport, DrawsArcsWithoutASizeStraight) {
+    const Scene scene = read(
+        "<doorOrWindow name='Door' model='model.obj' x='200' y='0' width='90' depth='12' "
+        "height='200' cutOutShape='M0,0 A1e-200,1e-200 0 0 1 1,1 L1,0 z'/>");
+    EXPECT_NEAR(areaFacing(scene, named(scene, "wall_1"), {0, 1, 0}), 4.10 * 2.5 - 0.5 * 0.9 * 2.0,
+                1e-4);
+}
+
 TEST_F(HomeImport, BendsRoundWallsToTheirLeft) {
     const Scene scene = read(
         "<wall id='r' xStart='100' yStart='200' xEnd='300' yEnd='200' height='250' "
