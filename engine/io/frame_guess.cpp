@@ -240,7 +240,9 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     best.score = -1.0;
     for (const double unit : kUnits) {
         UnitScore score = scoreUnit(things, core, up, unit);
-        if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
+        // Inches are rarer, feet rarer still than halls of 30 m.
+        if (unit == 0.0254) score.score *= 0.8;
+        if (unit == 0.3048) score.score *= 0.58;
         if (score.score > best.score) {
             best = score;
             best_unit = unit;

@@ -12,6 +12,7 @@
 #include "engine/io/sha256.h"
 #include "engine/io/structure_finder.h"
 #include "engine/io/texture_loader.h"
+#include "engine/io/unseen_parts.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
@@ -109,6 +110,23 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
                            (list.empty() ? "" : ": " + list));
 }
 
+/// What is there twice, or for physics only, is not to be seen.
+void dropUnseen(RawScene& raw, ImportReport& report) {
+    const std::vector<std::string> proxies = dropProxies(raw);
+    if (!proxies.empty()) {
+        std::string list;
+        for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
+        report.notes.push_back(counted(proxies.size(), "mesh is for physics and was left out: ",
+                                       "meshes are for physics and were left out: ") +
+                               list);
+    }
+    if (const std::size_t twice = dropDuplicates(raw); twice > 0) {
+        report.notes.push_back(
+            counted(twice, "mesh is there twice in one place and was left out once",
+                    "meshes are there twice in one place and were left out once"));
+    }
+}
+
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
                  ImportReport& report) {
@@ -164,6 +182,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
     const bool knows_objects = !raw.objects.empty();
+    if (!knows_objects) dropUnseen(raw, scene.report);
     std::vector<ObjectDraft> drafts =
         knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels);
     if (drafts.empty()) {
@@ -184,7 +203,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
-    scene.source_from_world = world_from_source.inverse();
+    scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
     job.report(0.7);
