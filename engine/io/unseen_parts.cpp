@@ -28,15 +28,20 @@ std::string plainName(const std::string& name) {
 
 Proxy judge(const std::string& name) {
     static constexpr std::array<std::string_view, 4> kPrefixes = {"ucx_", "ubx_", "usp_", "ucp_"};
-    static constexpr std::array<std::string_view, 7> kSuffixes = {
-        "_collision", "_collider", "_colonly", "-colonly", "-convcolonly", "_hull", "_physics"};
+    static constexpr std::array<std::string_view, 5> kSuffixes = {
+        "_collision", "_collider", "_colonly", "-colonly", "-convcolonly"};
+    // Boats have hulls, and schools a room for physics: these have to lie about something.
+    static constexpr std::array<std::string_view, 3> kDoubtful = {"_col", "_hull", "_physics"};
     const std::string plain = plainName(name);
     const auto begins = [&](std::string_view part) { return plain.starts_with(part); };
     const auto ends = [&](std::string_view part) { return plain.ends_with(part); };
-    if (plain == "collision" || plain == "collider") return Proxy::Yes;
+    if (plain == "collision" || plain == "collisions" || plain == "collider" ||
+        plain == "colliders") {
+        return Proxy::Yes;
+    }
     if (std::any_of(kPrefixes.begin(), kPrefixes.end(), begins)) return Proxy::Yes;
     if (std::any_of(kSuffixes.begin(), kSuffixes.end(), ends)) return Proxy::Yes;
-    return plain.ends_with("_col") ? Proxy::Maybe : Proxy::No;
+    return std::any_of(kDoubtful.begin(), kDoubtful.end(), ends) ? Proxy::Maybe : Proxy::No;
 }
 
 /// How much two boxes have in common, of what both cover.
@@ -68,10 +73,17 @@ bool sameShape(const MeshPart& a, const MeshPart& b) {
 }  // namespace
 
 std::vector<std::string> dropProxies(RawScene& raw) {
+    // What lies below "Colliders" is one of them, whatever its own name.
+    std::vector<Proxy> by_node;
+    for (const SourceNode& node : raw.nodes) {
+        const bool inherits =
+            node.parent > 0 && by_node[static_cast<std::size_t>(node.parent)] == Proxy::Yes;
+        by_node.push_back(inherits ? Proxy::Yes : judge(node.name));
+    }
     std::vector<Proxy> verdicts;
     for (const MeshPart& part : raw.parts) {
-        const Proxy by_node = judge(raw.nodes[static_cast<std::size_t>(part.node)].name);
-        verdicts.push_back(by_node == Proxy::No ? judge(part.name) : by_node);
+        const Proxy node = by_node[static_cast<std::size_t>(part.node)];
+        verdicts.push_back(node == Proxy::No ? judge(part.name) : node);
     }
     for (std::size_t i = 0; i < raw.parts.size(); ++i) {
         if (verdicts[i] != Proxy::Maybe) continue;

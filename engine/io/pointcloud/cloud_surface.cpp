@@ -9,11 +9,51 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <utility>
 
 namespace dollytrack::io {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// Cells and vertices are ordered by when they were made; otherwise CGAL takes their addresses.
+template <class Base>
+class Stamped : public Base {
+  public:
+    template <class Tds>
+    struct Rebind_TDS {
+        using Other = Stamped<typename Base::template Rebind_TDS<Tds>::Other>;
+    };
+    using Has_timestamp = CGAL::Tag_true;
+    using Base::Base;
+    [[nodiscard]] std::size_t time_stamp() const { return stamp_; }
+    void set_time_stamp(std::size_t stamp) { stamp_ = stamp; }
+
+  private:
+    std::size_t stamp_ = static_cast<std::size_t>(-1);
+};
+
+/// A kernel of our own makes types of our own, whose order can be told below.
+struct Kernel : CGAL::Exact_predicates_inexact_constructions_kernel {};
+using Vertex = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<
+    Kernel, Stamped<CGAL::Triangulation_vertex_base_3<Kernel>>>;
+using Cell = CGAL::Advancing_front_surface_reconstruction_cell_base_3<
+    Kernel, Stamped<CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
+using Tetrahedra =
+    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+using Candidate = Tetrahedra::Vertex::Radius_ptr_type;
+
+/// Numbers for edges of the front, in the order in which they were first asked for.
+std::unordered_map<const void*, std::uint64_t>& edgeNumbers() {
+    thread_local std::unordered_map<const void*, std::uint64_t> numbers;
+    return numbers;
+}
+
+std::uint64_t numberOf(const void* edge) {
+    auto& numbers = edgeNumbers();
+    return numbers.try_emplace(edge, numbers.size()).first->second;
+}
 
 struct Stopped {};
 
@@ -44,12 +84,26 @@ void face(const CloudSamples& samples, Triangle& t) {
 }
 
 }  // namespace
+}  // namespace dollytrack::io
+
+/// The front holds its candidates in a set, equally good ones by where their edges lie in memory:
+/// another triangle would come first each time. Here it is the edge that came up first.
+template <>
+struct std::less<dollytrack::io::Candidate> {
+    bool operator()(const dollytrack::io::Candidate& a, const dollytrack::io::Candidate& b) const {
+        if (a.first != b.first) return a.first < b.first;
+        if (a.second == b.second) return false;
+        return dollytrack::io::numberOf(a.second) < dollytrack::io::numberOf(b.second);
+    }
+};
+
+namespace dollytrack::io {
 
 Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& params,
                                const JobContext& job) {
     CloudSurface surface;
     if (samples.points.size() < 3) return surface;
-    std::vector<Kernel::Point_3> points;
+    std::vector<std::pair<Kernel::Point_3, std::size_t>> points;
     points.reserve(samples.points.size());
     // All in one plane, or many on one sphere, leave the tetrahedra open: nothing is moved visibly.
     Random random(1);
@@ -57,18 +111,24 @@ Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& p
     for (const Eigen::Vector3d& p : samples.points) {
         const double x = p.x() + random.uniform(-off, off);
         const double y = p.y() + random.uniform(-off, off);
-        points.emplace_back(x, y, p.z() + random.uniform(-off, off));
+        const double z = p.z() + random.uniform(-off, off);
+        points.emplace_back(Kernel::Point_3(x, y, z), points.size());
     }
     std::vector<std::array<std::size_t, 3>> faces;
     const double longest = std::max(params.gap_m, 5.0 * samples.voxel_m);
     CGAL::get_default_random() = CGAL::Random(0);  // what ran before must not count
+    edgeNumbers().clear();
     try {
-        CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
-                                                     std::back_inserter(faces),
-                                                     ShortEdges{longest * longest, &job});
+        Tetrahedra tetrahedra(points.begin(), points.end());
+        job.report(0.3);
+        CGAL::Advancing_front_surface_reconstruction<Tetrahedra, ShortEdges> front(
+            tetrahedra, ShortEdges{longest * longest, &job});
+        front.run();
+        CGAL::write_triple_indices(std::back_inserter(faces), front);
     } catch (const Stopped&) {
         return fail(ErrorCode::Cancelled, "import was cancelled");
     }
+    edgeNumbers().clear();
     job.report(0.8);
     for (const auto& f : faces) {
         Triangle t = {static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]),
