@@ -239,9 +239,10 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->allow_extra_args(false);
     command
         .add_option("--annotations", arguments.annotations,
-                    "Folder that says which mesh is what: Hypersim's ai_VVV_NNN")
+                    "What people say of the scene: a file SCENE.objects.json that does not lie "
+                    "beside it, or the folder of a Hypersim scene (ai_VVV_NNN)")
         ->check(CLI::ExistingPath.description(""))
-        ->type_name("DIR");
+        ->type_name("FILE|DIR");
     command
         .add_option(
             "--cloud", arguments.cloud,
@@ -280,7 +281,7 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
-    Result<ProjectContent> read = readProject(arguments.path);
+    Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     const planning::PlanParams stored = read->params;
     const nlohmann::json stored_import = read->import;
@@ -294,6 +295,9 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
     if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
     for (const std::string& warning : (*imported)->report.warnings) log::warn("import", warning);
+    const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
+    if (!lost) return tl::unexpected<Error>(lost.error());
+    for (const std::string& one : *lost) log::warn("annotations", one);
     OpenedScene opened;
     opened.imported = std::move(*imported);
     opened.params = read->params;

@@ -28,7 +28,7 @@ struct SceneArguments {
     std::optional<std::string> up_axis;
     std::optional<std::string> labels;
     std::vector<std::string> models;         // --models folders
-    std::optional<std::string> annotations;  // a folder
+    std::optional<std::string> annotations;  // a file or a folder
     std::vector<std::string> assignments;    // --set name=value
     std::vector<std::string> cloud;          // --cloud name=value
     std::optional<int> seed;

@@ -4,6 +4,7 @@
 #include "engine/io/assimp_files.h"
 #include "engine/io/collada_asset.h"
 #include "engine/io/mesh_part_builder.h"
+#include "engine/io/obj_numbers.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
@@ -99,7 +100,8 @@ class ModelFiles : public Assimp::DefaultIOSystem {
             std::filesystem::file_size(file, error) < kLeastMaterialBytes) {
             return nullptr;
         }
-        return Assimp::DefaultIOSystem::Open(file, mode);
+        Assimp::IOStream* stream = Assimp::DefaultIOSystem::Open(file, mode);
+        return extensionOf(file) == ".obj" ? mendObjNumbers(stream) : stream;
     }
 };
 

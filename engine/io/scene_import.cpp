@@ -1,6 +1,8 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/annotated_objects.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
 #include "engine/io/input_check.h"
@@ -20,6 +22,7 @@
 #include "engine/scene/room_bounds.h"
 
 #include <future>
+#include <iterator>
 #include <map>
 
 namespace dollytrack {
@@ -127,6 +130,25 @@ void dropUnseen(RawScene& raw, ImportReport& report) {
     }
 }
 
+/// What a person says of the objects comes before any guess.
+AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
+                                    RawScene& raw, ImportReport& report) {
+    if (said.file.empty()) return {};
+    const std::string file = cleanText(said.file.filename().string());
+    report.notes.push_back("annotations: " + file);
+    if (said.objects.empty()) return {};
+    if (!raw.objects.empty()) {
+        report.warnings.push_back(
+            "annotations: this kind of scene names its objects itself; what " + file +
+            " says they are made of is left out");
+        return {};
+    }
+    AnnotatedDrafts annotated = takeAnnotated(said.objects, labels, raw);
+    report.warnings.insert(report.warnings.end(), annotated.warnings.begin(),
+                           annotated.warnings.end());
+    return annotated;
+}
+
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
                  ImportReport& report) {
@@ -168,12 +190,17 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!format) return tl::unexpected(format.error());
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
+    Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
+    if (!said) return tl::unexpected(said.error());
+    ImportOptions reading = options;
+    if (!reading.unit_m) reading.unit_m = said->unit_m;
+    if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     // A reader works on one core; the other can hash meanwhile.
     std::future<Result<std::string>> hash =
         std::async(std::launch::async, [path] { return io::sha256OfFile(path); });
     job.report(0.0);
-    Result<RawScene> read = (*format)->read(path, options, job);
+    Result<RawScene> read = (*format)->read(path, reading, job);
     if (!read) return tl::unexpected(read.error());
     RawScene& raw = *read;
 
@@ -183,16 +210,19 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     noteRepairs(raw.repairs, scene.report);
     const bool knows_objects = !raw.objects.empty();
     if (!knows_objects) dropUnseen(raw, scene.report);
+    AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
     std::vector<ObjectDraft> drafts =
-        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels);
-    if (drafts.empty()) {
+        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
+    if (drafts.empty() && annotated.drafts.empty()) {
         return fail(ErrorCode::BadInput,
                     "the file holds no triangle that can be drawn; export its meshes too",
                     path.string());
     }
     job.report(0.6);
 
-    const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    std::vector<ObjectDraft> all = annotated.drafts;
+    all.insert(all.end(), drafts.begin(), drafts.end());
+    const FrameChoice frame = chooseFrame(raw, all, reading.unit_m, reading.up_axis);
     scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
     scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
                                  raw.warnings.end());
@@ -206,6 +236,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
+    drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
+                  std::make_move_iterator(annotated.drafts.end()));
     job.report(0.7);
 
     TextureSet textures =

@@ -1,3 +1,4 @@
+#include "engine/io/obj_numbers.h"
 #include "engine/io/scene_import.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
@@ -5,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace dollytrack {
 namespace {
@@ -90,6 +95,57 @@ TEST(AwkwardScene, AHallIsNoRoomInFeet) {
         obj.object("crate_" + std::to_string(i)).box(low, low + Eigen::Vector3d::Ones());
     }
     EXPECT_DOUBLE_EQ(imported(obj).report.unit_m, 1.0);
+}
+
+/// What exporters write that spare zeros: ".5" for "0.5".
+TEST(AwkwardScene, NumbersWithoutALeadingZero) {
+    const std::string text =
+        "v -2.5 -.5 -2\nv 2.5 -.5 -2\nv -2.5 2.1 -2\nv 2.5 2.1 -2\n"
+        "v -2.5 -.5 2\nv 2.5 -.5 2\nv -2.5 2.1 2\nv 2.5 2.1 2\nv .25\t+.5 0\n"
+        "o room\nf 3 4 2 1\nf 6 8 7 5\nf 2 6 5 1\nf 7 8 4 3\nf 5 7 3 1\nf 4 8 6 2\n"
+        "o chair\nf 1 2 9\n";
+    const TempFolder folder;
+    ImportOptions options;
+    options.up_axis = 'y';
+    options.unit_m = 1.0;
+    const Result<Scene> scene = importScene(folder.write("room.obj", text), options);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_NEAR(scene->room_bounds.sizes().z(), 2.6, 1e-6);
+    EXPECT_EQ(scene->objects.size(), 2U);
+    EXPECT_EQ(scene->triangles.size(), 13U);
+}
+
+TEST(AwkwardScene, NamesOfFilesKeepTheirPoints) {
+    const auto bytes = [](const std::string& text) {
+        return std::vector<std::uint8_t>(text.begin(), text.end());
+    };
+    EXPECT_FALSE(hasBarePoints(bytes("mtllib a.5.mtl\nv 0.5 1. -2.5e-3\n")));
+    EXPECT_EQ(withLeadingZeros(bytes("mtllib a.5.mtl\nv -.5 1. +.25\n")),
+              bytes("mtllib a.5.mtl\nv -0.5 1. +0.25\n"));
+}
+
+/// A shell whose faces look away from the room: what is inside of it is the room all the same.
+TEST(AwkwardScene, AnInsideOutShellIsARoom) {
+    const Scene as_it_is = imported(furnished());
+    // Every face is wound the other way round.
+    std::string turned;
+    std::istringstream lines(furnished().text());
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("f ")) {
+            turned += line + "\n";
+            continue;
+        }
+        std::istringstream words(line.substr(2));
+        std::string corners;
+        for (std::string word; words >> word;) corners.insert(0, " " + word);
+        turned += "f" + corners + "\n";
+    }
+    const TempFolder folder;
+    const Result<Scene> scene = importScene(folder.write("room.obj", turned));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(countTargets(*scene), countTargets(as_it_is));
+    EXPECT_TRUE(scene->room_bounds.isApprox(as_it_is.room_bounds, 1e-6));
+    EXPECT_EQ(scene->report.up_axis, as_it_is.report.up_axis);
 }
 
 TEST(AwkwardScene, ADomeIsNoRoom) {

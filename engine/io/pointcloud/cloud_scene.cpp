@@ -2,7 +2,9 @@
 
 #include "engine/geometry/cloud_error.h"
 #include "engine/io/mesh_part_builder.h"
+#include "engine/io/pointcloud/cloud_depths.h"
 #include "engine/io/pointcloud/cloud_file.h"
+#include "engine/io/pointcloud/cloud_floor.h"
 #include "engine/io/pointcloud/cloud_frame.h"
 #include "engine/io/pointcloud/cloud_objects.h"
 #include "engine/io/pointcloud/cloud_surface.h"
@@ -104,6 +106,7 @@ Eigen::Matrix3d levelling(const Eigen::Vector3d& up, char axis) {
 
 void turn(const Eigen::Matrix3d& rotation, PointCloud& cloud, CloudSamples& samples) {
     for (Eigen::Vector3d& p : cloud.points) p = rotation * p;
+    if (cloud.viewpoint) cloud.viewpoint = rotation * *cloud.viewpoint;
     for (Eigen::Vector3d& p : samples.points) p = rotation * p;
     for (Eigen::Vector3d& n : samples.normals) n = rotation * n;
 }
@@ -130,7 +133,7 @@ int thingOf(const CloudLabels& labels, const Triangle& t) {
     return b == c ? b : a;
 }
 
-CloudError measure(const PointCloud& cloud, const CloudSamples& samples,
+CloudError measure(const std::vector<Eigen::Vector3d>& points, const CloudSamples& samples,
                    const std::vector<Triangle>& triangles) {
     Scene scene;
     for (const Eigen::Vector3d& p : samples.points) scene.positions.push_back(p.cast<float>());
@@ -140,8 +143,8 @@ CloudError measure(const PointCloud& cloud, const CloudSamples& samples,
     scene.objects[0].vertex_count = static_cast<std::uint32_t>(scene.positions.size());
     scene.objects[0].triangle_count = static_cast<std::uint32_t>(triangles.size());
     std::vector<Eigen::Vector3d> judged;
-    const std::size_t step = cloud.points.size() / kMostJudged + 1;
-    for (std::size_t i = 0; i < cloud.points.size(); i += step) judged.push_back(cloud.points[i]);
+    const std::size_t step = points.size() / kMostJudged + 1;
+    for (std::size_t i = 0; i < points.size(); i += step) judged.push_back(points[i]);
     return cloudError(judged, RayCaster(scene));
 }
 
@@ -226,6 +229,9 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     std::size_t strays = 0;
     const Eigen::Vector3d origin = toMetres(cloud, core, unit_m, strays);
 
+    std::vector<Eigen::Vector3d> scanned = cloud.points;  // what the surface is measured by
+    const double step = smoothDepths(cloud, job);
+    if (!cloud.viewpoint && step > 0.0) cloud.viewpoint = -unit_m * origin;
     CloudSamples samples = sampleCloud(cloud, options.cloud, job.stage(0.1, 0.3, "normals"));
     const std::vector<CloudPlane> planes =
         findPlanes(samples, options.cloud.plane_m, job.stage(0.3, 0.4, "walls and floors"));
@@ -236,12 +242,13 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     const char axis = options.up_axis.value_or('z');
     const Eigen::Matrix3d parts_from_file = levelling(up.up, axis);
     turn(parts_from_file, cloud, samples);
+    for (Eigen::Vector3d& p : scanned) p = parts_from_file * p;
     dropSpecks(samples, labels);
     Result<CloudSurface> surface =
         meshCloud(samples, options.cloud, job.stage(0.45, 0.85, "surface"));
     if (!surface) return tl::unexpected<Error>(std::move(surface.error()));
     if (surface->triangles.empty()) return noSurface(points, path);
-    const CloudError error = measure(cloud, samples, surface->triangles);
+    const CloudError error = measure(scanned, samples, surface->triangles);
     if (job.cancelled()) return cancelled(path);
     job.report(0.9);
 
@@ -256,6 +263,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         object.structure = thing.structure;
     }
     buildParts(samples, labels, surface->triangles, cloud, raw);
+    addFloor(samples, labels, cloud.viewpoint, axis - 'x', raw);
     // The parts are in metres now; what follows divides by the unit again.
     raw.file_up_axis = axis;
     raw.file_unit_m = unit_m;
@@ -282,6 +290,11 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     raw.notes.push_back(
         fmt::format("the points lie {:.1f} mm (median) and {:.1f} mm (95 %) from the surface",
                     error.median_m * 1e3, error.p95_m * 1e3));
+    if (step > 0.0) {
+        raw.notes.push_back(fmt::format(
+            "depths come in steps ({:.0f} mm at 4 m); points were smoothed along their rays",
+            16.0e3 * step));
+    }
     raw.notes.push_back("up in the cloud: " + up.source);
     if (up.doubtful) raw.notes.push_back("the cloud's upward axis is doubtful; give it if wrong");
     return raw;

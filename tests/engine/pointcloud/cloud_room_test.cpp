@@ -1,4 +1,5 @@
 #include "engine/core/random.h"
+#include "engine/io/pointcloud/cloud_depths.h"
 #include "engine/io/pointcloud/hole_filler.h"
 #include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
@@ -190,6 +191,68 @@ TEST(CloudRoom, GivesTheSameBytesTwice) {
     EXPECT_EQ(once->positions, twice->positions);
     EXPECT_EQ(once->triangles, twice->triangles);
     EXPECT_EQ(once->textures[0].rgba, twice->textures[0].rgba);
+}
+
+/// A wall seen askew by a depth camera 160 points wide, 3 to 5 m away; inverse depths in whole
+/// steps, or as they are with 0.
+io::PointCloud pictureOfAWall(double step) {
+    io::PointCloud cloud;
+    for (int row = 0; row < 120; ++row) {
+        for (int column = 0; column < 160; ++column) {
+            const double u = (column - 80) / 140.0;
+            const double v = (row - 60) / 140.0;
+            double inverse = (1.0 + 0.4 * u - 0.1 * v) / 4.0;  // z = 4 - 0.4 x + 0.1 y
+            if (step > 0.0) inverse = step * std::round(inverse / step);
+            cloud.points.emplace_back(Eigen::Vector3d(u, v, 1.0) / inverse);
+        }
+    }
+    return cloud;
+}
+
+double distanceFromTheWall(const io::PointCloud& cloud) {
+    double sum = 0.0;
+    for (const Eigen::Vector3d& p : cloud.points) {
+        sum += std::abs(p.z() - (4.0 - 0.4 * p.x() + 0.1 * p.y()));
+    }
+    return sum / static_cast<double>(cloud.points.size());
+}
+
+TEST(CloudDepths, StepsOfADepthCameraBecomeTheWallTheyWere) {
+    io::PointCloud cloud = pictureOfAWall(2.9e-3);
+    const double before = distanceFromTheWall(cloud);
+    EXPECT_GT(before, 0.009);  // a quarter of the step, 46 mm at 4 m
+    EXPECT_NEAR(io::smoothDepths(cloud, {}), 2.9e-3, 1e-6);
+    EXPECT_LT(distanceFromTheWall(cloud), 0.25 * before);
+}
+
+TEST(CloudDepths, WhatHasNoStepsStaysToTheLastBit) {
+    io::PointCloud cloud = pictureOfAWall(0.0);
+    const auto before = cloud.points;
+    EXPECT_DOUBLE_EQ(io::smoothDepths(cloud, {}), 0.0);
+    EXPECT_EQ(cloud.points, before);
+}
+
+// A wall alone: the floor lies below it, level, and reaches to where it was scanned from.
+TEST(CloudRoom, HasAFloorWhereTheScanShowsNone) {
+    std::string text;
+    for (int i = 0; i <= 80; ++i) {
+        for (int j = 0; j <= 80; ++j) {
+            text += fmt::format("{:.4f} 3.0 {:.4f} 0 0 0 0 -1 0\n", 0.025 * i, 0.025 * j);
+        }
+    }
+    const test::TempFolder folder;
+    ImportOptions options;
+    options.up_axis = 'z';
+    const auto scene = importScene(folder.write("wall.xyz", text), options);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    const auto floor =
+        std::find_if(scene->objects.begin(), scene->objects.end(),
+                     [](const Object& object) { return object.name == "floor_unseen"; });
+    ASSERT_NE(floor, scene->objects.end());
+    EXPECT_TRUE(floor->structure);
+    EXPECT_LE(floor->box.center.z(), 0.03);
+    EXPECT_GT(floor->box.center.z(), -0.1);
+    EXPECT_GT(2.0 * std::min(floor->box.half_size.x(), floor->box.half_size.y()), 0.9);
 }
 
 TEST(CloudRoom, TooFewPointsAreRefused) {
