@@ -85,9 +85,13 @@ std::vector<std::string> dropProxies(RawScene& raw) {
         const Proxy node = by_node[static_cast<std::size_t>(part.node)];
         verdicts.push_back(node == Proxy::No ? judge(part.name) : node);
     }
+    Eigen::AlignedBox3f whole;
+    for (std::size_t i = 0; i < raw.parts.size(); ++i) {
+        if (verdicts[i] == Proxy::No) whole.extend(raw.parts[i].bounds);
+    }
     for (std::size_t i = 0; i < raw.parts.size(); ++i) {
         if (verdicts[i] != Proxy::Maybe) continue;
-        bool about_another = false;
+        bool about_another = overlap(raw.parts[i].bounds, whole) > 0.3F;
         for (std::size_t j = 0; j < raw.parts.size() && !about_another; ++j) {
             about_another = verdicts[j] == Proxy::No && !raw.parts[j].triangles.empty() &&
                             overlap(raw.parts[i].bounds, raw.parts[j].bounds) > 0.3F;
