@@ -240,7 +240,9 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     best.score = -1.0;
     for (const double unit : kUnits) {
         UnitScore score = scoreUnit(things, core, up, unit);
-        if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
+        // Inches are rarer, feet rarer still than halls of 30 m.
+        if (unit == 0.0254) score.score *= 0.8;
+        if (unit == 0.3048) score.score *= 0.58;
         if (score.score > best.score) {
             best = score;
             best_unit = unit;
@@ -252,11 +254,14 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
         if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
             choice.unit_m = *raw.file_unit_m;
             choice.unit_source = "file";
-            if (by_file.score < kBelievable) {
-                choice.warnings.push_back("the unit is doubtful: the file says 1 unit = " +
-                                          number(*raw.file_unit_m) + " m, which makes the " +
-                                          by_file.evidence +
-                                          "; give metres per unit if it is wrong");
+            // Several storeys and attics are high; that alone speaks for no other unit.
+            const bool another_fits_better =
+                best_unit != *raw.file_unit_m && best.score > by_file.score;
+            if (by_file.score < kDoubtful || (by_file.score < kBelievable && another_fits_better)) {
+                choice.warnings.push_back(
+                    "the unit is doubtful: the file says 1 unit = " + number(*raw.file_unit_m) +
+                    " m, which makes the " + by_file.evidence +
+                    "; give metres per unit if it is wrong");
             }
             return;
         }
@@ -266,6 +271,11 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
+    if (best_unit == 0.3048 && raw.file_unit_m != best_unit) {
+        choice.warnings.push_back(
+            "the unit is doubtful: judged by its height this is a room in feet; give metres per "
+            "unit if it is a hall");
+    }
     if (best.score < kDoubtful) {
         choice.warnings.push_back(
             "the unit is doubtful: no usual unit gives this scene a room's "

@@ -1,5 +1,7 @@
 #include "engine/io/import_settings.h"
 
+#include "engine/core/field_list.h"
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -22,6 +24,12 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
         if (settings.contains("up_axis")) {
             const auto axis = settings["up_axis"].get<std::string>();
             options.up_axis = axis.empty() ? 'y' : axis.front();
+        }
+        if (settings.contains("cloud")) {
+            FieldCollector fields;
+            visitCloudParams(options.cloud, fields);
+            Status set = setFromJson(fields.take(), {{"cloud", settings["cloud"]}});
+            if (!set) return tl::unexpected<Error>(std::move(set.error()));
         }
     } catch (const nlohmann::json::exception& e) {
         return fail(

@@ -1,6 +1,8 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/annotated_objects.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
 #include "engine/io/input_check.h"
@@ -11,12 +13,14 @@
 #include "engine/io/scene_assembly.h"
 #include "engine/io/scene_format.h"
 #include "engine/io/structure_finder.h"
+#include "engine/io/unseen_parts.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
 #include "engine/scene/room_bounds.h"
 
+#include <iterator>
 #include <map>
 
 namespace dollytrack {
@@ -107,6 +111,42 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
                            (list.empty() ? "" : ": " + list));
 }
 
+/// What is there twice, or for physics only, is not to be seen.
+void dropUnseen(RawScene& raw, ImportReport& report) {
+    const std::vector<std::string> proxies = dropProxies(raw);
+    if (!proxies.empty()) {
+        std::string list;
+        for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
+        report.notes.push_back(counted(proxies.size(), "mesh is for physics and was left out: ",
+                                       "meshes are for physics and were left out: ") +
+                               list);
+    }
+    if (const std::size_t twice = dropDuplicates(raw); twice > 0) {
+        report.notes.push_back(
+            counted(twice, "mesh is there twice in one place and was left out once",
+                    "meshes are there twice in one place and were left out once"));
+    }
+}
+
+/// What a person says of the objects comes before any guess.
+AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
+                                    RawScene& raw, ImportReport& report) {
+    if (said.file.empty()) return {};
+    const std::string file = cleanText(said.file.filename().string());
+    report.notes.push_back("annotations: " + file);
+    if (said.objects.empty()) return {};
+    if (!raw.objects.empty()) {
+        report.warnings.push_back(
+            "annotations: this kind of scene names its objects itself; what " + file +
+            " says they are made of is left out");
+        return {};
+    }
+    AnnotatedDrafts annotated = takeAnnotated(said.objects, labels, raw);
+    report.warnings.insert(report.warnings.end(), annotated.warnings.begin(),
+                           annotated.warnings.end());
+    return annotated;
+}
+
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
                  ImportReport& report) {
@@ -148,28 +188,37 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!format) return tl::unexpected(format.error());
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
+    Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
+    if (!said) return tl::unexpected(said.error());
+    ImportOptions reading = options;
+    if (!reading.unit_m) reading.unit_m = said->unit_m;
+    if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     job.report(0.0);
-    Result<io::SceneReading> reading =
-        io::readSceneFile(**format, path, options, job.stage(0.0, 0.6, "reading"));
-    if (!reading) return tl::unexpected(reading.error());
-    RawScene& raw = reading->scene.raw;
+    Result<io::SceneReading> read =
+        io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
+    if (!read) return tl::unexpected(read.error());
+    RawScene& raw = read->scene.raw;
 
     Scene scene;
     scene.name = cleanText(path.stem().string());
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
     const bool knows_objects = !raw.objects.empty();
+    if (!knows_objects) dropUnseen(raw, scene.report);
+    AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
     std::vector<ObjectDraft> drafts =
-        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels);
-    if (drafts.empty()) {
+        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
+    if (drafts.empty() && annotated.drafts.empty()) {
         return fail(ErrorCode::BadInput,
                     "the file holds no triangle that can be drawn; export its meshes too",
                     path.string());
     }
     job.report(0.6);
 
-    const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    std::vector<ObjectDraft> all = annotated.drafts;
+    all.insert(all.end(), drafts.begin(), drafts.end());
+    const FrameChoice frame = chooseFrame(raw, all, reading.unit_m, reading.up_axis);
     scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
     scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
                                  raw.warnings.end());
@@ -180,12 +229,14 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
-    scene.source_from_world = world_from_source.inverse();
+    scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
+    drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
+                  std::make_move_iterator(annotated.drafts.end()));
     job.report(0.7);
 
-    TextureSet& textures = reading->scene.textures;
+    TextureSet& textures = read->scene.textures;
     textures.textures.resize(raw.textures.size());
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
@@ -208,7 +259,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 
-    scene.source_sha256 = std::move(reading->sha256);
+    scene.source_sha256 = std::move(read->sha256);
     job.report(1.0);
     return scene;
 }

@@ -27,7 +27,7 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
 
 TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     const TempFolder folder;
-    expectRefused(folder.write("room.xyz", "x"), "scenes are .obj, .fbx");
+    expectRefused(folder.write("room.abc", "x"), "scenes are .obj, .fbx");
     expectRefused(folder.write("room", "x"), "no extension");
     expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
