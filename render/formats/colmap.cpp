@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace dollytrack::render {
@@ -62,12 +63,28 @@ bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCa
     return false;
 }
 
+/// Of so many on all of the scene's surfaces, those that frames show.
+std::vector<SurfacePoint> seenPoints(const DatasetContents& contents, const Intrinsics& lens,
+                                     const RayCaster& rays, int count) {
+    std::vector<SurfacePoint> points = sampleSurface(contents.scene, count, 1);
+    std::erase_if(points, [&](const SurfacePoint& point) {
+        return !isSeen(contents, lens, rays, point.position);
+    });
+    return points;
+}
+
 std::string points(const DatasetContents& contents, const Intrinsics& lens) {
-    std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)\n";
+    constexpr int kFewest = kPoints / 5;
+    constexpr int kMostTimes = 10;  // a room of a large building is seen by few of all points
     const RayCaster rays(contents.scene);
+    std::vector<SurfacePoint> seen = seenPoints(contents, lens, rays, kPoints);
+    if (static_cast<int>(seen.size()) < kFewest) {
+        const int times = kFewest / std::max(1, static_cast<int>(seen.size())) + 1;
+        seen = seenPoints(contents, lens, rays, kPoints * std::min(times, kMostTimes));
+    }
+    std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)\n";
     int id = 0;
-    for (const SurfacePoint& point : sampleSurface(contents.scene, kPoints, 1)) {
-        if (!isSeen(contents, lens, rays, point.position)) continue;
+    for (const SurfacePoint& point : seen) {
         text += fmt::format("{} {} {} {} {} 0\n", ++id, numbersText(point.position), point.color[0],
                             point.color[1], point.color[2]);
     }

@@ -54,7 +54,15 @@ class Traced:
             self.paths[scene].append(done.group(1))
 
 
-@unittest.skipIf(shutil.which("strace") is None, "strace is not installed")
+def can_trace():
+    """Containers may forbid it."""
+    if shutil.which("strace") is None:
+        return False
+    tried = subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], capture_output=True)
+    return tried.returncode == 0
+
+
+@unittest.skipUnless(can_trace(), "strace is not installed, or may not look at other programs")
 class Paths(FolderCase):
     def trace(self, scenes, *arguments):
         """What was opened for each, and what came of it."""

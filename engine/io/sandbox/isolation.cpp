@@ -32,6 +32,8 @@ bool setLimits() {
     all = limit(RLIMIT_FSIZE, 0) && all;
     all = limit(RLIMIT_NOFILE, kMostOpenFiles) && all;
     if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostFrameBytes) && all;
+    // What it may hand back is shared with the parent, and counts as no data.
+    if (!kSanitized) all = limit(RLIMIT_DATA, kMostAddressSpace) && all;
     return all;
 }
 
