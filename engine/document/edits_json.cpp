@@ -1,6 +1,7 @@
 #include "engine/document/edits_json.h"
 
 #include "engine/document/json_reader.h"
+#include "engine/document/unknown_keys.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -271,6 +272,7 @@ json editsJson(const Edits& edits, const json& loaded) {
         section.erase(key);
         if (!point.empty()) section[key] = point;
     }
+    keepUnknownKeys(loaded, section);
     return section;
 }
 

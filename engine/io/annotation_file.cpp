@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/document/json_reader.h"
+#include "engine/document/unknown_keys.h"
 #include "engine/io/datasets/bounded_json.h"
 #include "engine/io/durable_file.h"
 #include "engine/scene/labels.h"
@@ -148,7 +149,9 @@ std::string annotationText(const json& earlier, const json& import, const json& 
     json& section = content["edits"];
     if (!section.is_object()) section = json::object();
     for (const char* key : {"start", "end"}) section.erase(key);  // absent where there is none
+    const json before = section;
     section.update(edits);
+    keepUnknownKeys(before, section);
     return content.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

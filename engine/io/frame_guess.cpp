@@ -100,6 +100,7 @@ std::string number(double value) {
 
 struct UnitScore {
     double score = 0.0;
+    double furniture = 0.0;  // how well named furniture fits; 0 without any
     std::string evidence;
 };
 
@@ -133,7 +134,8 @@ UnitScore scoreUnit(const std::vector<Thing>& things, const Eigen::AlignedBox3d&
     if (classes > 0.0) {
         // One kind may be an odd model, or all lamps of a room in one node; many do not err.
         const double weight = 2.0 * classes / (classes + 2.0);
-        result.score = (result.score + weight * fit / classes) / (1.0 + weight);
+        result.furniture = fit / classes;
+        result.score = (result.score + weight * result.furniture) / (1.0 + weight);
         result.evidence += ", " + number(classes) + " kinds of furniture";
     }
     return result;
@@ -238,11 +240,16 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     double best_unit = 1.0;
     UnitScore best;
     best.score = -1.0;
+    const UnitScore in_metres = scoreUnit(things, core, up, 1.0);
+    bool maybe_feet = false;
     for (const double unit : kUnits) {
         UnitScore score = scoreUnit(things, core, up, unit);
-        // Inches are rarer, feet rarer still than halls of 30 m.
-        if (unit == 0.0254) score.score *= 0.8;
-        if (unit == 0.3048) score.score *= 0.58;
+        if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
+        // A hall in metres is a room in feet; only furniture can tell them apart.
+        if (unit == 0.3048 && !(score.furniture > in_metres.furniture)) {
+            maybe_feet = best_unit == 1.0 && score.score > best.score;
+            continue;
+        }
         if (score.score > best.score) {
             best = score;
             best_unit = unit;
@@ -271,12 +278,11 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
-    if (best_unit == 0.3048 && raw.file_unit_m != best_unit) {
-        choice.warnings.push_back(
-            "the unit is doubtful: judged by its height this is a room in feet; give metres per "
-            "unit if it is a hall");
-    }
-    if (best.score < kDoubtful) {
+    if (maybe_feet) {
+        choice.warnings.push_back("the unit is doubtful: this is a hall in metres (" +
+                                  best.evidence +
+                                  "), or a room in feet; give 0.3048 metres per unit for feet");
+    } else if (best.score < kDoubtful) {
         choice.warnings.push_back(
             "the unit is doubtful: no usual unit gives this scene a room's "
             "size; give metres per unit if it is wrong");

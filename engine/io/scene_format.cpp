@@ -58,6 +58,8 @@ char firstLetter(std::string_view head) {
     return at == std::string_view::npos ? '\0' : head[at];
 }
 
+constexpr double kCloudWork = 8.0;
+
 bool anything(std::string_view /*head*/) {
     return true;
 }
@@ -103,7 +105,13 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"a glTF file", {".gltf"}, likeGltf, readModel, modelInputs},
         {"a GLB file", {".glb"}, likeGlb, readModel, modelInputs},
         {"a Collada file", {".dae"}, likeCollada, readModel, modelInputs},
-        {"a PLY file of points", {".ply"}, io::isPlyOfPoints, io::readPointCloud},
+        {"a PLY file of points",
+         {".ply"},
+         io::isPlyOfPoints,
+         io::readPointCloud,
+         nullptr,
+         false,
+         kCloudWork},
         {"a PLY file", {".ply"}, likePly, readModel, modelInputs},
         {"an STL file", {".stl"}, anything, readModel, modelInputs},
         {"a 3D-FRONT scene",
@@ -124,13 +132,14 @@ const std::vector<SceneFormat>& sceneFormats() {
          homes::looksLikeHomeXml,
          homes::readHome,
          homes::homeInputs},
-        {"a PCD file", {".pcd"}, likePcd, io::readPointCloud},
+        {"a PCD file", {".pcd"}, likePcd, io::readPointCloud, nullptr, false, kCloudWork},
         {"a text file of points",
          {".xyz", ".txt", ".asc", ".csv", ".pts"},
          likeText,
          io::readPointCloud,
          nullptr,
-         true},
+         true,
+         kCloudWork},
     };
     return formats;
 }

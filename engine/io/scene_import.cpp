@@ -5,8 +5,10 @@
 #include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
+#include "engine/io/import_notes.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
+#include "engine/io/oddity_notes.h"
 #include "engine/io/piece_merge.h"
 #include "engine/io/piece_split.h"
 #include "engine/io/sandbox/scene_reading.h"
@@ -26,51 +28,6 @@
 namespace dollytrack {
 namespace {
 
-/// "1 face was dropped", "2 faces were dropped".
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
-    if (repairs.bad_numbers > 0) {
-        report.warnings.push_back(
-            counted(repairs.bad_numbers, "face with a corner that is no finite number was dropped",
-                    "faces with a corner that is no finite number were dropped"));
-    }
-    if (repairs.bad_indices > 0) {
-        report.warnings.push_back(counted(repairs.bad_indices,
-                                          "face that names a missing vertex was dropped",
-                                          "faces that name a missing vertex were dropped"));
-    }
-    if (repairs.no_area > 0) {
-        report.notes.push_back(counted(repairs.no_area, "face without area was dropped",
-                                       "faces without area were dropped"));
-    }
-    if (repairs.approximate > 0) {
-        report.warnings.push_back(counted(repairs.approximate,
-                                          "polygon crosses itself and was filled as a fan",
-                                          "polygons cross themselves and were filled as fans"));
-    }
-    if (repairs.lines > 0) {
-        report.notes.push_back(
-            counted(repairs.lines, "point or line was left out", "points and lines were left out"));
-    }
-    if (repairs.polygons > 0) {
-        report.notes.push_back(counted(repairs.polygons, "polygon was cut into triangles",
-                                       "polygons were cut into triangles"));
-    }
-    if (repairs.made_normals > 0) {
-        report.notes.push_back(counted(
-            repairs.made_normals, "mesh had no normals; they were made, smooth below 45 degrees",
-            "meshes had no normals; they were made, smooth below 45 degrees"));
-    }
-    if (repairs.mirrored > 0) {
-        report.notes.push_back(counted(repairs.mirrored,
-                                       "mesh is mirrored; its faces were turned back",
-                                       "meshes are mirrored; their faces were turned back"));
-    }
-}
-
 /// Pieces of a scene taken apart are named after class or material, with a number.
 void nameObjects(std::vector<ObjectDraft>& drafts) {
     std::map<std::string, int> used;
@@ -81,50 +38,6 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
                                : withoutNumber(draft.name);
         if (base.empty()) base = "object";
         draft.name = base + "_" + std::to_string(++used[base]);
-    }
-}
-
-/// What the file names and is no object any more is told by its name, with what it went into.
-void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
-                ImportReport& report) {
-    if (merges.empty()) return;
-    std::map<std::size_t, std::string> named;  // by what they went into
-    std::size_t nameless = 0;
-    for (const MergedPiece& piece : merges) {
-        if (piece.name.empty()) {
-            ++nameless;
-            continue;
-        }
-        std::string& names = named[piece.whole];
-        names += (names.empty() ? "" : ", ") + piece.name;
-    }
-    std::string list;
-    for (const auto& [whole, names] : named) {
-        list += (list.empty() ? "" : "; ") + names + " with " + drafts[whole].name;
-    }
-    if (nameless > 0 && !named.empty()) {
-        list += "; " + std::to_string(nameless) + " without a name of their own";
-    }
-    report.notes.push_back(counted(merges.size(),
-                                   "piece was put together with what it is attached to",
-                                   "pieces were put together with what they are attached to") +
-                           (list.empty() ? "" : ": " + list));
-}
-
-/// What is there twice, or for physics only, is not to be seen.
-void dropUnseen(RawScene& raw, ImportReport& report) {
-    const std::vector<std::string> proxies = dropProxies(raw);
-    if (!proxies.empty()) {
-        std::string list;
-        for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
-        report.notes.push_back(counted(proxies.size(), "mesh is for physics and was left out: ",
-                                       "meshes are for physics and were left out: ") +
-                               list);
-    }
-    if (const std::size_t twice = dropDuplicates(raw); twice > 0) {
-        report.notes.push_back(
-            counted(twice, "mesh is there twice in one place and was left out once",
-                    "meshes are there twice in one place and were left out once"));
     }
 }
 
@@ -205,14 +118,15 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
     const bool knows_objects = !raw.objects.empty();
-    if (!knows_objects) dropUnseen(raw, scene.report);
+    if (!knows_objects) {
+        const std::vector<std::string> proxies = dropProxies(raw);
+        noteUnseen(proxies, dropDuplicates(raw), scene.report);
+    }
     AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
     std::vector<ObjectDraft> drafts =
         knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
     if (drafts.empty() && annotated.drafts.empty()) {
-        return fail(ErrorCode::BadInput,
-                    "the file holds no triangle that can be drawn; export its meshes too",
-                    path.string());
+        return tl::unexpected<Error>(nothingToDraw(raw, path));
     }
     job.report(0.6);
 
@@ -228,6 +142,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.report.up_source = frame.up_source;
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
+    noteFarAway(raw, frame.unit_m, scene.report);
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
     scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
@@ -256,6 +171,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
+    noteOddities(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 

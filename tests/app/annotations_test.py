@@ -123,6 +123,29 @@ class Annotations(FolderCase):
         self.assertEqual(written["objects"][0]["bought"], 1999)
         self.assertEqual(written["edits"]["changes"][0]["object"]["name"], "seat")
 
+    def test_unknown_keys_of_edits_stay_with_what_they_are_about(self):
+        path = self.scene(self.said(edits={
+            "version": 1, "why": "survey",
+            "changes": [{"object": {"name": "sofa", "tag": "S1"}, "role": "excluded", "by": "Ann"},
+                        {"object": {"name": "mug"}, "large": True, "by": "Bob"}],
+            "no_go": [{"name": "stove", "center": [1, -1, 1], "half_size_m": [0.1, 0.1, 0.1],
+                       "yaw_rad": 0, "hot": True}]}))
+        beside = path.with_name(path.name + ".objects.json")
+        project = path.with_suffix(".dolly")
+        for arguments in (["--write-annotations", beside], ["-o", project]):
+            done = run("edit", path, "--op", '{"op":"include","object":"sofa"}',
+                       "--op", '{"op":"exclude","object":"book"}', *arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        for edits in (json.loads(beside.read_text())["edits"],
+                      json.loads(project.read_text())["edits"]):
+            self.assertEqual(edits["why"], "survey")
+            self.assertTrue(edits["no_go"][0]["hot"])
+            changes = {c["object"]["name"]: c for c in edits["changes"]}
+            self.assertEqual(changes["mug"]["by"], "Bob")
+            self.assertNotIn("by", changes["book"])
+            # An entry keeps its keys as long as there is one; what was taken back does not return.
+            self.assertNotEqual(changes.get("sofa", {}).get("role"), "excluded")
+
     def test_relations_come_before_what_is_found(self):
         path = self.scene(self.said(relations=[
             {"object": "book", "relation": "in", "holder": "sofa"},

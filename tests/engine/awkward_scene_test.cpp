@@ -87,14 +87,73 @@ TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     EXPECT_TRUE(says(scene.report.notes, "1 mesh is there twice"));
 }
 
-TEST(AwkwardScene, AHallIsNoRoomInFeet) {
+/// A hall with crates of a metre.
+ObjWriter hall(const Eigen::Vector3d& size) {
     ObjWriter obj(1.0, false);
-    obj.room({30, 20, 6}, true);
+    obj.room(size, true);
     for (int i = 0; i < 24; ++i) {
         const Eigen::Vector3d low(3.0 + 4.5 * (i / 4), 3.0 + 4.0 * (i % 4), 0.0);
         obj.object("crate_" + std::to_string(i)).box(low, low + Eigen::Vector3d::Ones());
     }
+    return obj;
+}
+
+TEST(AwkwardScene, AHallIsNoRoomInFeet) {
+    for (const Eigen::Vector3d& size :
+         {Eigen::Vector3d(30, 20, 6), Eigen::Vector3d(40, 25, 8), Eigen::Vector3d(30, 20, 10)}) {
+        const Scene scene = imported(hall(size));
+        EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
+        EXPECT_TRUE(says(scene.report.warnings, "hall in metres")) << size.transpose();
+        EXPECT_EQ(countTargets(scene), 24);
+    }
+}
+
+/// What is in it tells feet from halls.
+TEST(AwkwardScene, ARoomInFeetIsKnownByItsFurniture) {
+    EXPECT_DOUBLE_EQ(imported(furnished(1.0 / 0.3048)).report.unit_m, 0.3048);
+    ObjWriter obj = hall({40, 25, 8});
+    obj.object("chair").box({1.0, 1.0, 0.0}, {1.45, 1.45, 0.9});
     EXPECT_DOUBLE_EQ(imported(obj).report.unit_m, 1.0);
+}
+
+/// The same text, its corners moved.
+std::string moved(const ObjWriter& obj, const Eigen::Vector3d& by) {
+    std::ostringstream text;
+    text.precision(15);
+    std::istringstream lines(obj.text());
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        Eigen::Vector3d p;
+        if (words >> kind && kind == "v" && words >> p.x() >> p.y() >> p.z()) {
+            text << "v " << (p + by).transpose() << "\n";
+        } else {
+            text << line << "\n";
+        }
+    }
+    return text.str();
+}
+
+TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
+    const TempFolder folder;
+    ImportOptions options;
+    options.unit_m = 1.0;
+    const auto read = [&](double away) {
+        const std::string text = moved(furnished(), Eigen::Vector3d(away, away, 0.0));
+        return importScene(folder.write("room.obj", text), options);
+    };
+    const Result<Scene> near = read(1e3);  // numbers are 0.1 mm apart
+    ASSERT_TRUE(near) << describe(near.error());
+    EXPECT_TRUE(near->report.warnings.empty());
+    const Result<Scene> far = read(2e5);  // 16 mm
+    ASSERT_TRUE(far) << describe(far.error());
+    EXPECT_EQ(countTargets(*far), 4);
+    EXPECT_TRUE(says(far->report.warnings, "from the origin"));
+    const Result<Scene> farthest = read(1e9);  // 64 m
+    ASSERT_FALSE(farthest);
+    EXPECT_EQ(farthest.error().code, ErrorCode::BadInput);
+    EXPECT_NE(farthest.error().message.find("from the origin"), std::string::npos)
+        << farthest.error().message;
 }
 
 /// What exporters write that spare zeros: ".5" for "0.5".

@@ -295,6 +295,9 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
             "depths come in steps ({:.0f} mm at 4 m); points were smoothed along their rays",
             16.0e3 * step));
     }
+    raw.notes.push_back(
+        "a level floor was put under the scan, \"floor_unseen\": scans show none behind furniture "
+        "and where the scanner stood");
     raw.notes.push_back("up in the cloud: " + up.source);
     if (up.doubtful) raw.notes.push_back("the cloud's upward axis is doubtful; give it if wrong");
     return raw;

@@ -16,15 +16,19 @@ class ReadingClock {
     static constexpr Seconds kMost{900.0};
     static constexpr Seconds kForMebibyte{2.0};
 
+    /// `work` is that of the scene's format.
+    explicit ReadingClock(double work = 1.0) : work_(work) {}
+
     void opened(std::uint64_t bytes) { bytes_ += static_cast<double>(bytes); }
     [[nodiscard]] Seconds allowed() const {
-        return std::min(kMost, kLeast + kForMebibyte * (bytes_ / 1048576.0));
+        return std::min(kMost, work_ * (kLeast + kForMebibyte * (bytes_ / 1048576.0)));
     }
     [[nodiscard]] Seconds left() const { return allowed() - (Clock::now() - begin_); }
 
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
+    double work_;
     double bytes_ = 0.0;
 };
 

@@ -253,6 +253,23 @@ TEST(CloudRoom, HasAFloorWhereTheScanShowsNone) {
     EXPECT_LE(floor->box.center.z(), 0.03);
     EXPECT_GT(floor->box.center.z(), -0.1);
     EXPECT_GT(2.0 * std::min(floor->box.half_size.x(), floor->box.half_size.y()), 0.9);
+    EXPECT_TRUE(std::any_of(scene->report.notes.begin(), scene->report.notes.end(),
+                            [](const std::string& note) {
+                                return note.find("\"floor_unseen\"") != std::string::npos;
+                            }));
+}
+
+TEST(CloudRoom, WhatIsAskedForReachesTheReader) {
+    const RoomScan scan([](const Eigen::Vector3d& p) { return p; });
+    const test::TempFolder folder;
+    const auto path = folder.write("scan.xyz", scan.text());
+    const auto fine = importScene(path);
+    ImportOptions options;
+    options.cloud.voxel_m = 0.08;
+    const auto coarse = importScene(path, options);
+    ASSERT_TRUE(fine && coarse);
+    EXPECT_LT(4 * coarse->triangles.size(), fine->triangles.size());
+    EXPECT_GT(coarse->triangles.size(), 1000U);
 }
 
 TEST(CloudRoom, TooFewPointsAreRefused) {
