@@ -188,26 +188,11 @@ bool isTaken(int lock) {
 
 }  // namespace
 
-DatasetFolder::DatasetFolder(DatasetFolder&& other) noexcept
-    : folder_(std::move(other.folder_)),
-      lock_(std::exchange(other.lock_, -1)),
-      made_(other.made_),
-      marked_(other.marked_) {}
-
-DatasetFolder& DatasetFolder::operator=(DatasetFolder&& other) noexcept {
-    std::swap(folder_, other.folder_);
-    std::swap(lock_, other.lock_);
-    std::swap(made_, other.made_);
-    std::swap(marked_, other.marked_);
-    return *this;
-}
-
 DatasetFolder::~DatasetFolder() {
-    if (lock_ < 0) return;
+    if (!lock_.valid()) return;
     // Before the lock goes: another export may mark it as its own at once.
     if (marked_) ::unlink(journal().c_str());
     if (made_) ::rmdir(folder_.c_str());
-    ::close(lock_);
 }
 
 fs::path DatasetFolder::journal() const {
@@ -230,16 +215,15 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
                     folder.string());
     }
     if (error) return tl::unexpected<Error>(asError(error, folder));
-    const int lock = ::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock < 0) return tl::unexpected<Error>(io::writeError(errno, folder));
-    if (isTaken(lock) || !isAt(lock, journal)) {
-        ::close(lock);
+    io::FileDescriptor lock(::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!lock.valid()) return tl::unexpected<Error>(io::writeError(errno, folder));
+    if (isTaken(lock.get()) || !isAt(lock.get(), journal)) {
         return fail(ErrorCode::CannotWrite,
                     "another export is writing into this folder; wait for it, stop it, or choose "
                     "another folder",
                     folder.string());
     }
-    claimed.lock_ = lock;
+    claimed.lock_ = std::move(lock);
     claimed.marked_ = !was_marked;
     return claimed;
 }
@@ -260,7 +244,7 @@ Status DatasetFolder::checkNotComplete() const {
 }
 
 bool DatasetFolder::isThere() const {
-    return lock_ >= 0 && isAt(lock_, journal());
+    return lock_.valid() && isAt(lock_.get(), journal());
 }
 
 Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const {
@@ -320,7 +304,7 @@ Status DatasetFolder::release() {
     if (::unlink(journal().c_str()) != 0) {
         return tl::unexpected<Error>(io::writeError(errno, journal()));
     }
-    ::close(std::exchange(lock_, -1));
+    (void)lock_.close();
     return io::syncFolder(folder_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
 
@@ -22,8 +23,8 @@ class DatasetFolder {
                                                      bool overwrite);
     /// Gives the lock back, and takes the mark and an empty folder away if nothing was begun.
     ~DatasetFolder();
-    DatasetFolder(DatasetFolder&& other) noexcept;
-    DatasetFolder& operator=(DatasetFolder&& other) noexcept;
+    DatasetFolder(DatasetFolder&&) = default;
+    DatasetFolder& operator=(DatasetFolder&&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
     [[nodiscard]] std::filesystem::path journal() const;
@@ -53,7 +54,7 @@ class DatasetFolder {
     DatasetFolder() = default;
 
     std::filesystem::path folder_;
-    int lock_ = -1;  // descriptor of the journal
+    io::FileDescriptor lock_;  // the journal
     // What claim() did, so that an early end can undo it.
     bool made_ = false;
     bool marked_ = false;

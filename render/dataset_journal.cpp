@@ -143,39 +143,21 @@ JournalContents readJournal(const std::filesystem::path& path) {
     return contents;
 }
 
-DatasetJournal::DatasetJournal(std::filesystem::path path, int descriptor, std::uint64_t length)
+DatasetJournal::DatasetJournal(std::filesystem::path path, io::FileDescriptor file,
+                               std::uint64_t length)
     : path_(std::move(path)),
-      descriptor_(descriptor),
+      file_(std::move(file)),
       length_(length),
       synced_(std::chrono::steady_clock::now()) {}
 
-DatasetJournal::DatasetJournal(DatasetJournal&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      length_(other.length_),
-      synced_(other.synced_) {}
-
-DatasetJournal& DatasetJournal::operator=(DatasetJournal&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(descriptor_, other.descriptor_);
-    std::swap(length_, other.length_);
-    std::swap(synced_, other.synced_);
-    return *this;
-}
-
-DatasetJournal::~DatasetJournal() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 Result<DatasetJournal> DatasetJournal::open(const std::filesystem::path& path,
                                             std::uint64_t length) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (descriptor < 0) return tl::unexpected<Error>(io::writeError(errno, path));
-    DatasetJournal journal(path, descriptor, length);
-    if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0) {
+    io::FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+    if (!file.valid()) return tl::unexpected<Error>(io::writeError(errno, path));
+    if (::ftruncate(file.get(), static_cast<off_t>(length)) != 0) {
         return tl::unexpected<Error>(io::writeError(errno, path));
     }
-    return journal;
+    return DatasetJournal(path, std::move(file), length);
 }
 
 Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
@@ -205,10 +187,10 @@ Status DatasetJournal::append(const JournalEntry& entry) {
 
 Status DatasetJournal::appendLine(const std::string& json) {
     const std::string line = lineOf(json);
-    if (const int error = writeAll(descriptor_, line)) {
+    if (const int error = writeAll(file_.get(), line)) {
         // The piece of it that did fit must not spoil a later line.
-        if (::ftruncate(descriptor_, static_cast<off_t>(length_)) != 0) {
-            ::close(std::exchange(descriptor_, -1));  // nothing may follow the piece
+        if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) {
+            (void)file_.close();  // nothing may follow the piece
         }
         return tl::unexpected<Error>(io::writeError(error, path_));
     }
@@ -218,7 +200,7 @@ Status DatasetJournal::appendLine(const std::string& json) {
 
 Status DatasetJournal::sync() {
     synced_ = std::chrono::steady_clock::now();
-    if (::fdatasync(descriptor_) != 0 && errno != EINVAL) {
+    if (::fdatasync(file_.get()) != 0 && errno != EINVAL) {
         return tl::unexpected<Error>(io::writeError(errno, path_));
     }
     return {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 #include "engine/plan/capture.h"
 #include "render/formats/mask_rle.h"
 #include "render/instances.h"
@@ -53,22 +54,19 @@ class DatasetJournal {
     /// Writes behind what readJournal() found.
     [[nodiscard]] static Result<DatasetJournal> resume(const std::filesystem::path& path,
                                                        const JournalContents& contents);
-    ~DatasetJournal();
-    DatasetJournal(DatasetJournal&& other) noexcept;
-    DatasetJournal& operator=(DatasetJournal&& other) noexcept;
 
     /// A line that does not fit on the disk leaves nothing behind.
     [[nodiscard]] Status append(const JournalEntry& entry);
     [[nodiscard]] Status sync();
 
   private:
-    DatasetJournal(std::filesystem::path path, int descriptor, std::uint64_t length);
+    DatasetJournal(std::filesystem::path path, io::FileDescriptor file, std::uint64_t length);
     [[nodiscard]] static Result<DatasetJournal> open(const std::filesystem::path& path,
                                                      std::uint64_t length);
     [[nodiscard]] Status appendLine(const std::string& json);
 
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    io::FileDescriptor file_;
     std::uint64_t length_ = 0;
     std::chrono::steady_clock::time_point synced_;
 };

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <vector>
 
 namespace dollytrack::render {
@@ -12,6 +13,15 @@ struct ObjectMotion {
     /// World; by frame: p_then = motion * p, for a point p of the object in the scene as given.
     std::vector<Eigen::Isometry3d> by_frame;
 };
+
+/// Where an object is in a frame: where the scene has it, when it does not move.
+[[nodiscard]] inline Eigen::Isometry3d motionOf(const std::vector<ObjectMotion>& motions,
+                                                int object_id, std::size_t frame) {
+    for (const ObjectMotion& motion : motions) {
+        if (motion.object_id == object_id) return motion.by_frame[frame];
+    }
+    return Eigen::Isometry3d::Identity();
+}
 
 /// "mug on table"
 struct ObjectRelation {

@@ -1,6 +1,7 @@
 #include "app/batch/batch_folder.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/text_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -8,8 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace dollytrack::batch {
@@ -30,13 +29,6 @@ std::string textOf(const BatchList& list) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string contentOf(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 bool isOurs(const std::string& list) {
     const Json json = Json::parse(list, nullptr, false);
     return json.is_object() && json.contains("format") && json["format"] == kFormat;
@@ -53,24 +45,24 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     }
     const fs::path path = folder / kList;
     const std::string wanted = textOf(list);
-    const std::string found = contentOf(path);
+    const std::string found = io::readText(path).value_or("");
     if (found == wanted) return {};
     if (!isOurs(found) && !fs::is_empty(folder, error)) {
         // Another part of the batch may have marked it just now.
-        if (contentOf(path) == wanted) return {};
+        if (io::readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,
                     "the folder holds files that are not of a Dollytrack batch; choose an empty "
                     "folder with 'out' or --out",
                     folder.string());
     }
     Status written = io::writeWhole(path, wanted);
-    if (!written && contentOf(path) == wanted) return {};
+    if (!written && io::readText(path).value_or("") == wanted) return {};
     return written;
 }
 
 Result<BatchList> readBatchList(const fs::path& folder) {
     const fs::path path = folder / kList;
-    const std::string text = contentOf(path);
+    const std::string text = io::readText(path).value_or("");
     if (!isOurs(text)) {
         return fail(ErrorCode::BadInput,
                     "this is not the folder of a batch: its jobs.json is missing or damaged",
@@ -102,23 +94,10 @@ Result<JobLock> JobLock::take(const fs::path& job_folder) {
     if (error) return tl::unexpected<Error>(io::writeError(error.value(), job_folder));
     JobLock lock;
     const fs::path path = job_folder / kLock;
-    lock.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock.descriptor_ < 0) return tl::unexpected<Error>(io::writeError(errno, path));
-    lock.ours_ = ::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    lock.file_ = io::FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!lock.file_.valid()) return tl::unexpected<Error>(io::writeError(errno, path));
+    lock.ours_ = ::flock(lock.file_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     return lock;
-}
-
-JobLock::~JobLock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-JobLock::JobLock(JobLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), ours_(other.ours_) {}
-
-JobLock& JobLock::operator=(JobLock&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    std::swap(ours_, other.ours_);
-    return *this;
 }
 
 }  // namespace dollytrack::batch

@@ -2,6 +2,7 @@
 
 #include "app/batch/job.h"
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 
 #include <filesystem>
 #include <string>
@@ -29,16 +30,13 @@ class JobLock {
   public:
     /// Makes the job's folder. Error: CannotWrite.
     [[nodiscard]] static Result<JobLock> take(const std::filesystem::path& job_folder);
-    ~JobLock();
-    JobLock(JobLock&& other) noexcept;
-    JobLock& operator=(JobLock&& other) noexcept;
 
     [[nodiscard]] bool isOurs() const { return ours_; }
 
   private:
     JobLock() = default;
 
-    int descriptor_ = -1;
+    io::FileDescriptor file_;
     bool ours_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "app/cli/evaluation.h"
 
 #include "app/cli/terminal_text.h"
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/trajectory_file.h"
 #include "render/verify/number_table.h"

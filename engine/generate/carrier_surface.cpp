@@ -83,8 +83,8 @@ UprightBox CarrierSurface::wayIn(const UprightBox& box) const {
     return way;
 }
 
-std::optional<double> CarrierSurface::restingHeight(const PlacedPiece& thing,
-                                                    Random& random) const {
+std::optional<CarrierSurface::Rest> CarrierSurface::restFor(const PlacedPiece& thing,
+                                                            Random& random) const {
     UprightBox column = thing.box();
     column.low = carrier_.low;
     column.high = carrier_.high;
@@ -120,7 +120,9 @@ std::optional<double> CarrierSurface::restingHeight(const PlacedPiece& thing,
         from_above.high = std::max(carrier_.high, box.high) + 1.0;
         UprightBox in_shelf = box;
         in_shelf.high += kHeadroom;
-        if (isFree(from_above) || isFree(wayIn(in_shelf))) return base + kLift;
+        if (isFree(from_above)) return Rest{base + kLift, std::nullopt};
+        const UprightBox way = wayIn(in_shelf);
+        if (isFree(way)) return Rest{base + kLift, way};
     }
     return std::nullopt;
 }

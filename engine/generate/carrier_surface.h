@@ -14,11 +14,15 @@ class CarrierSurface {
   public:
     CarrierSurface(const homes::FurnitureModel& model, const PlacedPiece& placed);
 
-    /// The elevation at which a thing stands at its place, where there is any: its corners and its
-    /// middle are carried, no triangle of the carrier reaches into it, and a hand could have put it
-    /// there, straight down from above or straight in from the front. One by chance of several.
-    [[nodiscard]] std::optional<double> restingHeight(const PlacedPiece& thing,
-                                                      Random& random) const;
+    /// Where a thing stands.
+    struct Rest {
+        double height = 0.0;            // its elevation
+        std::optional<UprightBox> way;  // from the front; nothing where it is open above
+    };
+    /// How a thing stands at its place, if it can: its corners and its middle are carried, no
+    /// triangle of the carrier reaches into it, and a hand could have put it there, straight down
+    /// from above or straight in from the front. One height by chance of several.
+    [[nodiscard]] std::optional<Rest> restFor(const PlacedPiece& thing, Random& random) const;
 
   private:
     using Nearby = std::vector<const TriangleInRoom*>;

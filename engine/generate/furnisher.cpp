@@ -1,6 +1,7 @@
 #include "engine/generate/furnisher.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dollytrack::generate {
 namespace {
@@ -8,15 +9,46 @@ namespace {
 constexpr int kChoices = 3;
 constexpr int kTries = 8;
 
+/// How often a room may hold the same thing; pairs and rows of furniture are as they should be.
+int mostAlike(FurnitureRole role, int most_small) {
+    using enum FurnitureRole;
+    switch (role) {
+        case FloorLamp:
+        case FloorPlant:
+        case WallThing:
+        case FloorThing:
+        case WorkFloorThing:
+            return 1;
+        case TableLamp:
+        case DeskThing:
+        case LivingThing:
+        case KitchenThing:
+        case BedroomThing:
+        case ShelfThing:
+            return most_small;
+        default:
+            return std::numeric_limits<int>::max();
+    }
+}
+
+/// Libraries have several models of what a room has one of: televisions, clocks, bins.
+bool areAlike(const CatalogPiece& a, const CatalogPiece& b, FurnitureRole role) {
+    using enum FurnitureRole;
+    const bool by_name = role == WallThing || role == FloorThing || role == WorkFloorThing;
+    return &a == &b || (by_name && a.name == b.name);
+}
+
 }  // namespace
 
 const CatalogPiece* Furnisher::pick(FurnitureRole role) const {
     const auto& pieces = pool.piecesOf(role);
     if (pieces.empty()) return nullptr;
     const auto timesUsed = [&](const CatalogPiece* piece) {
-        return std::count_if(layout.pieces().begin(), layout.pieces().end(),
-                             [&](const auto& placed) { return placed.piece == piece; });
+        return static_cast<int>(std::count_if(
+            layout.pieces().begin(), layout.pieces().end(),
+            [&](const auto& placed) { return areAlike(*placed.piece, *piece, role); }));
     };
+    const int most = mostAlike(role, most_alike);
     // Only what is chosen is read: a library is large.
     for (int attempt = 0; attempt < kTries; ++attempt) {
         const CatalogPiece* best = nullptr;
@@ -24,10 +56,11 @@ const CatalogPiece* Furnisher::pick(FurnitureRole role) const {
             const auto* piece = pieces[random.below(static_cast<std::uint32_t>(pieces.size()))];
             if (!best || timesUsed(piece) < timesUsed(best)) best = piece;
         }
-        if (pool.isUsable(*best, job)) return best;
+        if (timesUsed(best) < most && pool.isUsable(*best, job)) return best;
     }
-    const auto usable = std::find_if(pieces.begin(), pieces.end(),
-                                     [&](const auto* piece) { return pool.isUsable(*piece, job); });
+    const auto usable = std::find_if(pieces.begin(), pieces.end(), [&](const auto* piece) {
+        return timesUsed(piece) < most && pool.isUsable(*piece, job);
+    });
     return usable == pieces.end() ? nullptr : *usable;
 }
 

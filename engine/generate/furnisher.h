@@ -16,8 +16,10 @@ struct Furnisher {
     Random& random;
     const JobContext& job;
     RoomLayout& layout;
+    int most_alike = 2;  // so often may the same small thing be there
 
-    /// Of a few usable ones by chance that of which the room has least; null when there is none.
+    /// Of a few usable ones by chance that of which the room has least; null when there is none, or
+    /// the room has enough of each: of decorations one, of small things `most_alike`.
     const CatalogPiece* pick(FurnitureRole role) const;
     [[nodiscard]] bool tossCoin() const { return random.below(2) == 0; }
     int anyWall() const { return static_cast<int>(random.below(4)); }

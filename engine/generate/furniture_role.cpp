@@ -13,13 +13,17 @@ namespace dollytrack::generate {
 namespace {
 
 constexpr std::array<std::string_view, kRoleCount> kNames = {
-    "door",         "window",       "bed",          "night_stand",   "wardrobe",
-    "dresser",      "sofa",         "armchair",     "coffee_table",  "tv_stand",
-    "television",   "bookcase",     "cabinet",      "desk",          "office_chair",
-    "dining_table", "dining_chair", "kitchen_base", "kitchen_tall",  "kitchen_upper",
-    "floor_lamp",   "ceiling_lamp", "table_lamp",   "floor_plant",   "wall_thing",
-    "floor_thing",  "desk_thing",   "living_thing", "kitchen_thing", "bedroom_thing",
-    "shelf_thing"};
+    "door",          "window",        "bed",
+    "night_stand",   "wardrobe",      "dresser",
+    "sofa",          "armchair",      "coffee_table",
+    "tv_stand",      "television",    "bookcase",
+    "cabinet",       "desk",          "office_chair",
+    "dining_table",  "dining_chair",  "kitchen_base",
+    "kitchen_tall",  "kitchen_upper", "floor_lamp",
+    "ceiling_lamp",  "table_lamp",    "floor_plant",
+    "wall_thing",    "floor_thing",   "work_floor_thing",
+    "desk_thing",    "living_thing",  "kitchen_thing",
+    "bedroom_thing", "shelf_thing"};
 
 constexpr double kHigh = 60.0;    // cm; lower than that nothing hangs but sockets
 constexpr double kStands = 20.0;  // some pieces that stand are drawn on a thick floor

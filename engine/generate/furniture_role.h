@@ -37,6 +37,7 @@ enum class FurnitureRole {
     FloorPlant,
     WallThing,
     FloorThing,
+    WorkFloorThing,  // where people work and eat
     DeskThing,
     LivingThing,
     KitchenThing,

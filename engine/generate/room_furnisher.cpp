@@ -12,7 +12,9 @@ void addSome(Furnisher& f, FurnitureRole role, int count) {
 }
 
 /// The groups first: they need most room.
-void furnishKind(RoomKind kind, double area, Furnisher& f) {
+void furnishKind(RoomKind kind, double area, int objects, Furnisher& f) {
+    constexpr double kCluttered = 4.0;  // objects on a square metre; they want shelves
+    const int shelves = objects > kCluttered * area ? 2 : 0;
     const int more = std::clamp(static_cast<int>(area / 18.0), 1, 4);
     switch (kind) {
         case RoomKind::Suite:
@@ -52,8 +54,8 @@ void furnishKind(RoomKind kind, double area, Furnisher& f) {
             break;
         case RoomKind::Office:
             for (int i = 0; i < more + 1; ++i) addDeskGroup(f);
-            addSome(f, Bookcase, more + 1);
-            addSome(f, Cabinet, more);
+            addSome(f, Bookcase, more + 1 + shelves);
+            addSome(f, Cabinet, more + shelves);
             if (area > 30.0) addSofaGroup(f);
             break;
         case RoomKind::Studio:
@@ -70,7 +72,7 @@ void furnishKind(RoomKind kind, double area, Furnisher& f) {
 void furnish(const RoomSpec& spec, Furnisher& furnisher) {
     addDoorAndWindows(furnisher);
     const double area = spec.length_m * spec.width_m;
-    furnishKind(spec.kind, area, furnisher);
+    furnishKind(spec.kind, area, spec.objects, furnisher);
     const int lamps = area > 35.0 ? 2 : 1;
     for (int i = 0; i < lamps; ++i) {
         addCeilingLamp(furnisher, {furnisher.layout.length() * (i + 1) / (lamps + 1),
@@ -78,17 +80,19 @@ void furnish(const RoomSpec& spec, Furnisher& furnisher) {
     }
 }
 
-void decorate(int objects, int tries, Furnisher& furnisher) {
+void decorate(RoomKind kind, int objects, int tries, Furnisher& furnisher) {
+    const bool kitchen = kind == RoomKind::Kitchen;
+    const bool work = kitchen || kind == RoomKind::Dining || kind == RoomKind::Office;
     for (int i = 0; i < tries && furnisher.layout.furnished() < objects; ++i) {
-        const std::uint32_t kind = furnisher.random.below(8);
-        if (kind < 3) {
+        const std::uint32_t what = furnisher.random.below(8);
+        if (what < 3) {
             addWallThing(furnisher);
-        } else if (kind < 5) {
+        } else if (what < 5) {
             addFloorThing(furnisher, FloorPlant);
-        } else if (kind == 5) {
+        } else if (what == 5 && !kitchen) {
             addFloorThing(furnisher, FloorLamp);
         } else {
-            addFloorThing(furnisher, FloorThing);
+            addFloorThing(furnisher, work ? WorkFloorThing : FloorThing);
         }
     }
 }

@@ -10,6 +10,6 @@ namespace dollytrack::generate {
 void furnish(const RoomSpec& spec, Furnisher& furnisher);
 
 /// Things on walls and on the floor, until the room holds `objects` or `tries` were made.
-void decorate(int objects, int tries, Furnisher& furnisher);
+void decorate(RoomKind kind, int objects, int tries, Furnisher& furnisher);
 
 }  // namespace dollytrack::generate

@@ -46,9 +46,9 @@ RoomLayout layOut(const RoomSpec& spec, FurniturePool& pool, Random& random,
     furnish(spec, furnisher);
     // Some of what is still missing goes to walls and floor, most onto the furniture.
     const int missing = spec.objects - layout.furnished();
-    decorate(layout.furnished() + std::max(0, missing / 4), missing, furnisher);
+    decorate(spec.kind, layout.furnished() + std::max(0, missing / 4), missing, furnisher);
     stackThings(spec.objects, furnisher);
-    decorate(spec.objects, 2 * spec.objects, furnisher);
+    decorate(spec.kind, spec.objects, 2 * spec.objects, furnisher);
     return layout;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/generate/carrier_surface.h"
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -35,7 +36,7 @@ bool carries(FurnitureRole role) {
     }
 }
 
-FurnitureRole thingsFor(FurnitureRole carrier, bool kitchen, Random& random) {
+FurnitureRole thingsFor(FurnitureRole carrier, bool kitchen, bool desk, Random& random) {
     switch (carrier) {
         case NightStand:
             return random.below(3) == 0 ? TableLamp : BedroomThing;
@@ -54,7 +55,8 @@ FurnitureRole thingsFor(FurnitureRole carrier, bool kitchen, Random& random) {
         case TvStand:
             return LivingThing;
         default:
-            return ShelfThing;
+            if (random.below(3) > 0) return ShelfThing;
+            return desk ? DeskThing : LivingThing;
     }
 }
 
@@ -64,6 +66,7 @@ class Stacker {
         for (std::size_t i = 0; i < f_.layout.pieces().size(); ++i) {
             const PlacedPiece& piece = f_.layout.pieces()[i];
             if (piece.role == KitchenBase) kitchen_ = true;
+            if (piece.role == Desk) desk_ = true;
             if (carries(piece.role)) carriers_.push_back(static_cast<int>(i));
         }
     }
@@ -105,7 +108,7 @@ class Stacker {
 
     void putSomewhere(int carrier) {
         const PlacedPiece on = at(carrier);
-        const FurnitureRole role = thingsFor(on.role, kitchen_, f_.random);
+        const FurnitureRole role = thingsFor(on.role, kitchen_, desk_, f_.random);
         const CatalogPiece* piece = f_.pick(role);
         if (!piece) return;
         const double slack_x = 0.5 * (on.piece->width - piece->width) - kRim;
@@ -129,16 +132,34 @@ class Stacker {
         thing.supporter = carrier;
         thing.angle = on.angle + turn;
         thing.at = on.at + offset.x() * acrossAt(on.angle) + offset.y() * forwardAt(on.angle);
-        const std::optional<double> height = surface->restingHeight(thing, f_.random);
-        if (!height) return false;
-        thing.elevation = *height;
-        return f_.layout.add(thing);
+        const auto rest = surface->restFor(thing, f_.random);
+        if (!rest) return false;
+        thing.elevation = rest->height;
+        if (isInTheWay(thing.box()) || (rest->way && isTaken(*rest->way, carrier))) return false;
+        if (!f_.layout.add(thing)) return false;
+        if (rest->way) ways_.push_back(*rest->way);
+        return true;
+    }
+
+    /// In a shelf nothing gets before or behind another thing, where nobody would see it.
+    [[nodiscard]] bool isInTheWay(const UprightBox& box) const {
+        return std::any_of(ways_.begin(), ways_.end(),
+                           [&](const UprightBox& way) { return near(box, way, 0.0); });
+    }
+
+    [[nodiscard]] bool isTaken(const UprightBox& way, int carrier) const {
+        const auto& pieces = f_.layout.pieces();
+        return std::any_of(pieces.begin(), pieces.end(), [&](const PlacedPiece& piece) {
+            return piece.supporter == carrier && near(piece.box(), way, 0.0);
+        });
     }
 
     Furnisher& f_;
     std::vector<int> carriers_;
     std::map<int, CarrierSurface> surfaces_;
+    std::vector<UprightBox> ways_;  // to what stands in shelves
     bool kitchen_ = false;
+    bool desk_ = false;
 };
 
 }  // namespace
@@ -146,6 +167,9 @@ class Stacker {
 void stackThings(int objects, Furnisher& furnisher) {
     Stacker stacker(furnisher);
     stacker.putTelevisions();
+    stacker.stackUpTo(objects);
+    // Better a third of the same than an empty shelf.
+    furnisher.most_alike = 3;
     stacker.stackUpTo(objects);
 }
 

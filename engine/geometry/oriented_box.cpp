@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -37,50 +39,71 @@ std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
     return hull;
 }
 
-/// Only extremes in plan can be corners of the hull: of the many points of a dense mesh keep those
-/// that are extreme in one of many thin strips, which changes nothing.
-std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> points,
-                                            const Eigen::AlignedBox3f& bounds) {
-    constexpr std::size_t kStrips = 256;
-    if (points.size() < 4 * kStrips) {
-        std::vector<Eigen::Vector2d> all;
-        for (const auto& p : points) all.emplace_back(p.x(), p.y());
-        return all;
+constexpr std::size_t kStrips = 256;
+
+/// Strips of equal width along x.
+class Strips {
+  public:
+    explicit Strips(const Eigen::AlignedBox3f& bounds)
+        : from_(bounds.min().x()),
+          width_(std::max(bounds.sizes().x(), std::numeric_limits<float>::min())) {}
+    [[nodiscard]] std::size_t at(float x) const {
+        const float share = (x - from_) / width_;
+        return std::min<std::size_t>(kStrips - 1, static_cast<std::size_t>(share * kStrips));
     }
-    const float width = std::max(bounds.sizes().x(), std::numeric_limits<float>::min());
-    struct Strip {
+    [[nodiscard]] double edge(std::size_t i) const {
+        return static_cast<double>(from_) +
+               static_cast<double>(width_) / kStrips * static_cast<double>(i);
+    }
+
+  private:
+    float from_;
+    float width_;
+};
+
+/// The hull of some of the points: of a few thousand, those that are extreme in their strip.
+std::vector<Eigen::Vector2d> innerHull(std::span<const Eigen::Vector3f> points,
+                                       const Strips& strips) {
+    constexpr std::size_t kEnough = 4096;
+    struct Extremes {
         Eigen::Vector2f low{0.0F, std::numeric_limits<float>::infinity()};
         Eigen::Vector2f high{0.0F, -std::numeric_limits<float>::infinity()};
         Eigen::Vector2f left{std::numeric_limits<float>::infinity(), 0.0F};
         Eigen::Vector2f right{-std::numeric_limits<float>::infinity(), 0.0F};
     };
-    // Within a strip a point between its extremes can still be a corner of the hull, so the strips
-    // only discard points inside the hull of the extremes, by a test against it.
-    std::vector<Strip> strips(kStrips);
-    for (const auto& p : points) {
-        const float share = (p.x() - bounds.min().x()) / width;
-        const auto i =
-            std::min<std::size_t>(kStrips - 1, static_cast<std::size_t>(share * kStrips));
-        Strip& s = strips[i];
-        const Eigen::Vector2f q = p.head<2>();
+    std::vector<Extremes> found(kStrips);
+    const std::size_t step = std::max<std::size_t>(1, points.size() / kEnough);
+    for (std::size_t k = 0; k < points.size(); k += step) {
+        const Eigen::Vector2f q = points[k].head<2>();
+        Extremes& s = found[strips.at(q.x())];
         if (q.y() < s.low.y()) s.low = q;
         if (q.y() > s.high.y()) s.high = q;
         if (q.x() < s.left.x()) s.left = q;
         if (q.x() > s.right.x()) s.right = q;
     }
     std::vector<Eigen::Vector2d> extremes;
-    for (const Strip& s : strips) {
+    for (const Extremes& s : found) {
         if (!std::isfinite(s.low.y())) continue;
         for (const auto& q : {s.low, s.high, s.left, s.right}) extremes.push_back(q.cast<double>());
     }
-    const std::vector<Eigen::Vector2d> hull = convexHull(extremes);
-    if (hull.size() < 3) return extremes;
-    std::vector<Eigen::Vector2d> kept = hull;
-    std::vector<double> lower(kStrips);
-    std::vector<double> upper(kStrips);
+    return convexHull(extremes);
+}
+
+/// Only what lies on or outside a hull of some of the points can be a corner of the hull of all, so
+/// of the many points of a dense mesh few are left, which changes nothing.
+std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> points,
+                                            const Eigen::AlignedBox3f& bounds) {
+    std::vector<Eigen::Vector2d> kept;
+    const auto keep = [&](const Eigen::Vector3f& p) { kept.emplace_back(p.x(), p.y()); };
+    const Strips strips(bounds);
+    const std::vector<Eigen::Vector2d> hull =
+        points.size() < 4 * kStrips ? std::vector<Eigen::Vector2d>() : innerHull(points, strips);
+    if (hull.size() < 3) {
+        for (const auto& p : points) keep(p);
+        return kept;
+    }
+    kept = hull;
     // The hull's own outline over each strip, taken at its narrowest, bounds what lies inside.
-    const double x0 = bounds.min().x();
-    const double step = static_cast<double>(width) / kStrips;
     const auto outlineAt = [&](double x) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
@@ -95,18 +118,17 @@ std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> poi
         }
         return std::pair(low, high);
     };
+    std::array<std::pair<double, double>, kStrips> inside;
+    auto before = outlineAt(strips.edge(0));
     for (std::size_t i = 0; i < kStrips; ++i) {
-        const auto [low_a, high_a] = outlineAt(x0 + step * static_cast<double>(i));
-        const auto [low_b, high_b] = outlineAt(x0 + step * static_cast<double>(i + 1));
-        lower[i] = std::max(low_a, low_b);
-        upper[i] = std::min(high_a, high_b);
+        const auto after = outlineAt(strips.edge(i + 1));
+        inside[i] = {std::max(before.first, after.first), std::min(before.second, after.second)};
+        before = after;
     }
     for (const auto& p : points) {
-        const float share = (p.x() - bounds.min().x()) / width;
-        const auto i =
-            std::min<std::size_t>(kStrips - 1, static_cast<std::size_t>(share * kStrips));
+        const auto [lower, upper] = inside[strips.at(p.x())];
         const auto y = static_cast<double>(p.y());
-        if (y <= lower[i] || y >= upper[i]) kept.emplace_back(p.x(), p.y());
+        if (y <= lower || y >= upper) keep(p);
     }
     return kept;
 }

@@ -1,5 +1,7 @@
 #include "engine/io/durable_file.h"
 
+#include "engine/io/file_descriptor.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -9,28 +11,6 @@
 
 namespace dollytrack::io {
 namespace {
-
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int get() const { return fd_; }
-    [[nodiscard]] bool valid() const { return fd_ >= 0; }
-    /// NFS and quotas report a failed write only here. 0 or errno.
-    int close() {
-        const int fd = fd_;
-        fd_ = -1;
-        return ::close(fd) == 0 || errno == EINTR ? 0 : errno;
-    }
-
-  private:
-    int fd_;
-};
 
 int writeAll(int fd, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
@@ -46,7 +26,7 @@ int writeAll(int fd, std::span<const std::uint8_t> bytes) {
 
 int writeTemporary(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                    Durability durability) {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (!file.valid()) return errno;
     if (const int error = writeAll(file.get(), bytes)) return error;
     if (durability == Durability::Synced && ::fsync(file.get()) != 0) return errno;
@@ -55,7 +35,7 @@ int writeTemporary(const std::filesystem::path& path, std::span<const std::uint8
 
 /// A rename is on the disk only when its folder is. File systems without that notion say EINVAL.
 int syncDirectory(const std::filesystem::path& folder) {
-    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!directory.valid()) return errno;
     return ::fsync(directory.get()) == 0 || errno == EINVAL ? 0 : errno;
 }
@@ -120,7 +100,7 @@ Status writeWhole(const std::filesystem::path& path, std::string_view text, Dura
 }
 
 Status syncFolder(const std::filesystem::path& folder) {
-    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!directory.valid() || ::syncfs(directory.get()) != 0) {
         return tl::unexpected<Error>(writeError(errno, folder));
     }

@@ -1,5 +1,6 @@
 #include "engine/io/hdf5_reader.h"
 
+#include "engine/io/hdf5_functions.h"
 #include "engine/io/hdf5_library.h"
 #include "engine/io/sandbox/input_file.h"
 
@@ -8,31 +9,33 @@
 namespace dollytrack::io {
 namespace {
 
+constexpr unsigned kReadOnly = 0;  // H5F_ACC_RDONLY, a macro that calls the library
 constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
 
 /// The file as bytes, so that the library itself opens none.
-hid_t openBytes(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
-    H5PLset_loading_state(0);                     // a file can name programs to unpack it with
+hid_t openBytes(const Hdf5Functions& h5, const std::filesystem::path& path) {
+    h5.H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
+    h5.H5PLset_loading_state(0);                     // a file can name programs to unpack it with
     Result<std::string> bytes = readNamedFile(path, kMostBytes);
     if (!bytes) return -1;
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    const Hdf5Handle access(h5.H5Pcreate(h5.file_access), h5.H5Pclose);
     constexpr std::size_t kGrowth = 65536;
-    if (access < 0 || H5Pset_fapl_core(access, kGrowth, 0) < 0 ||
-        H5Pset_file_image(access, bytes->data(), bytes->size()) < 0) {
+    if (access < 0 || h5.H5Pset_fapl_core(access, kGrowth, 0) < 0 ||
+        h5.H5Pset_file_image(access, bytes->data(), bytes->size()) < 0) {
         return -1;
     }
-    return H5Fopen("numbers.hdf5", H5F_ACC_RDONLY, access);
+    return h5.H5Fopen("numbers.hdf5", kReadOnly, access);
 }
 
 /// A dataset can be a link to another file's, or keep its numbers there.
-bool liesInFile(hid_t file, hid_t dataset, const std::string& name) {
+bool liesInFile(const Hdf5Functions& h5, hid_t file, hid_t dataset, const std::string& name) {
     H5L_info_t link;
-    if (H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) {
+    if (h5.H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) {
         return false;
     }
-    const Hdf5Handle made(H5Dget_create_plist(dataset), H5Pclose);
-    return made >= 0 && H5Pget_external_count(made) == 0 && H5Pget_layout(made) != H5D_VIRTUAL;
+    const Hdf5Handle made(h5.H5Dget_create_plist(dataset), h5.H5Pclose);
+    return made >= 0 && h5.H5Pget_external_count(made) == 0 &&
+           h5.H5Pget_layout(made) != H5D_VIRTUAL;
 }
 
 /// A file and one of its datasets, open while this lives.
@@ -41,11 +44,12 @@ struct Opened {
     Hdf5Handle file;
     Hdf5Handle dataset;
 
-    Opened(const std::filesystem::path& path, const std::string& name)
-        : file(openBytes(path), H5Fclose),
-          dataset(file >= 0 ? H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1, H5Dclose) {}
+    Opened(const Hdf5Functions& h5, const std::filesystem::path& path, const std::string& name)
+        : file(openBytes(h5, path), h5.H5Fclose),
+          dataset(file >= 0 ? h5.H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1, h5.H5Dclose) {}
 
-    [[nodiscard]] Status check(const std::filesystem::path& path, const std::string& name) const {
+    [[nodiscard]] Status check(const Hdf5Functions& h5, const std::filesystem::path& path,
+                               const std::string& name) const {
         if (file < 0) {
             return fail(ErrorCode::BadInput, "The file is missing or is no HDF5 file.",
                         path.string());
@@ -54,7 +58,7 @@ struct Opened {
             return fail(ErrorCode::BadInput, "There is no dataset named \"" + name + "\" in it.",
                         path.string());
         }
-        if (!liesInFile(file, dataset, name)) {
+        if (!liesInFile(h5, file, dataset, name)) {
             return fail(ErrorCode::BadInput, "The dataset \"" + name + "\" lies in another file.",
                         path.string());
         }
@@ -62,21 +66,32 @@ struct Opened {
     }
 };
 
+tl::unexpected<Error> noLibrary(const std::filesystem::path& path) {
+    return fail(ErrorCode::Failed,
+                std::string("The library that reads HDF5 is not installed (") +
+                    DOLLYTRACK_HDF5_LIBRARY + ").",
+                path.string());
+}
+
 }  // namespace
 
 Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std::string& name,
                                     std::uint64_t most) {
-    const Opened opened(path, name);
-    if (Status status = opened.check(path, name); !status) return tl::unexpected(status.error());
-    const Hdf5Handle space(H5Dget_space(opened.dataset), H5Sclose);
-    const int rank = space >= 0 ? H5Sget_simple_extent_ndims(space) : -1;
+    const Hdf5Functions* library = hdf5Functions();
+    if (library == nullptr) return noLibrary(path);
+    const Hdf5Functions& h5 = *library;
+    const Opened opened(h5, path, name);
+    if (Status status = opened.check(h5, path, name); !status)
+        return tl::unexpected(status.error());
+    const Hdf5Handle space(h5.H5Dget_space(opened.dataset), h5.H5Sclose);
+    const int rank = space >= 0 ? h5.H5Sget_simple_extent_ndims(space) : -1;
     if (rank < 1 || rank > 3) {
         return fail(ErrorCode::BadInput, "Its dataset is not a table of numbers.", path.string());
     }
     std::vector<hsize_t> size;
     Hdf5Numbers numbers;
     size.resize(static_cast<std::size_t>(rank));
-    H5Sget_simple_extent_dims(space, size.data(), nullptr);
+    h5.H5Sget_simple_extent_dims(space, size.data(), nullptr);
     hsize_t count = 1;
     for (const hsize_t length : size) {
         // By division: the product of what a file claims may wrap around to a small number.
@@ -88,8 +103,8 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     }
     numbers.size.assign(size.begin(), size.end());
     numbers.values.resize(count);
-    if (count > 0 && H5Dread(opened.dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                             numbers.values.data()) < 0) {
+    if (count > 0 && h5.H5Dread(opened.dataset, h5.native_double, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                numbers.values.data()) < 0) {
         return fail(ErrorCode::BadInput, "Its dataset cannot be read as numbers.", path.string());
     }
     return numbers;
@@ -97,19 +112,24 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
 
 Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::string& name) {
     constexpr std::size_t kMost = std::size_t{16} << 20U;
-    const Opened opened(path, name);
-    if (Status status = opened.check(path, name); !status) return tl::unexpected(status.error());
-    const Hdf5Handle type(H5Dget_type(opened.dataset), H5Tclose);
-    const Hdf5Handle space(H5Dget_space(opened.dataset), H5Sclose);
-    const bool text = type >= 0 && H5Tget_class(type) == H5T_STRING &&
-                      H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
-    const std::size_t length = text ? H5Tget_size(type) : 0;
+    const Hdf5Functions* library = hdf5Functions();
+    if (library == nullptr) return noLibrary(path);
+    const Hdf5Functions& h5 = *library;
+    const Opened opened(h5, path, name);
+    if (Status status = opened.check(h5, path, name); !status)
+        return tl::unexpected(status.error());
+    const Hdf5Handle type(h5.H5Dget_type(opened.dataset), h5.H5Tclose);
+    const Hdf5Handle space(h5.H5Dget_space(opened.dataset), h5.H5Sclose);
+    const bool text = type >= 0 && h5.H5Tget_class(type) == H5T_STRING &&
+                      h5.H5Tis_variable_str(type) == 0 &&
+                      h5.H5Sget_simple_extent_npoints(space) == 1;
+    const std::size_t length = text ? h5.H5Tget_size(type) : 0;
     if (length == 0 || length > kMost) {
         return fail(ErrorCode::BadInput, "\"" + name + "\" is no text of up to 16 MiB.",
                     path.string());
     }
     std::string read(length, '\0');
-    if (H5Dread(opened.dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
+    if (h5.H5Dread(opened.dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
         return fail(ErrorCode::BadInput, "\"" + name + "\" cannot be read.", path.string());
     }
     read.resize(std::min(read.find('\0'), read.size()));

@@ -3,18 +3,16 @@
 #include "engine/io/durable_file.h"
 #include "engine/io/json_depth.h"
 #include "engine/io/sha256.h"
+#include "engine/io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace dollytrack::io {
 namespace {
 
-// Deeper nesting than any project has would only exhaust the parser's stack.
-constexpr std::uintmax_t kLargest = 1ULL << 30U;
+constexpr std::size_t kMostMebibytes = 1024;
 
 tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message) {
     return fail(ErrorCode::BadInput, std::move(message), path.string());
@@ -25,25 +23,10 @@ std::size_t lineOf(const std::string& text, std::size_t byte) {
     return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
 }
 
-Result<std::string> readText(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
-        return fail(ErrorCode::BadInput, "There is no such file.", path.string());
-    }
-    if (std::filesystem::file_size(path, error) > kLargest) {
-        return fail(ErrorCode::BadInput, "The project is larger than 1 GiB.", path.string());
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
-    return text.str();
-}
-
 }  // namespace
 
 Result<ProjectFile> loadProject(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readText(path, kMostMebibytes);
     if (!text) return tl::unexpected<Error>(text.error());
     if (nestsTooDeep(*text)) {
         return badProject(path, "The JSON is nested too deeply.");

@@ -45,6 +45,7 @@ struct TextureRequest {
     int embedded_height = 0;
     bool opaque = true;            // no material uses its alpha
     std::filesystem::path folder;  // where the name is looked up; empty: the scene's own
+    bool only_there = false;       // a file of that name in another folder is another picture
 };
 
 struct RepairCounts {

@@ -1,5 +1,6 @@
 #include "engine/io/scene_assembly.h"
 
+#include "engine/core/huge_pages.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/object_measure.h"
 
@@ -79,11 +80,11 @@ void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft
         object.triangle_count = triangle - object.first_triangle;
         scene.objects.push_back(std::move(object));
     }
-    scene.positions.resize(vertex);
-    scene.normals.resize(vertex);
-    scene.uvs.resize(vertex);
-    scene.triangles.resize(triangle);
-    scene.triangle_material.resize(triangle);
+    resizeLarge(scene.positions, vertex);
+    resizeLarge(scene.normals, vertex);
+    resizeLarge(scene.uvs, vertex);
+    resizeLarge(scene.triangles, triangle);
+    resizeLarge(scene.triangle_material, triangle);
     parallelFor(places.size(), [&](std::size_t i) {
         MeshPart& part = parts[places[i].part];
         copyPart(part, places[i].vertex, places[i].triangle, scene);

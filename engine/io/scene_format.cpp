@@ -4,6 +4,7 @@
 #include "engine/io/datasets/front3d_reader.h"
 #include "engine/io/datasets/hypersim_objects.h"
 #include "engine/io/datasets/scenenet_reader.h"
+#include "engine/io/hdf5_functions.h"
 #include "engine/io/homes/home_reader.h"
 #include "engine/io/pointcloud/cloud_scene.h"
 #include "engine/io/pointcloud/ply_points.h"
@@ -168,6 +169,11 @@ bool isSceneFile(const std::filesystem::path& path) {
         if (format.begins_like({head.data(), static_cast<std::size_t>(in.gcount())})) return true;
     }
     return false;
+}
+
+void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options) {
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (folder && !folder->empty()) io::hdf5Functions();
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

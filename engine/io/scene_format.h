@@ -42,6 +42,10 @@ std::vector<std::string> sceneExtensions();
 /// the extension is not the format's alone.
 bool isSceneFile(const std::filesystem::path& path);
 
+/// Loads what reading this file may take and what few others do. To be called where the process is
+/// about to give up opening files.
+void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options);
+
 /// ".GLTF" of "room.GLTF" as ".gltf".
 std::string lowerExtension(const std::filesystem::path& path);
 

@@ -58,7 +58,8 @@ struct PictureFolder {
     std::map<std::string, fs::path> by_name;  // lower case; of equal names the nearest the top
 };
 
-std::optional<fs::path> locate(const std::string& name, const PictureFolder& folder) {
+std::optional<fs::path> locate(const std::string& name, bool only_there,
+                               const PictureFolder& folder) {
     for (const std::string& spelling : {name, percentDecoded(name)}) {
         std::string relative = spelling;
         std::replace(relative.begin(), relative.end(), '\\', '/');
@@ -68,6 +69,7 @@ std::optional<fs::path> locate(const std::string& name, const PictureFolder& fol
             folder.files.has(direct)) {
             return direct;
         }
+        if (only_there) continue;
         const auto found = folder.by_name.find(lower(baseName(relative)));
         if (found != folder.by_name.end()) return found->second;
     }
@@ -117,7 +119,7 @@ TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureReq
         std::span<const std::uint8_t> picture = request.embedded;
         if (picture.empty()) {
             const PictureFolder& place = folders.at(folderOf(request));
-            const auto path = locate(request.name, place);
+            const auto path = locate(request.name, request.only_there, place);
             if (!path) return;
             bytes = readBytes(place.files, *path);
             picture = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};

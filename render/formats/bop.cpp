@@ -44,14 +44,6 @@ Json camera(const DatasetContents& contents, const Pose& pose) {
              rows(Eigen::Vector3d(kMillimetres * pose.toCamera(Eigen::Vector3d::Zero())))}};
 }
 
-/// Where an object that moves is in a frame.
-Eigen::Isometry3d motionOf(const DatasetContents& contents, int object_id, std::size_t frame) {
-    for (const ObjectMotion& motion : contents.motions) {
-        if (motion.object_id == object_id) return motion.by_frame[frame];
-    }
-    return Eigen::Isometry3d::Identity();
-}
-
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     Json cameras = Json::object(), truths = Json::object(), infos = Json::object();
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
@@ -62,7 +54,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         for (const InstanceInFrame& seen : frame.instances) {
             const BoxInCamera box =
                 boxInCamera(contents.scene.object(seen.object_id),
-                            motionOf(contents, seen.object_id, i), frame.camera.pose);
+                            motionOf(contents.motions, seen.object_id, i), frame.camera.pose);
             truth.push_back({{"obj_id", seen.object_id},
                              {"cam_R_m2c", rows(box.rotation.toRotationMatrix())},
                              {"cam_t_m2c", rows(Eigen::Vector3d(kMillimetres * box.center))}});

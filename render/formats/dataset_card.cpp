@@ -5,6 +5,7 @@
 #include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/scene_report.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/fold_files.h"
 
@@ -26,18 +27,6 @@ Json toJson(const Eigen::Affine3d& transform) {
         rows.push_back(values);
     }
     return rows;
-}
-
-std::string roleName(Role role) {
-    switch (role) {
-        case Role::Target:
-            return "target";
-        case Role::Structure:
-            return "structure";
-        case Role::Excluded:
-            break;
-    }
-    return "excluded";
 }
 
 Json conventions(const DatasetContents& contents, const DatasetCard& card) {

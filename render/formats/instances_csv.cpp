@@ -2,18 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 namespace dollytrack::render {
-namespace {
-
-Eigen::Isometry3d motionOf(const DatasetContents& contents, int object_id, std::size_t frame) {
-    const auto found = std::ranges::find(contents.motions, object_id, &ObjectMotion::object_id);
-    return found == contents.motions.end() ? Eigen::Isometry3d::Identity() : found->by_frame[frame];
-}
-
-}  // namespace
 
 std::string instancesCsvText(const DatasetContents& contents) {
     std::string text =
@@ -26,8 +17,8 @@ std::string instancesCsvText(const DatasetContents& contents) {
         const DatasetFrame& frame = contents.frames[i];
         for (const InstanceInFrame& one : frame.instances) {
             const Object& object = contents.scene.object(one.object_id);
-            const BoxInCamera box =
-                boxInCamera(object, motionOf(contents, one.object_id, i), frame.camera.pose);
+            const BoxInCamera box = boxInCamera(
+                object, motionOf(contents.motions, one.object_id, i), frame.camera.pose);
             fmt::format_to(
                 out, "{},{},{},{},{},{},{:.6g},{:.6g},{},{:.6g},{},{},{},{},{},{},{},{},", i,
                 one.object_id, object.nyu40, one.visible_px, one.silhouette_px, one.whole_px,

@@ -1,4 +1,5 @@
 // COLMAP's text model beside its poses: the lens, the names, and the points of the first guess.
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 

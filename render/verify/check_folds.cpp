@@ -1,4 +1,5 @@
 // The lists for cross-validation.
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 #include "render/verify/coco_file.h"

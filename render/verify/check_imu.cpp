@@ -1,5 +1,6 @@
 // What the inertial sensor measured, integrated over short spans, leads from pose to pose.
 #include "engine/camera/imu_track.h"
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 #include "render/verify/number_table.h"

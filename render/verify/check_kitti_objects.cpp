@@ -1,4 +1,5 @@
 // KITTI's labels: boxes of things in the image and in space.
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
 #include "render/verify/check_list.h"

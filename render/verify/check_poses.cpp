@@ -1,5 +1,5 @@
 // Every file of poses, read as its readers do, gives the poses of dataset.json.
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
 #include "render/verify/check_list.h"
 

@@ -1,5 +1,5 @@
 // TartanAir's pictures, depth, classes and motions, and its right camera, beside its left poses.
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"

@@ -1,4 +1,5 @@
 // TUM's depth and lists of pictures, beside its poses.
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"

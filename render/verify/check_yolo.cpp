@@ -1,4 +1,4 @@
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 #include "engine/scene/labels.h"
 #include "render/verify/check_list.h"
 #include "render/verify/filled_mask.h"

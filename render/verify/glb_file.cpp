@@ -2,7 +2,7 @@
 
 #include "render/verify/json_file.h"
 
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "render/verify/image_files.h"
 
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "render/verify/json_file.h"
 
 #include "engine/io/json_depth.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 
 namespace dollytrack::verify {
 

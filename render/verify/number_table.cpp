@@ -1,5 +1,6 @@
 #include "render/verify/number_table.h"
 
+#include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "render/verify/stored_dataset.h"
 
 #include "engine/io/json_depth.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/text_file.h"
 #include "render/formats/dataset_card.h"
 
 #include <fmt/format.h>

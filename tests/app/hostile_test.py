@@ -140,7 +140,7 @@ class Mutants(HostileCase):
                 end = ("crashed" if "(signal" in answer["message"] else
                        "too long" if "took longer" in answer["message"] else "refused")
             # The clock runs 10 s and 2 s for a MiB; killing and tidying up come on top.
-            self.assertLess(answer["seconds"], LONGEST_S + 2.0 * SLOWNESS, answer)
+            self.assertLess(answer["seconds"], (LONGEST_S + 2.0) * SLOWNESS, answer)
             ends[end] += 1
             by_kind.setdefault(pathlib.Path(name).suffix, {}).setdefault(end, 0)
             by_kind[pathlib.Path(name).suffix][end] += 1

@@ -17,6 +17,19 @@
 
 namespace {
 
+/// Of this process and of those that it has waited for, s.
+double processorTime() {
+    double seconds = 0.0;
+    for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage usage{};
+        getrusage(who, &usage);
+        for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+            seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        }
+    }
+    return seconds;
+}
+
 long peakKib(int who) {
     rusage usage{};
     getrusage(who, &usage);
@@ -55,10 +68,12 @@ int main(int count, char** arguments) {
     }
     for (std::string path; std::getline(std::cin, path);) {
         const auto begin = std::chrono::steady_clock::now();
+        const double used = processorTime();
         const Result<Scene> scene = importScene(path, options);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         nlohmann::json line = {{"file", path},
                                {"seconds", taken.count()},
+                               {"processor_seconds", processorTime() - used},
                                {"peak_kib", peakKib(RUSAGE_SELF)},
                                {"child_peak_kib", peakKib(RUSAGE_CHILDREN)}};
         if (scene) {

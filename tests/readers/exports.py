@@ -13,7 +13,7 @@ import unittest
 
 import numpy as np
 
-PROGRAM = APARTMENT = None  # set by readers_test.py
+PROGRAM = APARTMENT = OPENCV_KITTI = None  # set by readers_test.py
 FOLDER = tempfile.TemporaryDirectory()
 
 

@@ -95,6 +95,7 @@ int Front3dMaterials::request(const std::string& name, const std::filesystem::pa
         TextureRequest texture;
         texture.name = name;
         texture.folder = folder;
+        texture.only_there = true;  // all of them are called texture.png
         scene_.textures.push_back(std::move(texture));
     }
     return at->second;

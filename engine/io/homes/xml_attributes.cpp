@@ -1,9 +1,9 @@
 #include "engine/io/homes/xml_attributes.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/scene/srgb.h"
 
 #include <charconv>
-#include <cmath>
 
 namespace dollytrack::homes {
 namespace {
@@ -11,8 +11,7 @@ namespace {
 constexpr double kLargest = 1e6;
 
 float toLinear(unsigned byte) {
-    const float srgb = static_cast<float>(byte) / 255.0F;
-    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+    return linearFromSrgb(static_cast<float>(byte) / 255.0F);
 }
 
 }  // namespace

@@ -69,29 +69,26 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
     return name;
 }
 
-int ConfinedFolder::openDescriptor(const std::string& relative) const {
+FileDescriptor ConfinedFolder::openDescriptor(const std::string& relative) const {
     // Only for the moment: a scene made of models has more folders than a process has descriptors.
     // O_PATH: of the folder itself nothing is read, so it need not be readable.
-    const int folder = ::open(folder_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return -1;
+    const FileDescriptor folder(::open(folder_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!folder.valid()) return FileDescriptor();
     open_how how{};
     how.flags = kOpenFlags;
     how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
     long opened = -1;
     do {  // EAGAIN: something beneath was renamed meanwhile
-        opened = ::syscall(SYS_openat2, folder, relative.c_str(), &how, sizeof(how));
+        opened = ::syscall(SYS_openat2, folder.get(), relative.c_str(), &how, sizeof(how));
     } while (opened < 0 && (errno == EINTR || errno == EAGAIN));
-    const int error = errno;
-    ::close(folder);
-    errno = error;
     if (opened < 0 && (errno == ENOSYS || errno == EPERM)) {
         if (relative.starts_with('/')) {
             errno = EXDEV;
-            return -1;
+            return FileDescriptor();
         }
-        return openByRealPath(folder_, relative);
+        return FileDescriptor(openByRealPath(folder_, relative));
     }
-    return static_cast<int>(opened);
+    return FileDescriptor(static_cast<int>(opened));
 }
 
 Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
@@ -99,14 +96,14 @@ Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
     if (name.find('\0') != std::string::npos) {
         return tl::unexpected(cannotOpen(ENOENT, name));
     }
-    const int descriptor = openDescriptor(name);
-    if (descriptor < 0) {
+    FileDescriptor descriptor = openDescriptor(name);
+    if (!descriptor.valid()) {
         const int error = errno;
         const bool outside = error == EXDEV || error == ELOOP;
         InputRecord::note(outside ? InputUse::Refused : InputUse::Missing, folder_ / name);
         return tl::unexpected(cannotOpen(error, name));
     }
-    Result<InputFile> opened = InputFile::adopt(descriptor, name);
+    Result<InputFile> opened = InputFile::adopt(std::move(descriptor), name);
     InputRecord::note(opened ? InputUse::File : InputUse::Missing, folder_ / name,
                       opened ? opened->identity() : FileIdentity{});
     return opened;
@@ -114,11 +111,11 @@ Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
 
 bool ConfinedFolder::has(const fs::path& file) const {
     const std::string name = relative(file);
-    const int descriptor = name.find('\0') == std::string::npos ? openDescriptor(name) : -1;
+    const FileDescriptor descriptor =
+        name.find('\0') == std::string::npos ? openDescriptor(name) : FileDescriptor();
     struct stat status {};
     const bool regular =
-        descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-    if (descriptor >= 0) ::close(descriptor);
+        descriptor.valid() && ::fstat(descriptor.get(), &status) == 0 && S_ISREG(status.st_mode);
     if (!regular) InputRecord::note(InputUse::Missing, folder_ / name);
     return regular;
 }

@@ -32,7 +32,7 @@ class ConfinedFolder {
   private:
     /// The part of `file` that counts from the folder; nothing when it does not lie beneath it.
     [[nodiscard]] std::string relative(const std::filesystem::path& file) const;
-    [[nodiscard]] int openDescriptor(const std::string& relative) const;
+    [[nodiscard]] FileDescriptor openDescriptor(const std::string& relative) const;
 
     std::filesystem::path folder_;
 };

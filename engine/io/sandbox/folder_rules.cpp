@@ -1,5 +1,7 @@
 #include "engine/io/sandbox/folder_rules.h"
 
+#include "engine/io/file_descriptor.h"
+
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -36,18 +38,15 @@ std::uint64_t bits(unsigned count) {
 }
 
 bool allowReading(int rules, const std::filesystem::path& path) {
-    const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (place < 0) return true;  // not there: nothing to be read
+    const FileDescriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
+    if (!place.valid()) return true;  // not there: nothing to be read
     struct stat status {};
-    const bool folder = ::fstat(place, &status) == 0 && S_ISDIR(status.st_mode);
+    const bool folder = ::fstat(place.get(), &status) == 0 && S_ISDIR(status.st_mode);
     landlock_path_beneath_attr rule{};
-    rule.parent_fd = place;
+    rule.parent_fd = place.get();
     rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
     if (folder) rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
-    const bool added =
-        ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
-    ::close(place);
-    return added;
+    return ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
 }
 
 }  // namespace
@@ -56,22 +55,21 @@ bool lockIntoFolders(const std::vector<std::filesystem::path>& readable) {
     const long version =
         ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (version < 1) return false;
-    int rules = -1;
+    FileDescriptor rules;
     for (const Version& known : kVersions) {
         if (version < known.number) continue;
         const Ruleset wanted{bits(known.file_rights), bits(known.network_rights),
                              bits(known.scopes)};
-        rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &wanted, known.size, 0));
+        rules = FileDescriptor(
+            static_cast<int>(::syscall(SYS_landlock_create_ruleset, &wanted, known.size, 0)));
         break;
     }
-    if (rules < 0) return false;
+    if (!rules.valid()) return false;
     bool locked = true;
     for (const std::filesystem::path& path : readable) {
-        locked = allowReading(rules, path) && locked;
+        locked = allowReading(rules.get(), path) && locked;
     }
-    locked = locked && ::syscall(SYS_landlock_restrict_self, rules, 0) == 0;
-    ::close(rules);
-    return locked;
+    return locked && ::syscall(SYS_landlock_restrict_self, rules.get(), 0) == 0;
 }
 
 }  // namespace dollytrack::io

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -133,5 +134,28 @@ class FrameReader {
     std::span<const std::uint8_t> from_;
     bool good_ = true;
 };
+
+/// A list alone, as text; `members` as for FrameWriter::list().
+template <class T, class Members>
+[[nodiscard]] std::string listText(const std::vector<T>& values, Members members) {
+    FrameWriter counter;
+    counter.list(values, 0, members);
+    std::string text(counter.size(), '\0');
+    FrameWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
+    writer.list(values, 0, members);
+    return text;
+}
+
+/// Its opposite; nothing unless all of the text is such a list.
+template <class T, class Members>
+[[nodiscard]] std::optional<std::vector<T>> parseListText(std::string_view text,
+                                                          std::size_t least_bytes,
+                                                          Members members) {
+    FrameReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    std::vector<T> values;
+    reader.list(values, least_bytes, members);
+    if (!reader.finished()) return std::nullopt;
+    return values;
+}
 
 }  // namespace dollytrack::io

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 
 namespace dollytrack::io {
 
@@ -14,22 +17,24 @@ class FrameMemory {
   public:
     /// `size` bytes, of which none takes memory before it is written.
     [[nodiscard]] static Result<FrameMemory> make(std::size_t size);
-    ~FrameMemory();
-    FrameMemory(FrameMemory&& other) noexcept;
-    FrameMemory& operator=(FrameMemory&& other) noexcept;
 
     /// The first `used` bytes, for good as they are. Error: BadInput while somebody can write.
     [[nodiscard]] Result<std::span<const std::uint8_t>> close(std::size_t used);
 
-    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] int descriptor() const { return memory_.get(); }
 
   private:
-    FrameMemory(int descriptor, std::size_t size) : descriptor_(descriptor), size_(size) {}
+    struct Unmap {
+        std::size_t size;
+        void operator()(const std::uint8_t* view) const;
+    };
 
-    int descriptor_ = -1;
+    FrameMemory(FileDescriptor memory, std::size_t size)
+        : memory_(std::move(memory)), size_(size) {}
+
+    FileDescriptor memory_;
     std::size_t size_ = 0;
-    void* view_ = nullptr;
-    std::size_t viewed_ = 0;
+    std::unique_ptr<const std::uint8_t, Unmap> view_;
 };
 
 }  // namespace dollytrack::io

@@ -131,6 +131,7 @@ int runImporter(int count, char** arguments) {
     if (!task) return 2;
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     setThreadCount(std::clamp(cores, 1, kMostThreads));
+    loadLibrariesFor(task->scene, task->options);
     tell(ImporterMessage::Isolated, isolateProcess(task->readable));
     InputRecord record([](const FileIdentity& file) { tell(ImporterMessage::Opened, file.size); });
     const JobContext job(nullptr, [](double fraction, std::string_view) {

@@ -4,6 +4,7 @@
 #include "engine/io/import_settings.h"
 #include "engine/io/sandbox/input_list.h"
 #include "engine/io/sandbox/isolation.h"
+#include "engine/io/sandbox/processor_wait.h"
 #include "engine/io/sandbox/reading_clock.h"
 #include "engine/io/sandbox/scene_frame.h"
 #include "engine/io/sandbox/spawned_importer.h"
@@ -156,6 +157,7 @@ Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& 
         SpawnedImporter::start(commandFor(scene, options, more_inputs), memory->descriptor());
     if (!importer) return tl::unexpected(importer.error());
     ReadingClock clock(work);
+    ProcessorWait processor_wait(importer->process());
     Heard heard;
     bool talks = true;
     double limited = 0.0;
@@ -175,6 +177,7 @@ Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& 
         for (const ImporterMessage& message : messages) hear(message, job, clock, heard);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         if (!talks && importer->end()) break;
+        clock.waited(processor_wait.update());
         if (clock.left().count() <= 0.0) return tookTooLong(clock, where);
     }
     if (std::optional<Error> why = whyItEnded(*importer->end(), clock, scene)) {

@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -19,38 +18,21 @@ std::int64_t nanoseconds(const timespec& time) {
 
 }  // namespace
 
-Result<InputFile> InputFile::adopt(int descriptor, const std::string& where) {
+Result<InputFile> InputFile::adopt(FileDescriptor file, const std::string& where) {
     struct stat status {};
-    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        ::close(descriptor);
+    if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
         return fail(ErrorCode::BadInput, "this is not an ordinary file", where);
     }
     const FileIdentity identity{status.st_dev, status.st_ino,
                                 static_cast<std::uint64_t>(status.st_size),
                                 nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
-    return InputFile(descriptor, identity, where);
-}
-
-InputFile::~InputFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-InputFile::InputFile(InputFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
-      identity_(other.identity_),
-      where_(std::move(other.where_)) {}
-
-InputFile& InputFile::operator=(InputFile&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    std::swap(identity_, other.identity_);
-    std::swap(where_, other.where_);
-    return *this;
+    return InputFile(std::move(file), identity, where);
 }
 
 std::size_t InputFile::read(std::uint64_t offset, void* into, std::size_t size) const {
     std::size_t done = 0;
     while (done < size) {
-        const ssize_t got = ::pread(descriptor_, static_cast<char*>(into) + done, size - done,
+        const ssize_t got = ::pread(file_.get(), static_cast<char*>(into) + done, size - done,
                                     static_cast<off_t>(offset + done));
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) break;
@@ -74,13 +56,13 @@ Result<std::string> InputFile::readAll(std::uint64_t most) const {
 }
 
 Result<InputFile> openNamedFile(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (descriptor < 0) {
+    FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    if (!descriptor.valid()) {
         return fail(ErrorCode::BadInput,
                     std::string("the file cannot be opened (") + std::strerror(errno) + ")",
                     path.string());
     }
-    Result<InputFile> file = InputFile::adopt(descriptor, path.string());
+    Result<InputFile> file = InputFile::adopt(std::move(descriptor), path.string());
     if (file) InputRecord::note(InputUse::File, path, file->identity());
     return file;
 }

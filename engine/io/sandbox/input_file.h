@@ -1,12 +1,14 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace dollytrack::io {
 
@@ -25,10 +27,7 @@ class InputFile {
   public:
     /// Takes over a descriptor. BadInput when it is no regular file: a pipe would block for ever,
     /// a device has no end.
-    [[nodiscard]] static Result<InputFile> adopt(int descriptor, const std::string& where);
-    ~InputFile();
-    InputFile(InputFile&& other) noexcept;
-    InputFile& operator=(InputFile&& other) noexcept;
+    [[nodiscard]] static Result<InputFile> adopt(FileDescriptor file, const std::string& where);
 
     /// Up to `size` bytes from `offset` on; fewer at the end of the file and after an error.
     [[nodiscard]] std::size_t read(std::uint64_t offset, void* into, std::size_t size) const;
@@ -37,13 +36,13 @@ class InputFile {
 
     [[nodiscard]] const FileIdentity& identity() const { return identity_; }
     [[nodiscard]] std::uint64_t size() const { return identity_.size; }
-    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] int descriptor() const { return file_.get(); }
 
   private:
-    InputFile(int descriptor, FileIdentity identity, std::string where)
-        : descriptor_(descriptor), identity_(identity), where_(std::move(where)) {}
+    InputFile(FileDescriptor file, FileIdentity identity, std::string where)
+        : file_(std::move(file)), identity_(identity), where_(std::move(where)) {}
 
-    int descriptor_ = -1;
+    FileDescriptor file_;
     FileIdentity identity_;
     std::string where_;
 };

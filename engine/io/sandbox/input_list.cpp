@@ -25,28 +25,18 @@ void useMembers(Archive& archive, T& use) {
     for (auto* time : {&modified_ns, &changed_ns}) archive.number(*time);
 }
 
-void write(FrameWriter& writer, const std::vector<InputUse>& uses) {
-    writer.list(uses, 0, [](FrameWriter& to, const InputUse& use) { useMembers(to, use); });
-}
-
 }  // namespace
 
 std::string inputListText(const std::vector<InputUse>& uses) {
     if (uses.size() > kMostUses) return {};
-    FrameWriter counter;
-    write(counter, uses);
-    std::string text(counter.size(), '\0');
-    FrameWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
-    write(writer, uses);
-    return text;
+    return listText(uses, [](auto& to, const InputUse& use) { useMembers(to, use); });
 }
 
 std::optional<std::vector<InputUse>> parseInputList(std::string_view text) {
-    FrameReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    std::vector<InputUse> uses;
-    reader.list(uses, 52, [](FrameReader& from, InputUse& use) { useMembers(from, use); });
-    if (!reader.finished() || uses.size() > kMostUses) return std::nullopt;
-    for (const InputUse& use : uses) {
+    std::optional<std::vector<InputUse>> uses =
+        parseListText<InputUse>(text, 52, [](auto& from, InputUse& use) { useMembers(from, use); });
+    if (!uses || uses->size() > kMostUses) return std::nullopt;
+    for (const InputUse& use : *uses) {
         const bool known = use.kind <= InputUse::Refused;
         if (!known || use.path.native().find('\0') != std::string::npos) return std::nullopt;
     }

@@ -96,10 +96,6 @@ void inputMembers(Archive& archive, T& input) {
     archive.text(digest);
 }
 
-void write(FrameWriter& writer, const std::vector<KeptInput>& inputs) {
-    writer.list(inputs, 0, [](FrameWriter& to, const KeptInput& one) { inputMembers(to, one); });
-}
-
 }  // namespace
 
 InputRoots inputRoots(const fs::path& scene, const std::vector<fs::path>& more_inputs) {
@@ -154,20 +150,12 @@ bool stillHold(const InputRoots& roots, const std::vector<KeptInput>& inputs) {
 }
 
 std::string keptInputsText(const std::vector<KeptInput>& inputs) {
-    FrameWriter counter;
-    write(counter, inputs);
-    std::string text(counter.size(), '\0');
-    FrameWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
-    write(writer, inputs);
-    return text;
+    return listText(inputs, [](auto& to, const KeptInput& one) { inputMembers(to, one); });
 }
 
 std::optional<std::vector<KeptInput>> parseKeptInputs(std::string_view text) {
-    FrameReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    std::vector<KeptInput> inputs;
-    reader.list(inputs, 24, [](FrameReader& from, KeptInput& one) { inputMembers(from, one); });
-    if (!reader.finished()) return std::nullopt;
-    return inputs;
+    return parseListText<KeptInput>(text, 24,
+                                    [](auto& from, KeptInput& one) { inputMembers(from, one); });
 }
 
 }  // namespace dollytrack::io

@@ -23,13 +23,16 @@ class ReadingClock {
     [[nodiscard]] Seconds allowed() const {
         return std::min(kMost, work_ * (kLeast + kForMebibyte * (bytes_ / 1048576.0)));
     }
-    [[nodiscard]] Seconds left() const { return allowed() - (Clock::now() - begin_); }
+    /// For so long in all others had the processors: a busy machine is no fault of the file.
+    void waited(Seconds sum) { waited_ = std::max(waited_, sum); }
+    [[nodiscard]] Seconds left() const { return allowed() + waited_ - (Clock::now() - begin_); }
 
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
     double work_;
     double bytes_ = 0.0;
+    Seconds waited_{0.0};
 };
 
 }  // namespace dollytrack::io

@@ -1,6 +1,7 @@
 #include "engine/io/sandbox/scene_cache.h"
 
 #include "engine/io/durable_file.h"
+#include "engine/io/file_descriptor.h"
 #include "engine/io/import_settings.h"
 #include "engine/io/sandbox/frame_archive.h"
 #include "engine/io/sandbox/importer_process.h"
@@ -31,6 +32,8 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMagic = 0x31454843414354'44ULL;  // "DTCACHE1"
 constexpr std::uint64_t kDefaultMebibytes = 2048;
 constexpr const char* kExtension = ".scene";
+constexpr const char* kDigestExtension = ".digest";
+constexpr std::size_t kDigestLength = 64;
 
 struct EntryHead {
     std::uint64_t magic = kMagic;
@@ -64,20 +67,19 @@ std::uint64_t userMebibytes() {
 /// A file of this user, mapped for reading.
 class MappedEntry {
   public:
-    explicit MappedEntry(const fs::path& path) {
-        descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    explicit MappedEntry(const fs::path& path)
+        : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)) {
         struct stat status {};
-        if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode) ||
+        if (!file_.valid() || ::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode) ||
             status.st_uid != ::geteuid() || status.st_size <= 0) {
             return;
         }
         size_ = static_cast<std::size_t>(status.st_size);
-        void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
+        void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file_.get(), 0);
         if (view != MAP_FAILED) view_ = static_cast<const std::uint8_t*>(view);
     }
     ~MappedEntry() {
         if (view_ != nullptr) ::munmap(const_cast<std::uint8_t*>(view_), size_);
-        if (descriptor_ >= 0) ::close(descriptor_);
     }
     MappedEntry(const MappedEntry&) = delete;
     MappedEntry& operator=(const MappedEntry&) = delete;
@@ -86,10 +88,10 @@ class MappedEntry {
         return view_ != nullptr ? std::span(view_, size_) : std::span<const std::uint8_t>();
     }
     /// It is the youngest now.
-    void touch() const { ::futimens(descriptor_, nullptr); }
+    void touch() const { ::futimens(file_.get(), nullptr); }
 
   private:
-    int descriptor_ = -1;
+    FileDescriptor file_;
     std::size_t size_ = 0;
     const std::uint8_t* view_ = nullptr;
 };
@@ -113,6 +115,16 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     auto inputs = parseKeptInputs({reinterpret_cast<const char*>(list.data()), list.size()});
     if (!inputs) return std::nullopt;
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
+}
+
+bool isDigest(std::string_view text) {
+    return text.size() == kDigestLength &&
+           text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+bool hasSettled(const FileIdentity& file, std::chrono::nanoseconds settled) {
+    const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+    return now - std::chrono::nanoseconds(std::max(file.changed_ns, file.modified_ns)) > settled;
 }
 
 }  // namespace
@@ -145,6 +157,34 @@ std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
     return sha256Of(fmt::format("{} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion, readers.size,
                                 readers.modified_ns, lowerExtension(scene), sha256,
                                 options.read_textures, settings, labels, more));
+}
+
+Result<std::string> SceneCache::digestOf(const fs::path& scene) const {
+    const Result<InputFile> file = openNamedFile(scene);
+    if (!file) return tl::unexpected(file.error());
+    const FileIdentity before = file->identity();
+    const std::string name =
+        sha256Of(fmt::format("{} {} {} {} {}", before.device, before.inode, before.size,
+                             before.modified_ns, before.changed_ns));
+    const fs::path known = folder_ / (name + kDigestExtension);
+    {
+        const MappedEntry entry(known);
+        const auto bytes = entry.bytes();
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        if (isDigest(text)) {
+            entry.touch();
+            return std::string(text);
+        }
+    }
+    const bool settled = hasSettled(before, settled_);
+    Result<std::string> digest = sha256OfFile(scene);
+    if (!digest || !settled) return digest;
+    const Result<InputFile> after = openNamedFile(scene);
+    // Whether it is kept changes nothing but the time that the next reading takes.
+    if (after && after->identity() == before) {
+        (void)writeWhole(known, std::string_view(*digest), Durability::Renamed);
+    }
+    return digest;
 }
 
 fs::path SceneCache::fileOf(const std::string& key) const {
@@ -196,7 +236,7 @@ void SceneCache::makeRoom(std::uint64_t bytes) const {
         if (!it->is_regular_file(gone) || it->is_symlink(gone)) continue;
         const auto time = it->last_write_time(gone);
         const std::string name = it->path().filename().string();
-        if (name.ends_with(kExtension)) {
+        if (name.ends_with(kExtension) || name.ends_with(kDigestExtension)) {
             entries.push_back({time, it->path(), it->file_size(gone)});
         } else if (name.find(std::string(kExtension) + ".tmp.") != std::string::npos &&
                    now - time > std::chrono::hours(1)) {

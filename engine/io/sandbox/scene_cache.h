@@ -6,6 +6,7 @@
 #include "engine/io/sandbox/scene_frame.h"
 #include "engine/io/scene_import.h"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -25,8 +26,17 @@ class SceneCache {
     /// there is no folder one can write to.
     [[nodiscard]] static std::optional<SceneCache> ofUser();
 
-    SceneCache(std::filesystem::path folder, std::uint64_t most_bytes)
-        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+    /// So long a file has to have lain when it is hashed for its digest to be known from then on.
+    static constexpr std::chrono::seconds kSettled{120};
+
+    SceneCache(std::filesystem::path folder, std::uint64_t most_bytes,
+               std::chrono::seconds settled = kSettled)
+        : folder_(std::move(folder)), most_bytes_(most_bytes), settled_(settled) {}
+
+    /// The SHA-256 of a scene file. Large files are not hashed each time: a file that is the same
+    /// by device, inode, size and both times has the digest that it had, provided that it had
+    /// settled then, so that no write can have come within the same tick of the clock.
+    [[nodiscard]] Result<std::string> digestOf(const std::filesystem::path& scene) const;
 
     /// Names an entry by the content of the scene file, its extension, the options that matter to
     /// readers, the roots besides the scene's folder, and the readers themselves: the frame's
@@ -52,6 +62,7 @@ class SceneCache {
 
     std::filesystem::path folder_;
     std::uint64_t most_bytes_;
+    std::chrono::seconds settled_;
 };
 
 }  // namespace dollytrack::io

@@ -76,9 +76,9 @@ void materialMembers(Archive& archive, T& material) {
 
 template <class Archive, class T>
 void requestMembers(Archive& archive, T& request) {
-    // The picture itself is among the textures, and the reader alone needed its folder.
-    auto& [name, embedded, embedded_width, embedded_height, opaque, folder] = request;
-    (void)embedded, (void)embedded_width, (void)embedded_height, (void)folder;
+    // The picture itself is among the textures, and the reader alone needed to know where it lies.
+    auto& [name, embedded, embedded_width, embedded_height, opaque, folder, only_there] = request;
+    (void)embedded, (void)embedded_width, (void)embedded_height, (void)folder, (void)only_there;
     archive.text(name);
     archive.number(opaque);
 }

@@ -99,7 +99,7 @@ Result<SceneReading> readThroughCache(const std::filesystem::path& path,
                                       const ImportOptions& options, const JobContext& job,
                                       const std::vector<std::filesystem::path>& more_inputs,
                                       double work, SceneCache cache) {
-    Result<std::string> digest = sha256OfFile(path);
+    Result<std::string> digest = cache.digestOf(path);
     if (!digest) return tl::unexpected(digest.error());
     const InputRoots roots = inputRoots(path, more_inputs);
     const std::string key = SceneCache::keyOf(path, *digest, options, roots);

@@ -19,14 +19,14 @@ namespace {
 constexpr int kLowestDescriptor = 10;
 
 /// Both ends above those that the child is given.
-bool makePipe(int& read_end, int& write_end) {
+bool makePipe(FileDescriptor& read_end, FileDescriptor& write_end) {
     std::array<int, 2> low{};
     if (::pipe2(low.data(), O_CLOEXEC) != 0) return false;
-    read_end = ::fcntl(low[0], F_DUPFD_CLOEXEC, kLowestDescriptor);
-    write_end = ::fcntl(low[1], F_DUPFD_CLOEXEC, kLowestDescriptor);
-    ::close(low[0]);
-    ::close(low[1]);
-    return read_end >= 0 && write_end >= 0;
+    const FileDescriptor low_read(low[0]);
+    const FileDescriptor low_write(low[1]);
+    read_end = FileDescriptor(::fcntl(low[0], F_DUPFD_CLOEXEC, kLowestDescriptor));
+    write_end = FileDescriptor(::fcntl(low[1], F_DUPFD_CLOEXEC, kLowestDescriptor));
+    return read_end.valid() && write_end.valid();
 }
 
 /// Nothing but the two descriptors, a process group and no signal of the parent's.
@@ -65,17 +65,16 @@ int spawn(const std::vector<std::string>& arguments, int frame, int pipe, pid_t&
 
 Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& arguments,
                                                int frame_descriptor) {
-    int read_end = -1;
-    int write_end = -1;
+    FileDescriptor read_end;
+    FileDescriptor write_end;
     int error = makePipe(read_end, write_end) ? 0 : errno;
     pid_t process = -1;
-    if (error == 0) error = spawn(arguments, frame_descriptor, write_end, process);
-    if (write_end >= 0) ::close(write_end);
+    if (error == 0) error = spawn(arguments, frame_descriptor, write_end.get(), process);
+    (void)write_end.close();  // or the end of the messages would never be seen
     if (error == 0) {
-        ::fcntl(read_end, F_SETFL, O_NONBLOCK);
-        return SpawnedImporter(process, read_end);
+        ::fcntl(read_end.get(), F_SETFL, O_NONBLOCK);
+        return SpawnedImporter(process, std::move(read_end));
     }
-    if (read_end >= 0) ::close(read_end);
     const std::string hint = error == ENOENT
                                  ? "it has to lie beside this program; build or install it again"
                                  : std::strerror(error);
@@ -85,7 +84,7 @@ Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& a
 
 SpawnedImporter::SpawnedImporter(SpawnedImporter&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
-      pipe_(std::exchange(other.pipe_, -1)),
+      pipe_(std::move(other.pipe_)),
       pending_(std::move(other.pending_)),
       end_(other.end_) {}
 
@@ -95,15 +94,14 @@ SpawnedImporter::~SpawnedImporter() {
         while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
     }
-    if (pipe_ >= 0) ::close(pipe_);
 }
 
 bool SpawnedImporter::receive(std::chrono::milliseconds wait,
                               std::vector<ImporterMessage>& messages) {
-    pollfd watched{pipe_, POLLIN, 0};
+    pollfd watched{pipe_.get(), POLLIN, 0};
     if (::poll(&watched, 1, static_cast<int>(wait.count())) <= 0) return true;
     std::array<char, 4096> bytes{};
-    const ssize_t got = ::read(pipe_, bytes.data(), bytes.size());
+    const ssize_t got = ::read(pipe_.get(), bytes.data(), bytes.size());
     if (got < 0) return errno == EINTR || errno == EAGAIN;
     if (got == 0) return false;
     pending_.append(bytes.data(), static_cast<std::size_t>(got));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/file_descriptor.h"
 #include "engine/io/sandbox/importer_protocol.h"
 
 #include <sys/types.h>
@@ -30,13 +31,15 @@ class SpawnedImporter {
     /// The status as waitpid() tells it, once it has ended.
     [[nodiscard]] std::optional<int> end();
     void limitProcessorTime(std::uint64_t seconds) const;
+    [[nodiscard]] pid_t process() const { return process_; }
     void kill() const;
 
   private:
-    SpawnedImporter(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
+    SpawnedImporter(pid_t process, FileDescriptor pipe)
+        : process_(process), pipe_(std::move(pipe)) {}
 
     pid_t process_ = -1;
-    int pipe_ = -1;
+    FileDescriptor pipe_;
     std::string pending_;  // the beginning of a message
     std::optional<int> end_;
 };

@@ -7,38 +7,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 namespace dollytrack::io {
 namespace {
 constexpr double kUnitTolerance = 1e-2;  // files have as few as three decimals
-// Millions of poses, or COLMAP's points of many thousand images; but not a device without end.
-constexpr std::size_t kLargest = std::size_t{512} << 20U;
 }  // namespace
-
-Result<std::string> readText(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        return fail(ErrorCode::BadInput, "There is no such file.", path.string());
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (std::filesystem::is_directory(path, error) || !file) {
-        return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
-    }
-    // A pipe has no size to ask for, so the bytes are counted as they come.
-    std::string text;
-    std::array<char, 1U << 16U> part{};
-    while (file.read(part.data(), part.size()) || file.gcount() > 0) {
-        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-        if (text.size() > kLargest) {
-            return fail(ErrorCode::BadInput, "It is larger than 512 MiB.", path.string());
-        }
-    }
-    if (file.bad()) {
-        return fail(ErrorCode::BadInput, "The file cannot be read.", path.string());
-    }
-    return text;
-}
 
 std::vector<std::string_view> splitWords(std::string_view line) {
     constexpr std::string_view kBlanks = " \t,\r";

@@ -18,9 +18,6 @@ struct NumberLine {
     std::vector<double> values;
 };
 
-/// The whole file, or what comes through a pipe, up to 512 MiB. Error: BadInput.
-Result<std::string> readText(const std::filesystem::path& path);
-
 /// The words of a line, separated by blanks, tabs or commas.
 std::vector<std::string_view> splitWords(std::string_view line);
 

@@ -150,6 +150,28 @@ class Ways {
     std::vector<bool> open_;
 };
 
+/// Whether the carrier is above the thing.
+bool isCovered(const RayCaster& rays, const Object& carrier, const Object& thing) {
+    Vector3d from = thing.box.center;
+    for (int i = 0; i < 40; ++i) {
+        const RayHit hit = rays.cast(from, Vector3d::UnitZ(), 5.0);
+        if (hit.object_id == 0) return false;
+        if (hit.object_id == carrier.id) return true;
+        from += (hit.distance + 1e-5) * Vector3d::UnitZ();
+    }
+    return false;
+}
+
+/// What a ray meets once it has left the thing; object 0 for nothing.
+RayHit nextAfter(const RayCaster& rays, const Object& thing, Vector3d from, const Vector3d& way) {
+    RayHit hit = rays.cast(from, way, 1.0);
+    for (int i = 0; i < 40 && hit.object_id == thing.id; ++i) {
+        from += (hit.distance + 1e-5) * way;
+        hit = rays.cast(from, way, 1.0);
+    }
+    return hit;
+}
+
 }  // namespace
 
 TEST_F(GeneratedRooms, HoldWhatTheTruthSays) {
@@ -255,6 +277,55 @@ TEST_F(GeneratedRooms, HideNothingInFurniture) {
                 }
             }
             EXPECT_TRUE(free) << thing->name << " is shut in " << carrier->name;
+        }
+    }
+}
+
+// What is open above can be looked down on; what is not has the whole way to the front for itself.
+TEST_F(GeneratedRooms, PutNothingBehindAnotherInAShelf) {
+    int in_shelves = 0;
+    for (const ReadRoom& room : rooms) {
+        const RayCaster rays(room.scene);
+        std::map<std::string, std::string> supporters;
+        for (const ordered_json& truth : room.truth["objects"]) {
+            supporters[truth["name"]] = truth["supporter"];
+        }
+        for (const ordered_json& truth : room.truth["objects"]) {
+            const Object* carrier = room.named(truth["supporter"]);
+            const Object* thing = room.named(truth["name"]);
+            if (!carrier || !isCovered(rays, *carrier, *thing)) continue;
+            ++in_shelves;
+            const OrientedBox& box = thing->box;
+            for (const double across : {-0.9, 0.0, 0.9}) {
+                for (const double up : {-0.9, 0.0, 0.9}) {
+                    const Vector3d side = carrier->front.cross(Vector3d::UnitZ());
+                    const double half = 0.5 * pointOf(truth["size_m"]).x();
+                    const Vector3d from = box.center + across * half * side +
+                                          up * box.half_size.z() * Vector3d::UnitZ();
+                    const RayHit hit = nextAfter(rays, *thing, from, carrier->front);
+                    if (hit.object_id == 0) continue;
+                    const std::string before = room.scene.object(hit.object_id).name;
+                    EXPECT_NE(supporters[before], carrier->name)
+                        << room.name << ": " << before << " hides " << thing->name;
+                }
+            }
+        }
+    }
+    EXPECT_GT(in_shelves, 20);
+}
+
+// Decorations once, small things up to thrice; chairs and cupboards may come in rows.
+TEST_F(GeneratedRooms, RepeatLittle) {
+    const std::set<std::string> once = {"floor_lamp", "floor_plant", "wall_thing", "floor_thing",
+                                        "work_floor_thing"};
+    for (const ReadRoom& room : rooms) {
+        std::map<std::string, int> count;
+        for (const ordered_json& truth : room.truth["objects"]) {
+            const std::string role = truth["role"];
+            const bool thing = role.ends_with("_thing") || role == "table_lamp";
+            if (!thing && !once.contains(role)) continue;
+            const std::string model = truth["model"];
+            EXPECT_LE(++count[model], once.contains(role) ? 1 : 3) << room.name << ": " << model;
         }
     }
 }

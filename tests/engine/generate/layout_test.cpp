@@ -98,8 +98,8 @@ std::set<int> restingHeights(bool closed) {
     for (int i = 0; i < 50; ++i) {
         PlacedPiece thing = placedAt(cup, {200, 100 + random.uniform(-30.0, 30.0)});
         thing.angle = random.uniform(0.0, 6.0);
-        const auto height = surface.restingHeight(thing, random);
-        heights.insert(height ? static_cast<int>(std::lround(*height)) : -1);
+        const auto rest = surface.restFor(thing, random);
+        heights.insert(rest ? static_cast<int>(std::lround(rest->height)) : -1);
     }
     return heights;
 }
@@ -194,8 +194,8 @@ TEST(CarrierSurface, LetsNothingHangOverAnEdge) {
     const CatalogPiece tray = pieceOf(30, 30, 5);
     const CarrierSurface surface(model, placedAt(shelf, {200, 100}));
     Random random(1);
-    EXPECT_TRUE(surface.restingHeight(placedAt(tray, {200, 100}), random));
-    EXPECT_FALSE(surface.restingHeight(placedAt(tray, {245, 100}), random));
+    EXPECT_TRUE(surface.restFor(placedAt(tray, {200, 100}), random));
+    EXPECT_FALSE(surface.restFor(placedAt(tray, {245, 100}), random));
 }
 
 }  // namespace dollytrack::generate

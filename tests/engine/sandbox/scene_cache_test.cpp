@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -98,6 +99,35 @@ TEST_F(SceneCacheTest, NoticesNewNamesWhereNamesWereLookedFor) {
     EXPECT_TRUE(found());
     put("scene/maps/elm.png", "new");
     EXPECT_FALSE(found());
+}
+
+TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
+    const SceneCache at_once(cache_folder_, 1 << 20, std::chrono::seconds(0));
+    const auto digests = [&] {
+        std::vector<fs::path> files;
+        for (const auto& file : fs::directory_iterator(cache_folder_)) {
+            if (file.path().extension() == ".digest") files.push_back(file.path());
+        }
+        return files;
+    };
+    // Just written: a second write could leave the same time.
+    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_TRUE(digests().empty());
+    EXPECT_EQ(*at_once.digestOf(scene_), *io::sha256OfFile(scene_));
+    ASSERT_EQ(digests().size(), 1U);
+    // What is written there is what it answers with from now on, unless it is no digest.
+    const std::string other(64, 'a');
+    put("cache/" + digests()[0].filename().string(), other);
+    EXPECT_EQ(*cache_.digestOf(scene_), other);
+    put("cache/" + digests()[0].filename().string(), "damaged");
+    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+
+    put("cache/" + digests()[0].filename().string(), other);
+    const auto time = fs::last_write_time(scene_);
+    put("scene/room.obj", "v 9 9 9");  // as long as before
+    fs::last_write_time(scene_, time);
+    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_FALSE(cache_.digestOf(folder_.path() / "gone.obj"));
 }
 
 TEST_F(SceneCacheTest, KeepsNothingThatChangedMeanwhile) {

@@ -1,0 +1,106 @@
+#include "engine/io/sandbox/processor_wait.h"
+
+#include "engine/io/sandbox/reading_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <sched.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <fstream>
+#include <thread>
+
+namespace dollytrack {
+namespace {
+
+using io::ProcessorWait;
+using io::ReadingClock;
+using Seconds = ProcessorWait::Seconds;
+
+/// A process that computes, or sleeps, on one processor until this is destroyed.
+class Child {
+  public:
+    Child(int processor, bool computes) : process_(::fork()) {
+        if (process_ != 0) return;
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(processor, &one);
+        ::sched_setaffinity(0, sizeof(one), &one);
+        while (true) {
+            // A call of the system: the compiler may take nothing away.
+            if (computes) {
+                ::getppid();
+            } else {
+                ::pause();
+            }
+        }
+    }
+    ~Child() {
+        ::kill(process_, SIGKILL);
+        ::waitpid(process_, nullptr, 0);
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    [[nodiscard]] pid_t process() const { return process_; }
+
+  private:
+    pid_t process_;
+};
+
+int anyProcessor() {
+    cpu_set_t mine;
+    CPU_ZERO(&mine);
+    ::sched_getaffinity(0, sizeof(mine), &mine);
+    for (int i = 0; i < CPU_SETSIZE; ++i) {
+        if (CPU_ISSET(i, &mine)) return i;
+    }
+    return 0;
+}
+
+bool kernelCounts() {
+    std::ifstream in("/proc/self/schedstat");
+    std::uint64_t ran = 0;
+    return static_cast<bool>(in >> ran) && ran > 0;
+}
+
+// Four that share one processor wait three quarters of the time; one that sleeps waits for none.
+TEST(ProcessorWait, IsWhatOthersTook) {
+    const int processor = anyProcessor();
+    const Child one(processor, true);
+    const Child two(processor, true);
+    const Child three(processor, true);
+    const Child four(processor, true);
+    const Child idle(processor, false);
+    ProcessorWait of_one(one.process());
+    ProcessorWait of_idle(idle.process());
+    const auto begin = std::chrono::steady_clock::now();
+    Seconds busy{0.0};
+    Seconds asleep{0.0};
+    for (int i = 0; i < 40; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        busy = of_one.update();
+        asleep = of_idle.update();
+    }
+    const Seconds passed = std::chrono::steady_clock::now() - begin;
+    if (busy.count() == 0.0 && !kernelCounts()) GTEST_SKIP() << "the kernel does not count it";
+    EXPECT_GT(busy, 0.4 * passed);
+    EXPECT_LE(busy, passed);
+    EXPECT_LT(asleep, 0.3 * passed);
+}
+
+TEST(ReadingClock, StandsStillWhileOthersHaveTheProcessors) {
+    ReadingClock clock;
+    const Seconds before = clock.left();
+    clock.waited(Seconds{1000.0});
+    EXPECT_GT(clock.left(), before + Seconds{999.0});
+    EXPECT_EQ(clock.allowed(), ReadingClock::kLeast);
+    clock.opened(3U << 20U);
+    EXPECT_EQ(clock.allowed(), ReadingClock::kLeast + 3.0 * ReadingClock::kForMebibyte);
+}
+
+}  // namespace
+}  // namespace dollytrack
