@@ -5,6 +5,7 @@
 #include "app/project/read_project.h"
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/project_file.h"
 #include "engine/scene/labels.h"
 
@@ -28,13 +29,20 @@ struct EditArguments {
     SceneArguments scene;
     std::string out;
     std::string script;
+    std::string annotations;  // to be written
     std::vector<std::string> operations;
     bool plan = false;
     bool list = false;
     bool as_json = false;
 
     /// Nothing is to be edited: the edits that are there are listed.
-    [[nodiscard]] bool showsOnly() const { return script.empty() && operations.empty(); }
+    [[nodiscard]] bool showsOnly() const {
+        return script.empty() && operations.empty() && annotations.empty();
+    }
+    [[nodiscard]] bool writesProject() const {
+        return !out.empty() ||
+               (isProjectFile(scene.path) && !(script.empty() && operations.empty()));
+    }
 };
 
 /// ":3:14", line and column of a byte, which counts from 1.
@@ -228,7 +236,8 @@ Status checkArguments(const EditArguments& arguments) {
                     "Edits are listed without reading the scene; leave --unit, --up, --labels, "
                     "--models and --annotations out.");
     }
-    if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
+    if (arguments.out.empty() && !isProjectFile(arguments.scene.path) &&
+        arguments.annotations.empty()) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
                     arguments.scene.path);
     }
@@ -292,11 +301,20 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
         metrics = std::move(planned->metrics);
     }
     const std::string out = arguments.out.empty() ? arguments.scene.path : arguments.out;
-    if (Status status = io::saveProject(projectOf(*opened), out); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+    const io::ProjectFile project = projectOf(*opened);
+    if (arguments.writesProject()) {
+        if (Status status = io::saveProject(project, out); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (!arguments.annotations.empty()) {
+        Status status = io::writeAnnotations(arguments.annotations, project.import, project.edits);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
     }
     if (arguments.as_json) {
-        nlohmann::json summary = {{"out", out}, {"operations", *names}};
+        nlohmann::json summary = {{"operations", *names}};
+        if (arguments.writesProject()) summary["out"] = out;
+        if (!arguments.annotations.empty()) summary["annotations"] = arguments.annotations;
         if (arguments.plan) summary["metrics"] = std::move(metrics);
         fmt::print("{}\n", jsonText(summary));
         return kDone;
@@ -327,6 +345,11 @@ void addEditCommand(CLI::App& app, Session& session) {
         ->allow_extra_args(false);
     command->add_option("-o,--out", arguments->out, "Write here instead of into the project itself")
         ->type_name("FILE.dolly");
+    command
+        ->add_option("--write-annotations", arguments->annotations,
+                     "Write what is edited for other programs and projects to read: the file "
+                     "SCENE.objects.json beside the scene is found by itself")
+        ->type_name("FILE");
     command->add_flag("--plan", arguments->plan, "Plan afterwards, and store the plan");
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");

@@ -8,6 +8,7 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/document/edits_json.h"
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/annotation_file.h"
 #include "engine/plan/plan_json.h"
 #include "render/dataset_job.h"
 #include "render/formats/formats.h"
@@ -120,6 +121,15 @@ std::string standardNames(std::span<const Row> rows) {
     return all;
 }
 
+/// What people say of the scene: the file that the project names, or that lies beside it.
+Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
+    std::optional<std::filesystem::path> given;
+    if (opened.import.contains("annotations")) {
+        given = opened.import["annotations"].get<std::string>();
+    }
+    return io::findAnnotations(opened.imported->source, given);
+}
+
 /// Renders one trajectory into a folder.
 Result<render::DatasetSummary> renderTrajectory(
     const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
@@ -141,6 +151,9 @@ Result<render::DatasetSummary> renderTrajectory(
         origin.motions = objectMotions(*planned.scene, opened.edits.scene, trajectory);
     }
     origin.relations = relationsOf(*planned.scene, rays, planned.params.targets);
+    const Result<io::Annotations> said = annotationsOf(opened);
+    if (!said) return tl::unexpected<Error>(said.error());
+    overrideRelations(*planned.scene, said->relations, origin.relations);
     return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
                                  planned.params.camera, std::move(settings), std::move(origin),
                                  job);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/annotation_file.h"
 #include "planning/plan_params.h"
 #include "render/object_motion.h"
 
@@ -12,5 +13,10 @@ namespace dollytrack::cli {
 [[nodiscard]] std::vector<render::ObjectRelation> relationsOf(const Scene& scene,
                                                               const RayCaster& rays,
                                                               const planning::TargetParams& params);
+
+/// What people say of it in the annotations comes before what was found: of each object that they
+/// name, theirs alone count. Objects that this scene does not have are left out with a warning.
+void overrideRelations(const Scene& scene, const std::vector<io::AnnotatedRelation>& said,
+                       std::vector<render::ObjectRelation>& relations);
 
 }  // namespace dollytrack::cli

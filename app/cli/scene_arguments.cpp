@@ -2,6 +2,7 @@
 
 #include "app/cli/length_unit.h"
 #include "app/project/read_project.h"
+#include "engine/core/field_list.h"
 #include "engine/core/log.h"
 #include "engine/core/name_hint.h"
 #include "engine/document/apply_scene_edits.h"
@@ -139,6 +140,20 @@ Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const 
     return std::move(state.edits);
 }
 
+/// Of a point cloud; checked here, kept as far as it was said.
+Status addCloudSettings(const SceneArguments& arguments, nlohmann::json& stored) {
+    for (const std::string& assignment : arguments.cloud) {
+        CloudParams params;
+        FieldCollector fields;
+        visitCloudParams(params, fields);
+        const FieldList list = fields.take();
+        if (Status status = setField(list, assignment); !status) return status;
+        const std::string name = assignment.substr(0, assignment.find('='));
+        stored["cloud"][name] = toJson(list)["cloud"][name];
+    }
+    return {};
+}
+
 /// What the command line says of the scene, over what the project says.
 nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json stored) {
     if (arguments.unit_m) stored["unit_m"] = *arguments.unit_m;
@@ -195,8 +210,8 @@ io::ProjectFile projectOf(const OpenedScene& opened) {
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("scene", arguments.path,
-                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; 3D-FRONT, SceneNet RGB-D) or "
-                    ".dolly project")
+                    "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; point clouds; homes; 3D-FRONT, "
+                    "SceneNet RGB-D) or .dolly project")
         ->required()
         ->type_name("SCENE");
     addImportArguments(command, arguments);
@@ -224,9 +239,17 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->allow_extra_args(false);
     command
         .add_option("--annotations", arguments.annotations,
-                    "Folder that says which mesh is what: Hypersim's ai_VVV_NNN")
+                    "What people say of the scene: a file SCENE.objects.json that does not lie "
+                    "beside it, or the folder of a Hypersim scene (ai_VVV_NNN)")
         ->check(CLI::ExistingPath.description(""))
-        ->type_name("DIR");
+        ->type_name("FILE|DIR");
+    command
+        .add_option(
+            "--cloud", arguments.cloud,
+            "How a point cloud becomes a room: voxel_m, max_points, gap_m, hole_m, plane_m, "
+            "object_m; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
 }
 
 void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
@@ -258,7 +281,7 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
-    Result<ProjectContent> read = readProject(arguments.path);
+    Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     const planning::PlanParams stored = read->params;
     const nlohmann::json stored_import = read->import;
@@ -266,9 +289,15 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         return tl::unexpected<Error>(std::move(status.error()));
     }
     read->import = importSettings(arguments, stored_import);
+    if (Status status = addCloudSettings(arguments, read->import); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
     if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
     for (const std::string& warning : (*imported)->report.warnings) log::warn("import", warning);
+    const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
+    if (!lost) return tl::unexpected<Error>(lost.error());
+    for (const std::string& one : *lost) log::warn("annotations", one);
     OpenedScene opened;
     opened.imported = std::move(*imported);
     opened.params = read->params;

@@ -28,8 +28,9 @@ struct SceneArguments {
     std::optional<std::string> up_axis;
     std::optional<std::string> labels;
     std::vector<std::string> models;         // --models folders
-    std::optional<std::string> annotations;  // a folder
+    std::optional<std::string> annotations;  // a file or a folder
     std::vector<std::string> assignments;    // --set name=value
+    std::vector<std::string> cloud;          // --cloud name=value
     std::optional<int> seed;
     std::optional<int> max_frames;
     std::optional<double> max_length_m;
@@ -43,8 +44,8 @@ struct SceneArguments {
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// --unit, --up, --labels, --models, --annotations: part of the above, for commands that take
-/// several scenes.
+/// --unit, --up, --labels, --models, --annotations, --cloud: part of the above, for commands that
+/// take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
 /// --set, --seed, --max-frames, --max-length; --ignore, --only, --start, --end, --loop
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);

@@ -53,6 +53,12 @@ void Editor::addFileCommands() {
         {"file.save", "File", "Save", ctrl(GLFW_KEY_S), [this] { save(); }, needs_project});
     commands_.add({"file.save_as", "File", "Save as…", ctrlShift(GLFW_KEY_S),
                    [this] { askForFile("save"); }, needs_project});
+    commands_.add({"file.write_annotations",
+                   "File",
+                   "Write annotations…",
+                   {},
+                   [this] { askForFile("annotations"); },
+                   needs_project});
     commands_.add(
         {"file.close", "File", "Close", ctrl(GLFW_KEY_W),
          [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },

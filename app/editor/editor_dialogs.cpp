@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/scene_format.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,15 @@ void Editor::askForFile(const std::string& id) {
         request.name = workspace_.path().empty() ? workspace_.sceneFile().stem().string() + ".dolly"
                                                  : workspace_.path().filename().string();
         if (!workspace_.path().empty()) request.start = workspace_.path().parent_path();
+    } else if (id == "annotations") {
+        const std::filesystem::path beside = io::annotationFileOf(workspace_.sceneFile());
+        request.purpose = ui::FileRequest::Purpose::Save;
+        request.title = "Write what is edited, for everyone who opens the scene";
+        request.accept = "Write";
+        request.extension = ".json";
+        request.filters = {{"Annotations", {".json"}}};
+        request.start = beside.parent_path();
+        request.name = beside.filename().string();
     } else if (id == "preview.png") {
         request.purpose = ui::FileRequest::Purpose::Save;
         request.title = "Save the camera's picture";
@@ -70,6 +80,12 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
     } else if (answer.id == "save") {
         // The dialog has asked already whether a file that is there may be replaced.
         workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
+    } else if (answer.id == "annotations") {
+        const io::ProjectFile project = workspace_.snapshot(false);
+        Status written = io::writeAnnotations(answer.path, project.import, project.edits);
+        if (!written) {
+            questions_.tell({true, "Cannot write the annotations", describe(written.error()), {}});
+        }
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             pictures_.save(answer.path, std::move(*picture_to_save_));

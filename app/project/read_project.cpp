@@ -1,6 +1,8 @@
 #include "app/project/read_project.h"
 
 #include "engine/document/edits_json.h"
+#include "engine/document/object_numbers.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/import_settings.h"
 #include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
@@ -21,10 +23,20 @@ bool isProjectFile(const std::filesystem::path& path) {
     return path.extension() == ".dolly";
 }
 
-Result<ProjectContent> readProject(const std::filesystem::path& path) {
+Result<ProjectContent> readProject(const std::filesystem::path& path,
+                                   const std::optional<std::filesystem::path>& annotations) {
     ProjectContent content;
     content.scene_file = path;
-    if (!isProjectFile(path)) return content;
+    if (!isProjectFile(path)) {
+        // A project has its edits from then on; what the annotations say later is not mixed in.
+        Result<io::Annotations> said = io::findAnnotations(path, annotations);
+        if (!said) return tl::unexpected<Error>(std::move(said.error()));
+        Result<Edits> edits = editsFromJson(said->edits);
+        if (!edits) return in(said->file, std::move(edits.error()));
+        content.edits = std::move(*edits);
+        if (!said->edits.is_null()) content.edits_section = std::move(said->edits);
+        return content;
+    }
     Result<io::ProjectFile> file = io::loadProject(path);
     if (!file) return tl::unexpected<Error>(std::move(file.error()));
     Status fits = setFromJson(planning::listFields(content.params), file->parameters);
@@ -65,6 +77,15 @@ Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content
     Result<Scene> scene = importScene(content.scene_file, *options, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
     return std::make_shared<const Scene>(std::move(*scene));
+}
+
+Result<std::vector<std::string>> numberEdits(ProjectContent& content, const Scene& imported) {
+    std::vector<std::string> warnings;
+    if (!content.project.empty() || content.edits == Edits{}) return warnings;
+    Result<Edits> edits = numberObjects(std::move(content.edits), imported, warnings);
+    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    content.edits = std::move(*edits);
+    return warnings;
 }
 
 bool sceneHasChanged(const ProjectContent& content, const Scene& imported) {

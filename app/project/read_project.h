@@ -10,7 +10,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dollytrack {
 
@@ -33,9 +35,11 @@ struct ProjectContent {
 /// Whether the path names a project rather than a scene.
 [[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
 
-/// Errors: as io::loadProject(); BadInput for parameters and edits that do not fit, with the file
-/// and the place in it. A scene file is not looked at.
-Result<ProjectContent> readProject(const std::filesystem::path& path);
+/// A scene file is not looked at, but for the edits in its annotations: `annotations`, or the file
+/// beside it (engine/io/annotation_file.h). Errors: as io::loadProject(); BadInput for parameters
+/// and edits that do not fit, with the file and the place in it.
+Result<ProjectContent> readProject(const std::filesystem::path& path,
+                                   const std::optional<std::filesystem::path>& annotations = {});
 
 [[nodiscard]] bool sceneIsGone(const ProjectContent& content);
 
@@ -43,6 +47,9 @@ Result<ProjectContent> readProject(const std::filesystem::path& path);
 /// scene is gone; as importScene().
 Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
                                                    const JobContext& job);
+
+/// Edits that came with names alone get the numbers of their objects. Returns what was left out.
+Result<std::vector<std::string>> numberEdits(ProjectContent& content, const Scene& imported);
 
 /// Whether the scene file is another one than the project was written for.
 [[nodiscard]] bool sceneHasChanged(const ProjectContent& content, const Scene& imported);

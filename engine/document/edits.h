@@ -12,7 +12,7 @@ namespace dollytrack {
 /// An object as an edit names it. The name finds it again when the scene file has changed and its
 /// number with it.
 struct ObjectRef {
-    int id = 0;  // in the scene that the edit was made in
+    int id = 0;  // in the scene that the edit was made in; 0: only the name is known
     std::string name;
     bool operator==(const ObjectRef&) const = default;
 };

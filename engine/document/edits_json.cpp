@@ -1,6 +1,7 @@
 #include "engine/document/edits_json.h"
 
 #include "engine/document/json_reader.h"
+#include "engine/document/unknown_keys.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -29,7 +30,10 @@ json vectorJson(const Eigen::Vector3d& v) {
 
 json refsJson(const std::vector<ObjectRef>& refs) {
     json list = json::array();
-    for (const ObjectRef& ref : refs) list.push_back({{"id", ref.id}, {"name", ref.name}});
+    for (const ObjectRef& ref : refs) {
+        json& one = list.emplace_back(json{{"name", ref.name}});
+        if (ref.id > 0) one["id"] = ref.id;
+    }
     return list;
 }
 
@@ -82,15 +86,17 @@ json regionJson(const Region& region) {
     return one;
 }
 
+/// What a person writes by hand has names alone; numbers are found with the scene.
 ObjectRef readRef(const JsonReader& from) {
-    return {from.at("id").integer(1, kMostObjects), from.at("name").text()};
+    const JsonReader id = from.at("id");
+    return {id.absent() ? 0 : id.integer(1, kMostObjects), from.at("name").text()};
 }
 
 std::vector<ObjectRef> readRefs(const JsonReader& from, std::size_t least) {
     std::vector<ObjectRef> refs;
     for (std::size_t i = 0; i < from.size(); ++i) {
         refs.push_back(readRef(from.at(i)));
-        if (i > 0 && refs[i].id <= refs[i - 1].id) {
+        if (i > 0 && refs[i].id > 0 && refs[i].id <= refs[i - 1].id) {
             from.at(i).refuse("Objects must be listed by rising id, each once.");
         }
     }
@@ -266,6 +272,7 @@ json editsJson(const Edits& edits, const json& loaded) {
         section.erase(key);
         if (!point.empty()) section[key] = point;
     }
+    keepUnknownKeys(loaded, section);
     return section;
 }
 

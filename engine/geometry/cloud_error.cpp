@@ -78,6 +78,7 @@ CloudError cloudError(std::span<const Eigen::Vector3d> cloud, const RayCaster& r
     };
     error.median_m = at(0.5);
     error.p90_m = at(0.9);
+    error.p95_m = at(0.95);
     return error;
 }
 

@@ -15,6 +15,7 @@ struct CloudError {
     double mean_m = 0.0;  // of the distances to the nearest surface
     double median_m = 0.0;
     double p90_m = 0.0;  // 90 % are nearer
+    double p95_m = 0.0;
 };
 
 /// Distances of the points, world, to the scene's triangles.

@@ -1,5 +1,8 @@
 #include "engine/io/assimp_files.h"
 
+#include "engine/io/obj_numbers.h"
+#include "engine/io/scene_format.h"
+
 #include <algorithm>
 #include <cstring>
 #include <string_view>
@@ -43,6 +46,10 @@ class BytesStream : public Assimp::IOStream {
 
 }  // namespace
 
+Assimp::IOStream* openBytes(std::vector<std::uint8_t> bytes) {
+    return new BytesStream(std::move(bytes));
+}
+
 bool AssimpFiles::Exists(const char* name) const {
     const auto bytes = files_.read(name);
     return bytes && *bytes;
@@ -54,7 +61,8 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
     if (!bytes || !*bytes) return nullptr;
     const bool material = std::string_view(name).ends_with(".mtl");
     if (material && (**bytes).size() < kLeastMaterialBytes) return nullptr;
-    return new BytesStream(std::move(**bytes));
+    Assimp::IOStream* stream = openBytes(std::move(**bytes));
+    return lowerExtension(name) == ".obj" ? mendObjNumbers(stream) : stream;
 }
 
 }  // namespace dollytrack

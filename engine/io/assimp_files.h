@@ -6,6 +6,7 @@
 #include <assimp/IOSystem.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace dollytrack {
 /// assimp gives up the whole model when its MTL file has fewer bytes, an empty line of some
 /// exporter's; without the file it goes on.
 constexpr std::size_t kLeastMaterialBytes = 8;
+
+/// A stream of these bytes, for assimp to read and to delete.
+[[nodiscard]] Assimp::IOStream* openBytes(std::vector<std::uint8_t> bytes);
 
 /// Shows assimp the files of a FileSource and nothing else of the machine. A file that is damaged
 /// is not there.

@@ -1,9 +1,11 @@
 #include "engine/io/assimp_folder.h"
 
 #include "engine/io/assimp_files.h"
+#include "engine/io/obj_numbers.h"
 #include "engine/io/scene_format.h"
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -58,7 +60,8 @@ Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     if (!opened) return nullptr;
     const bool material = lowerExtension(file) == ".mtl";
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;
-    return new FileStream(std::move(*opened));
+    auto stream = std::make_unique<FileStream>(std::move(*opened));
+    return lowerExtension(file) == ".obj" ? mendObjNumbers(stream.release()) : stream.release();
 }
 
 void AssimpFolder::Close(Assimp::IOStream* stream) {

@@ -100,6 +100,7 @@ std::string number(double value) {
 
 struct UnitScore {
     double score = 0.0;
+    double furniture = 0.0;  // how well named furniture fits; 0 without any
     std::string evidence;
 };
 
@@ -133,7 +134,8 @@ UnitScore scoreUnit(const std::vector<Thing>& things, const Eigen::AlignedBox3d&
     if (classes > 0.0) {
         // One kind may be an odd model, or all lamps of a room in one node; many do not err.
         const double weight = 2.0 * classes / (classes + 2.0);
-        result.score = (result.score + weight * fit / classes) / (1.0 + weight);
+        result.furniture = fit / classes;
+        result.score = (result.score + weight * result.furniture) / (1.0 + weight);
         result.evidence += ", " + number(classes) + " kinds of furniture";
     }
     return result;
@@ -238,9 +240,16 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     double best_unit = 1.0;
     UnitScore best;
     best.score = -1.0;
+    const UnitScore in_metres = scoreUnit(things, core, up, 1.0);
+    bool maybe_feet = false;
     for (const double unit : kUnits) {
         UnitScore score = scoreUnit(things, core, up, unit);
         if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
+        // A hall in metres is a room in feet; only furniture can tell them apart.
+        if (unit == 0.3048 && !(score.furniture > in_metres.furniture)) {
+            maybe_feet = best_unit == 1.0 && score.score > best.score;
+            continue;
+        }
         if (score.score > best.score) {
             best = score;
             best_unit = unit;
@@ -252,11 +261,14 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
         if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
             choice.unit_m = *raw.file_unit_m;
             choice.unit_source = "file";
-            if (by_file.score < kBelievable) {
-                choice.warnings.push_back("the unit is doubtful: the file says 1 unit = " +
-                                          number(*raw.file_unit_m) + " m, which makes the " +
-                                          by_file.evidence +
-                                          "; give metres per unit if it is wrong");
+            // Several storeys and attics are high; that alone speaks for no other unit.
+            const bool another_fits_better =
+                best_unit != *raw.file_unit_m && best.score > by_file.score;
+            if (by_file.score < kDoubtful || (by_file.score < kBelievable && another_fits_better)) {
+                choice.warnings.push_back(
+                    "the unit is doubtful: the file says 1 unit = " + number(*raw.file_unit_m) +
+                    " m, which makes the " + by_file.evidence +
+                    "; give metres per unit if it is wrong");
             }
             return;
         }
@@ -266,7 +278,11 @@ void chooseUnit(const RawScene& raw, const std::vector<Thing>& things,
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
-    if (best.score < kDoubtful) {
+    if (maybe_feet) {
+        choice.warnings.push_back("the unit is doubtful: this is a hall in metres (" +
+                                  best.evidence +
+                                  "), or a room in feet; give 0.3048 metres per unit for feet");
+    } else if (best.score < kDoubtful) {
         choice.warnings.push_back(
             "the unit is doubtful: no usual unit gives this scene a room's "
             "size; give metres per unit if it is wrong");

@@ -1,5 +1,7 @@
 #include "engine/io/import_settings.h"
 
+#include "engine/core/field_list.h"
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -23,6 +25,12 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
             const auto axis = settings["up_axis"].get<std::string>();
             options.up_axis = axis.empty() ? 'y' : axis.front();
         }
+        if (settings.contains("cloud")) {
+            FieldCollector fields;
+            visitCloudParams(options.cloud, fields);
+            Status set = setFromJson(fields.take(), {{"cloud", settings["cloud"]}});
+            if (!set) return tl::unexpected<Error>(std::move(set.error()));
+        }
     } catch (const nlohmann::json::exception& e) {
         return fail(
             ErrorCode::BadInput,
@@ -33,7 +41,7 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
 
 nlohmann::json importOptionsToJson(const ImportOptions& options) {
     // By name, so that a new option that is forgotten here does not compile.
-    const auto& [unit_m, up_axis, labels, model_folders, annotations, read_textures,
+    const auto& [unit_m, up_axis, labels, model_folders, annotations, cloud, read_textures,
                  small_volume_m3, size_ratio, in_process, use_cache] = options;
     (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;
     nlohmann::json settings = nlohmann::json::object();
@@ -44,6 +52,11 @@ nlohmann::json importOptionsToJson(const ImportOptions& options) {
         settings["model_folders"].push_back(folder.string());
     }
     if (annotations) settings["annotations"] = annotations->string();
+    if (CloudParams params = cloud; params != CloudParams{}) {
+        FieldCollector fields;
+        visitCloudParams(params, fields);
+        settings["cloud"] = toJson(fields.take())["cloud"];
+    }
     return settings;
 }
 

@@ -47,6 +47,13 @@ Status checkExtension(const Path& path, const std::string& where) {
                                                           {".3dm", "Rhino"},
                                                           {".hip", "Houdini"}}};
     const std::string ext = lowerExtension(path);
+    if (ext == ".e57" || ext == ".las" || ext == ".laz") {
+        return fail(ErrorCode::BadInput,
+                    "this kind of point cloud cannot be read; convert it to PLY with \"pdal "
+                    "translate in" +
+                        ext + " out.ply\", or open and save it with CloudCompare",
+                    where);
+    }
     const std::vector<std::string> known = sceneExtensions();
     if (std::find(known.begin(), known.end(), ext) != known.end()) return {};
     for (const Program& program : kPrograms) {

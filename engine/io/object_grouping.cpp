@@ -89,11 +89,12 @@ std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& l
     return drafts;
 }
 
-std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels) {
+std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels,
+                                      const std::vector<bool>& taken) {
     const NodeOwners owners(raw, labels);
     std::map<int, ObjectDraft> drafts;  // by owning node: the file's order
     for (std::size_t i = 0; i < raw.parts.size(); ++i) {
-        if (raw.parts[i].triangles.empty()) continue;
+        if (raw.parts[i].triangles.empty() || (i < taken.size() && taken[i])) continue;
         drafts[owners.owner(raw.parts[i].node)].parts.push_back(i);
     }
     std::vector<ObjectDraft> result;

@@ -24,7 +24,8 @@ std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& l
 
 /// One draft for each node that holds meshes, in the file's order. The pieces that one thing was
 /// cut into come together: nodes named after the node above them, and unnamed nodes under a node
-/// whose name is a thing to look at.
-std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels);
+/// whose name is a thing to look at. Parts that are `taken` already are left out.
+std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels,
+                                      const std::vector<bool>& taken = {});
 
 }  // namespace dollytrack

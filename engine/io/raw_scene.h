@@ -82,6 +82,8 @@ struct RawScene {
     RepairCounts repairs;
     std::optional<double> file_unit_m;  // from metadata
     char file_up_axis = 0;              // 'x', 'y', 'z'; 0: the format does not say
+    /// Where the reader turned or moved what the file says: back to the file's own axes and unit.
+    Eigen::Affine3d file_from_parts = Eigen::Affine3d::Identity();
     std::vector<std::string> notes;
     std::vector<std::string> warnings;  // what is missing or doubtful: the user should look
 };

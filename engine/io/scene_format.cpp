@@ -6,6 +6,10 @@
 #include "engine/io/datasets/scenenet_reader.h"
 #include "engine/io/hdf5_functions.h"
 #include "engine/io/homes/home_reader.h"
+#include "engine/io/pointcloud/cloud_scene.h"
+#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/trajectories/number_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +59,8 @@ char firstLetter(std::string_view head) {
     return at == std::string_view::npos ? '\0' : head[at];
 }
 
+constexpr double kCloudWork = 8.0;
+
 bool anything(std::string_view /*head*/) {
     return true;
 }
@@ -66,6 +72,23 @@ bool likeGlb(std::string_view head) {
 }
 bool likeCollada(std::string_view head) {
     return firstLetter(head) == '<';
+}
+bool likePcd(std::string_view head) {
+    return head.find("VERSION") != std::string_view::npos ||
+           head.find("FIELDS") != std::string_view::npos;
+}
+/// Lines of three numbers or more, after a few lines of names and remarks.
+bool likeText(std::string_view head) {
+    if (head.find('\0') != std::string_view::npos) return false;
+    int lines = 0;
+    for (const std::string_view line : io::splitLines(head)) {
+        if (line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos &&
+            io::countPointNumbers(line) >= 3) {
+            return true;
+        }
+        if (++lines > 20) return false;
+    }
+    return false;
 }
 bool likePly(std::string_view head) {
     return head.starts_with("ply");
@@ -83,6 +106,13 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"a glTF file", {".gltf"}, likeGltf, readModel, modelInputs},
         {"a GLB file", {".glb"}, likeGlb, readModel, modelInputs},
         {"a Collada file", {".dae"}, likeCollada, readModel, modelInputs},
+        {"a PLY file of points",
+         {".ply"},
+         io::isPlyOfPoints,
+         io::readPointCloud,
+         nullptr,
+         false,
+         kCloudWork},
         {"a PLY file", {".ply"}, likePly, readModel, modelInputs},
         {"an STL file", {".stl"}, anything, readModel, modelInputs},
         {"a 3D-FRONT scene",
@@ -103,6 +133,14 @@ const std::vector<SceneFormat>& sceneFormats() {
          homes::looksLikeHomeXml,
          homes::readHome,
          homes::homeInputs},
+        {"a PCD file", {".pcd"}, likePcd, io::readPointCloud, nullptr, false, kCloudWork},
+        {"a text file of points",
+         {".xyz", ".txt", ".asc", ".csv", ".pts"},
+         likeText,
+         io::readPointCloud,
+         nullptr,
+         true,
+         kCloudWork},
     };
     return formats;
 }

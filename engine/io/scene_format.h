@@ -28,6 +28,8 @@ struct SceneFormat {
                                                       const ImportOptions& options) = nullptr;
     /// Files of quite another kind have the extension, too: patterns pick only what begins like it.
     bool shares_extension = false;
+    /// How much longer reading takes than models of as many bytes do: clouds become surfaces.
+    double work = 1.0;
 };
 
 /// Every kind that can be read. Where several share an extension the first that fits counts.

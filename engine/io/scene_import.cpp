@@ -1,71 +1,32 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/annotated_objects.h"
+#include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
+#include "engine/io/import_notes.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
+#include "engine/io/oddity_notes.h"
 #include "engine/io/piece_merge.h"
 #include "engine/io/piece_split.h"
 #include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/scene_assembly.h"
 #include "engine/io/scene_format.h"
 #include "engine/io/structure_finder.h"
+#include "engine/io/unseen_parts.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
 #include "engine/scene/room_bounds.h"
 
+#include <iterator>
 #include <map>
 
 namespace dollytrack {
 namespace {
-
-/// "1 face was dropped", "2 faces were dropped".
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
-    if (repairs.bad_numbers > 0) {
-        report.warnings.push_back(
-            counted(repairs.bad_numbers, "face with a corner that is no finite number was dropped",
-                    "faces with a corner that is no finite number were dropped"));
-    }
-    if (repairs.bad_indices > 0) {
-        report.warnings.push_back(counted(repairs.bad_indices,
-                                          "face that names a missing vertex was dropped",
-                                          "faces that name a missing vertex were dropped"));
-    }
-    if (repairs.no_area > 0) {
-        report.notes.push_back(counted(repairs.no_area, "face without area was dropped",
-                                       "faces without area were dropped"));
-    }
-    if (repairs.approximate > 0) {
-        report.warnings.push_back(counted(repairs.approximate,
-                                          "polygon crosses itself and was filled as a fan",
-                                          "polygons cross themselves and were filled as fans"));
-    }
-    if (repairs.lines > 0) {
-        report.notes.push_back(
-            counted(repairs.lines, "point or line was left out", "points and lines were left out"));
-    }
-    if (repairs.polygons > 0) {
-        report.notes.push_back(counted(repairs.polygons, "polygon was cut into triangles",
-                                       "polygons were cut into triangles"));
-    }
-    if (repairs.made_normals > 0) {
-        report.notes.push_back(counted(
-            repairs.made_normals, "mesh had no normals; they were made, smooth below 45 degrees",
-            "meshes had no normals; they were made, smooth below 45 degrees"));
-    }
-    if (repairs.mirrored > 0) {
-        report.notes.push_back(counted(repairs.mirrored,
-                                       "mesh is mirrored; its faces were turned back",
-                                       "meshes are mirrored; their faces were turned back"));
-    }
-}
 
 /// Pieces of a scene taken apart are named after class or material, with a number.
 void nameObjects(std::vector<ObjectDraft>& drafts) {
@@ -80,31 +41,23 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
     }
 }
 
-/// What the file names and is no object any more is told by its name, with what it went into.
-void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
-                ImportReport& report) {
-    if (merges.empty()) return;
-    std::map<std::size_t, std::string> named;  // by what they went into
-    std::size_t nameless = 0;
-    for (const MergedPiece& piece : merges) {
-        if (piece.name.empty()) {
-            ++nameless;
-            continue;
-        }
-        std::string& names = named[piece.whole];
-        names += (names.empty() ? "" : ", ") + piece.name;
+/// What a person says of the objects comes before any guess.
+AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
+                                    RawScene& raw, ImportReport& report) {
+    if (said.file.empty()) return {};
+    const std::string file = cleanText(said.file.filename().string());
+    report.notes.push_back("annotations: " + file);
+    if (said.objects.empty()) return {};
+    if (!raw.objects.empty()) {
+        report.warnings.push_back(
+            "annotations: this kind of scene names its objects itself; what " + file +
+            " says they are made of is left out");
+        return {};
     }
-    std::string list;
-    for (const auto& [whole, names] : named) {
-        list += (list.empty() ? "" : "; ") + names + " with " + drafts[whole].name;
-    }
-    if (nameless > 0 && !named.empty()) {
-        list += "; " + std::to_string(nameless) + " without a name of their own";
-    }
-    report.notes.push_back(counted(merges.size(),
-                                   "piece was put together with what it is attached to",
-                                   "pieces were put together with what they are attached to") +
-                           (list.empty() ? "" : ": " + list));
+    AnnotatedDrafts annotated = takeAnnotated(said.objects, labels, raw);
+    report.warnings.insert(report.warnings.end(), annotated.warnings.begin(),
+                           annotated.warnings.end());
+    return annotated;
 }
 
 /// From one draft a node to one draft an object.
@@ -148,28 +101,38 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!format) return tl::unexpected(format.error());
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
+    Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
+    if (!said) return tl::unexpected(said.error());
+    ImportOptions reading = options;
+    if (!reading.unit_m) reading.unit_m = said->unit_m;
+    if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     job.report(0.0);
-    Result<io::SceneReading> reading =
-        io::readSceneFile(**format, path, options, job.stage(0.0, 0.6, "reading"));
-    if (!reading) return tl::unexpected(reading.error());
-    RawScene& raw = reading->scene.raw;
+    Result<io::SceneReading> read =
+        io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
+    if (!read) return tl::unexpected(read.error());
+    RawScene& raw = read->scene.raw;
 
     Scene scene;
     scene.name = cleanText(path.stem().string());
     scene.source = path;
     noteRepairs(raw.repairs, scene.report);
     const bool knows_objects = !raw.objects.empty();
+    if (!knows_objects) {
+        const std::vector<std::string> proxies = dropProxies(raw);
+        noteUnseen(proxies, dropDuplicates(raw), scene.report);
+    }
+    AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
     std::vector<ObjectDraft> drafts =
-        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels);
-    if (drafts.empty()) {
-        return fail(ErrorCode::BadInput,
-                    "the file holds no triangle that can be drawn; export its meshes too",
-                    path.string());
+        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
+    if (drafts.empty() && annotated.drafts.empty()) {
+        return tl::unexpected<Error>(nothingToDraw(raw, path));
     }
     job.report(0.6);
 
-    const FrameChoice frame = chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    std::vector<ObjectDraft> all = annotated.drafts;
+    all.insert(all.end(), drafts.begin(), drafts.end());
+    const FrameChoice frame = chooseFrame(raw, all, reading.unit_m, reading.up_axis);
     scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
     scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
                                  raw.warnings.end());
@@ -179,13 +142,16 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.report.up_source = frame.up_source;
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
+    noteFarAway(raw, frame.unit_m, scene.report);
     const Eigen::Affine3d world_from_source = frame.worldFromSource();
-    scene.source_from_world = world_from_source.inverse();
+    scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
+    drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
+                  std::make_move_iterator(annotated.drafts.end()));
     job.report(0.7);
 
-    TextureSet& textures = reading->scene.textures;
+    TextureSet& textures = read->scene.textures;
     textures.textures.resize(raw.textures.size());
     scene.textures = std::move(textures.textures);
     scene.report.textures_found = textures.found;
@@ -205,10 +171,11 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
+    noteOddities(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 
-    scene.source_sha256 = std::move(reading->sha256);
+    scene.source_sha256 = std::move(read->sha256);
     job.report(1.0);
     return scene;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/pointcloud/cloud_params.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 
@@ -21,6 +22,7 @@ struct ImportOptions {
     std::vector<std::filesystem::path> model_folders = {};
     /// A folder that says which mesh is what: Hypersim's ai_VVV_NNN or its _detail.
     std::optional<std::filesystem::path> annotations = std::nullopt;
+    CloudParams cloud = {};        // how a point cloud becomes a room
     bool read_textures = true;     // else they are named, but empty
     double small_volume_m3 = 0.1;  // smaller objects are small
     double size_ratio = 5.0;       // also small: this many times smaller than what carries it

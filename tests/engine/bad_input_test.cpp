@@ -27,7 +27,7 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
 
 TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     const TempFolder folder;
-    expectRefused(folder.write("room.xyz", "x"), "scenes are .obj, .fbx");
+    expectRefused(folder.write("room.abc", "x"), "scenes are .obj, .fbx");
     expectRefused(folder.write("room", "x"), "no extension");
     expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
@@ -54,7 +54,7 @@ TEST(BadInput, WrongFirstBytes) {
 TEST(BadInput, NothingThatCanBeDrawn) {
     const TempFolder folder;
     expectRefused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "");
-    expectRefused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "triangle");
+    expectRefused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "area");
     expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "triangle");
 }
 

@@ -1,5 +1,7 @@
 #include "engine/io/pointcloud/ply_points.h"
 
+#include "engine/io/sandbox/input_file.h"
+
 #include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
@@ -195,12 +197,24 @@ class Numbers {
     bool swapped_;
 };
 
-/// One element's properties; x, y and z are kept. False at the end of the file.
-bool readElement(const Element& element, Numbers& numbers, Eigen::Vector3d& point) {
-    for (const Property& property : element.properties) {
+/// The place of a property among x y z, red green blue, nx ny nz; -1: of no interest.
+int slotOf(std::string_view name) {
+    static constexpr std::array<std::string_view, 9> kNames = {"x",    "y",  "z",  "red", "green",
+                                                               "blue", "nx", "ny", "nz"};
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    return found == kNames.end() ? -1 : static_cast<int>(found - kNames.begin());
+}
+
+using Slots = std::array<double, 9>;
+
+/// One element's properties; those of a point are kept. False at the end of the file.
+bool readElement(const Element& element, const std::vector<int>& slots, Numbers& numbers,
+                 Slots& values) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Property& property = element.properties[p];
         if (property.count) {
             const auto count = numbers.next(*property.count);
-            if (!count || *count < 0.0) return false;
+            if (!count || !(*count >= 0.0 && *count < 4e9)) return false;
             for (std::size_t i = 0; i < static_cast<std::size_t>(*count); ++i) {
                 if (!numbers.next(property.kind)) return false;
             }
@@ -208,49 +222,113 @@ bool readElement(const Element& element, Numbers& numbers, Eigen::Vector3d& poin
         }
         const auto value = numbers.next(property.kind);
         if (!value) return false;
-        if (property.name == "x") point.x() = *value;
-        if (property.name == "y") point.y() = *value;
-        if (property.name == "z") point.z() = *value;
+        if (slots[p] >= 0) values[static_cast<std::size_t>(slots[p])] = *value;
     }
     return true;
 }
 
+void addPoint(const Slots& values, double color_scale, bool normals, PointCloud& cloud) {
+    const Eigen::Vector3d point(values[0], values[1], values[2]);
+    if (!point.allFinite()) {
+        ++cloud.left_out;
+        return;
+    }
+    cloud.points.push_back(point);
+    if (color_scale > 0.0) {
+        std::array<std::uint8_t, 3> color{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double value = values[3 + i] * color_scale;
+            color[i] = static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
+        }
+        cloud.colors.push_back(color);
+    }
+    if (normals) {
+        cloud.normals.emplace_back(static_cast<float>(values[6]), static_cast<float>(values[7]),
+                                   static_cast<float>(values[8]));
+    }
+}
+
+/// What a colour is multiplied with to go up to 255; 0: there is none.
+double colorScale(const Element& element, const std::vector<int>& slots) {
+    for (std::size_t p = 0; p < slots.size(); ++p) {
+        if (slots[p] != 3) continue;
+        const Kind kind = element.properties[p].kind;
+        if (kind == Kind::Float || kind == Kind::Double) return 255.0;
+        return kind == Kind::UInt16 ? 255.0 / 65535.0 : 1.0;
+    }
+    return 0.0;
+}
+
+Status readVertices(const Element& element, Numbers& numbers, const fs::path& path,
+                    PointCloud& cloud) {
+    std::vector<int> slots;
+    unsigned found = 0;
+    for (const Property& property : element.properties) {
+        slots.push_back(property.count ? -1 : slotOf(property.name));
+        if (slots.back() >= 0) found |= 1U << static_cast<unsigned>(slots.back());
+    }
+    const bool wanted = element.name == "vertex" && (found & 7U) == 7U;
+    const double color_scale = (found & 56U) == 56U ? colorScale(element, slots) : 0.0;
+    const bool normals = (found & 448U) == 448U;
+    for (std::size_t i = 0; i < element.count; ++i) {
+        Slots values{};
+        if (!readElement(element, slots, numbers, values)) {
+            return wrong(fmt::format("It ends within {} {} of {}, or a number of that is none.",
+                                     element.name, i, element.count),
+                         path.string());
+        }
+        if (wanted) addPoint(values, color_scale, normals, cloud);
+    }
+    return {};
+}
+
 }  // namespace
 
-Result<std::vector<Eigen::Vector3d>> readPlyPoints(const fs::path& path) {
-    std::error_code error;
-    if (!fs::exists(path, error)) return wrong("There is no such file.", path.string());
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (fs::is_directory(path, error) || !file.good()) {
-        return wrong("The point cloud cannot be read.", path.string());
-    }
+Result<PointCloud> readPlyCloud(const fs::path& path) {
+    constexpr std::uint64_t kLargest = std::uint64_t{8} << 30U;  // bytes
+    const Result<std::string> text = readNamedFile(path, kLargest);
+    if (!text) return tl::unexpected<Error>(text.error());
+    const std::string& bytes = *text;
     const Result<Header> header = readHeader(path, bytes);
     if (!header) return tl::unexpected<Error>(header.error());
     if (header->format != "ascii" && !header->format.starts_with("binary_")) {
         return wrong("It is of no known PLY format.", path.string());
     }
     Numbers numbers(std::string_view(bytes).substr(header->size), header->format);
-    std::vector<Eigen::Vector3d> points;
+    PointCloud cloud;
     for (const Element& element : header->elements) {
-        const auto has = [&](std::string_view name) {
-            return std::any_of(element.properties.begin(), element.properties.end(),
-                               [&](const Property& p) { return p.name == name && !p.count; });
-        };
-        const bool wanted = element.name == "vertex" && has("x") && has("y") && has("z");
-        for (std::size_t i = 0; i < element.count; ++i) {
-            Eigen::Vector3d point = Eigen::Vector3d::Zero();
-            if (!readElement(element, numbers, point)) {
-                return wrong(fmt::format("It ends within {} {} of {}, or a number of that is none.",
-                                         element.name, i, element.count),
-                             path.string());
-            }
-            if (wanted && point.allFinite()) points.push_back(point);
+        if (element.properties.empty() || element.count > bytes.size()) {
+            if (element.count == 0) continue;
+            return wrong(fmt::format("It says that it holds {} of '{}', and is too short for that.",
+                                     element.count, element.name),
+                         path.string());
+        }
+        if (Status read = readVertices(element, numbers, path, cloud); !read) {
+            return tl::unexpected<Error>(read.error());
         }
         if (element.name == "vertex") break;  // faces are of no interest
     }
-    if (points.empty()) return wrong("There is no point in it.", path.string());
-    return points;
+    if (cloud.points.empty()) return wrong("There is no point in it.", path.string());
+    return cloud;
+}
+
+Result<std::vector<Eigen::Vector3d>> readPlyPoints(const fs::path& path) {
+    Result<PointCloud> cloud = readPlyCloud(path);
+    if (!cloud) return tl::unexpected<Error>(std::move(cloud.error()));
+    return std::move(cloud->points);
+}
+
+bool isPlyOfPoints(std::string_view head) {
+    if (!head.starts_with("ply")) return false;
+    const std::size_t end = head.find("end_header");
+    if (end == std::string_view::npos) return false;
+    for (const std::string_view line : splitLines(head.substr(0, end))) {
+        const auto words = splitWords(line);
+        const bool faces = words.size() == 3 && words[0] == "element" &&
+                           (words[1] == "face" || words[1] == "tristrips") && words[2] != "0";
+        if (faces) return false;
+    }
+    return true;
 }
 
 }  // namespace dollytrack::io

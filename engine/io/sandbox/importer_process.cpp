@@ -149,15 +149,15 @@ fs::path importerProgram() {
 }
 
 Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& options,
-                                    const JobContext& job,
-                                    const std::vector<fs::path>& more_inputs) {
+                                    const JobContext& job, const std::vector<fs::path>& more_inputs,
+                                    double work) {
     const std::string where = scene.string();
     Result<FrameMemory> memory = FrameMemory::make(kMostFrameBytes);
     if (!memory) return tl::unexpected(memory.error());
     Result<SpawnedImporter> importer =
         SpawnedImporter::start(commandFor(scene, options, more_inputs), memory->descriptor());
     if (!importer) return tl::unexpected(importer.error());
-    ReadingClock clock;
+    ReadingClock clock(work);
     ProcessorWait processor_wait(importer->process());
     Heard heard;
     bool talks = true;

@@ -26,11 +26,11 @@ struct HandBack {
 
 /// Reads a scene file in a process of its own, which can open what lies beneath the scene's folder
 /// and `more_inputs` (folders or files), and waits for it. It gets 10 seconds, and two more for
-/// each MiB of the files it opens, 15 minutes at most. Cancelling kills it. Errors: BadInput when
-/// it crashes, takes too long or ends with nothing; Cancelled; Failed when there is no importer or
-/// it cannot be started.
+/// each MiB of the files it opens, times the `work` of the scene's format, 15 minutes at most.
+/// Cancelling kills it. Errors: BadInput when it crashes, takes too long or ends with nothing;
+/// Cancelled; Failed when there is no importer or it cannot be started.
 [[nodiscard]] Result<HandBack> runImporterProcess(
     const std::filesystem::path& scene, const ImportOptions& options, const JobContext& job,
-    const std::vector<std::filesystem::path>& more_inputs = {});
+    const std::vector<std::filesystem::path>& more_inputs = {}, double work = 1.0);
 
 }  // namespace dollytrack::io

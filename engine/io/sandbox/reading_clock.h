@@ -16,9 +16,12 @@ class ReadingClock {
     static constexpr Seconds kMost{900.0};
     static constexpr Seconds kForMebibyte{2.0};
 
+    /// `work` is that of the scene's format.
+    explicit ReadingClock(double work = 1.0) : work_(work) {}
+
     void opened(std::uint64_t bytes) { bytes_ += static_cast<double>(bytes); }
     [[nodiscard]] Seconds allowed() const {
-        return std::min(kMost, kLeast + kForMebibyte * (bytes_ / 1048576.0));
+        return std::min(kMost, work_ * (kLeast + kForMebibyte * (bytes_ / 1048576.0)));
     }
     /// For so long in all others had the processors: a busy machine is no fault of the file.
     void waited(Seconds sum) { waited_ = std::max(waited_, sum); }
@@ -27,6 +30,7 @@ class ReadingClock {
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
+    double work_;
     double bytes_ = 0.0;
     Seconds waited_{0.0};
 };

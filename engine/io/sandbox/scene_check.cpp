@@ -156,6 +156,10 @@ Status checkScene(ReadScene& scene) {
     if (raw.file_up_axis != 0 && (raw.file_up_axis < 'x' || raw.file_up_axis > 'z')) {
         return wrong("the file's upward axis is none");
     }
+    const double volume = std::abs(raw.file_from_parts.linear().determinant());
+    if (!raw.file_from_parts.matrix().allFinite() || !(volume > 0.0 && volume < HUGE_VAL)) {
+        return wrong("the way back to the file's axes is none");
+    }
     for (Material& material : raw.materials) {
         if (!soundMaterial(material, raw.textures.size())) {
             return wrong("a material's value is out of range");

@@ -105,8 +105,8 @@ void repairMembers(Archive& archive, T& repairs) {
 template <class Archive, class T>
 void sceneMembers(Archive& archive, T& scene) {
     auto& [raw, set] = scene;
-    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, notes, warnings] =
-        raw;
+    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, file_from_parts,
+           notes, warnings] = raw;
     auto& [textures, missing, broken, found] = set;
     const auto text = [](Archive& to, auto& line) { to.text(line); };
     archive.list(nodes, 16, [](Archive& to, auto& node) { nodeMembers(to, node); });
@@ -117,6 +117,7 @@ void sceneMembers(Archive& archive, T& scene) {
     repairMembers(archive, repairs);
     archive.maybe(unit_m, [](Archive& to, auto& unit) { to.number(unit); });
     archive.number(up_axis);
+    for (Eigen::Index i = 0; i < 12; ++i) archive.number(file_from_parts(i / 4, i % 4));
     archive.list(notes, 8, text);
     archive.list(warnings, 8, text);
     archive.list(textures, 24, [](Archive& to, auto& texture) { textureMembers(to, texture); });

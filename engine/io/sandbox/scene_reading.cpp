@@ -76,9 +76,9 @@ std::vector<std::filesystem::path> moreInputs(const SceneFormat& format,
 
 Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptions& options,
                             const JobContext& job,
-                            const std::vector<std::filesystem::path>& more_inputs,
+                            const std::vector<std::filesystem::path>& more_inputs, double work,
                             const std::optional<CachePlace>& place) {
-    Result<HandBack> back = runImporterProcess(path, options, job, more_inputs);
+    Result<HandBack> back = runImporterProcess(path, options, job, more_inputs, work);
     if (!back) return tl::unexpected(back.error());
     bool damaged = false;
     Result<ReadScene> scene = readFrame(back->frame, damaged);
@@ -98,7 +98,7 @@ Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptio
 Result<SceneReading> readThroughCache(const std::filesystem::path& path,
                                       const ImportOptions& options, const JobContext& job,
                                       const std::vector<std::filesystem::path>& more_inputs,
-                                      SceneCache cache) {
+                                      double work, SceneCache cache) {
     Result<std::string> digest = cache.digestOf(path, job);
     if (!digest) return tl::unexpected(digest.error());
     const InputRoots roots = inputRoots(path, more_inputs);
@@ -106,7 +106,7 @@ Result<SceneReading> readThroughCache(const std::filesystem::path& path,
     if (std::optional<ReadScene> kept = cache.find(key, roots)) {
         return SceneReading{std::move(*kept), std::move(*digest)};
     }
-    Result<ReadScene> scene = readApart(path, options, job, more_inputs,
+    Result<ReadScene> scene = readApart(path, options, job, more_inputs, work,
                                         CachePlace{std::move(cache), key, *digest, roots});
     if (!scene) return tl::unexpected(scene.error());
     return SceneReading{std::move(*scene), std::move(*digest)};
@@ -119,15 +119,16 @@ Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesys
     const std::vector<std::filesystem::path> more_inputs = moreInputs(format, path, options);
     if (options.use_cache && !options.in_process) {
         if (std::optional<SceneCache> cache = SceneCache::ofUser()) {
-            return readThroughCache(path, options, job, more_inputs, std::move(*cache));
+            return readThroughCache(path, options, job, more_inputs, format.work,
+                                    std::move(*cache));
         }
     }
     // Reading and hashing can go on side by side.
     std::future<Result<std::string>> hash =
         std::async(std::launch::async, [path, job] { return sha256OfFile(path, job); });
-    Result<ReadScene> scene = options.in_process
-                                  ? readHere(format, path, options, job)
-                                  : readApart(path, options, job, more_inputs, std::nullopt);
+    Result<ReadScene> scene =
+        options.in_process ? readHere(format, path, options, job)
+                           : readApart(path, options, job, more_inputs, format.work, std::nullopt);
     if (!scene) return tl::unexpected(scene.error());
     Result<std::string> digest = hash.get();
     if (!digest) return tl::unexpected(digest.error());

@@ -42,6 +42,7 @@ io::ReadScene smallReadScene() {
     raw.repairs.no_area = 3;
     raw.file_unit_m = 0.01;
     raw.file_up_axis = 'y';
+    raw.file_from_parts = Eigen::Translation3d(1, 2, 3) * Eigen::Scaling(2.0);
     raw.notes = {"one thing worth knowing"};
     raw.warnings = {"one thing to look at"};
     return scene;

@@ -228,6 +228,9 @@ TEST_F(SceneCacheTest, KeysTellApartWhatMatters) {
     EXPECT_NE(SceneCache::keyOf("room.obj", digest, {.read_textures = false}, beside), key);
     EXPECT_NE(SceneCache::keyOf("room.obj", digest, {.unit_m = 0.01}, beside), key);
     EXPECT_NE(SceneCache::keyOf("room.obj", digest, {}, {".", "models"}), key);
+    ImportOptions coarse;
+    coarse.cloud.voxel_m = 0.05;
+    EXPECT_NE(SceneCache::keyOf("room.obj", digest, coarse, beside), key);
     ImportOptions labelled;
     labelled.labels = folder_.path() / "labels.csv";
     put("labels.csv", "chair,chair\n");

@@ -1,0 +1,143 @@
+#include "engine/io/oddity_notes.h"
+
+#include "engine/io/import_notes.h"
+#include "engine/scene/labels.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+constexpr int kMirror = 19;              // NYU40
+constexpr double kStorey_m = 1.9;        // between floors that people walk on one above the other
+constexpr double kStep_m = 0.05;         // floors of one storey are this even
+constexpr double kFloorShare = 0.1;      // of the largest floor, for a landing to be a storey
+constexpr float kLevel = 0.98F;          // cosine of 11 degrees
+constexpr double kInsideOut = -0.05;     // share of its box that a thing turned inside out encloses
+constexpr double kTwoSided = 0.9;        // share of a thing's faces that are there twice
+constexpr std::uint64_t kSampleOf = 16;  // of large things one face in so many is looked at
+constexpr std::uint32_t kLarge = 4096;   // faces
+
+Eigen::Vector3d corner(const Scene& scene, const Triangle& t, std::size_t i) {
+    return scene.positions[t[i]].cast<double>();
+}
+
+/// Heights of the storeys' floors, m, rising.
+std::vector<double> storeysOf(const Scene& scene) {
+    std::map<long, double> area_at;  // of level surfaces of floors, by height in steps
+    for (const Object& object : scene.objects) {
+        if (!object.structure || object.nyu40 != kNyuFloor) continue;
+        for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+            const Triangle& t = scene.triangles[object.first_triangle + i];
+            const Eigen::Vector3d a = corner(scene, t, 0);
+            const Eigen::Vector3d across = (corner(scene, t, 1) - a).cross(corner(scene, t, 2) - a);
+            if (std::abs(across.z()) < kLevel * across.norm()) continue;
+            area_at[std::lround(a.z() / kStep_m)] += 0.5 * std::abs(across.z());
+        }
+    }
+    double largest = 0.0;
+    for (const auto& [step, area] : area_at) largest = std::max(largest, area);
+    std::vector<double> storeys;
+    double last = -1e300;
+    for (const auto& [step, area] : area_at) {
+        const double height = kStep_m * static_cast<double>(step);
+        if (area < kFloorShare * largest) continue;
+        if (height - last >= kStorey_m) storeys.push_back(height);
+        storeys.back() = height;  // of a slab the upper side
+        last = height;
+    }
+    return storeys;
+}
+
+std::uint64_t mixed(std::uint64_t x) {
+    x ^= x >> 30U;
+    x *= 0xBF58476D1CE4E5B9U;
+    x ^= x >> 27U;
+    x *= 0x94D049BB133111EBU;
+    return x ^ (x >> 31U);
+}
+
+/// The same for every order of the corners.
+std::uint64_t faceKey(const Scene& scene, const Triangle& t) {
+    std::uint64_t key = 0;
+    for (const std::uint32_t v : t) {
+        std::uint64_t one = 0;
+        for (const float x : scene.positions[v])
+            one = mixed(one + std::bit_cast<std::uint32_t>(x + 0.0F));
+        key += one;
+    }
+    return mixed(key);
+}
+
+bool isTwoSided(const Scene& scene, const Object& object) {
+    std::vector<std::uint64_t> keys;
+    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+        const std::uint64_t key = faceKey(scene, scene.triangles[object.first_triangle + i]);
+        if (object.triangle_count <= kLarge || key % kSampleOf == 0) keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    std::size_t twice = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        twice +=
+            (i > 0 && keys[i] == keys[i - 1]) || (i + 1 < keys.size() && keys[i] == keys[i + 1]);
+    }
+    return twice > 0 && static_cast<double>(twice) >= kTwoSided * static_cast<double>(keys.size());
+}
+
+/// By the volume that the faces enclose, negative where they look inwards.
+bool isInsideOut(const Scene& scene, const Object& object) {
+    double volume = 0.0;
+    for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+        const Triangle& t = scene.triangles[object.first_triangle + i];
+        const Eigen::Vector3d a = corner(scene, t, 0) - object.box.center;
+        volume += a.dot((corner(scene, t, 1) - object.box.center)
+                            .cross(corner(scene, t, 2) - object.box.center)) /
+                  6.0;
+    }
+    return volume < kInsideOut * 8.0 * object.box.half_size.prod();
+}
+
+}  // namespace
+
+void noteOddities(const Scene& scene, ImportReport& report) {
+    const std::vector<double> storeys = storeysOf(scene);
+    if (storeys.size() > 1) {
+        report.notes.push_back(fmt::format("{} storeys, their floors at {:.2f} m", storeys.size(),
+                                           fmt::join(storeys, ", ")));
+    }
+    std::size_t two_sided = 0;
+    std::size_t inside_out = 0;
+    std::size_t mirrors = 0;
+    for (const Object& object : scene.objects) {
+        if (object.nyu40 == kMirror) ++mirrors;
+        if (isTwoSided(scene, object)) {
+            ++two_sided;
+        } else if (!object.structure && isInsideOut(scene, object)) {
+            ++inside_out;
+        }
+    }
+    if (two_sided > 0) {
+        report.notes.push_back(counted(two_sided, "object has each face twice, for both sides",
+                                       "objects have each face twice, for both sides"));
+    }
+    if (inside_out > 0) {
+        report.notes.push_back(
+            counted(inside_out, "object is inside out; both sides of its faces are drawn",
+                    "objects are inside out; both sides of their faces are drawn"));
+    }
+    if (mirrors > 0) {
+        report.notes.push_back(counted(mirrors, "mirror is drawn as a plain surface",
+                                       "mirrors are drawn as plain surfaces"));
+    }
+}
+
+}  // namespace dollytrack

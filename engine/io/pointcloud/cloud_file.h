@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/pointcloud/point_cloud.h"
+
+#include <filesystem>
+
+namespace dollytrack::io {
+
+/// The points of a PLY, PCD, XYZ, TXT, ASC, CSV or PTS file, told by its extension. Error:
+/// BadInput.
+Result<PointCloud> readCloudFile(const std::filesystem::path& path);
+
+}  // namespace dollytrack::io

@@ -1,0 +1,96 @@
+#include "engine/io/pointcloud/cloud_floor.h"
+
+#include "engine/io/mesh_part_builder.h"
+#include "engine/scene/labels.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr double kBelow = 0.02;    // m under what was scanned
+constexpr double kBeside = 0.5;    // m around whoever scanned, and beside what they scanned
+constexpr double kBefore = 1.5;    // m before surfaces, from where depth cameras see them well
+constexpr double kOneSided = 0.5;  // length of the mean normal where all face one way
+
+/// Of the lowest points 2 % may be strays.
+double lowest(std::vector<double> heights) {
+    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 50);
+    std::nth_element(heights.begin(), at, heights.end());
+    return *at;
+}
+
+double floorHeight(const CloudSamples& samples, const CloudLabels& labels, int up) {
+    std::vector<double> floor;
+    std::vector<double> all;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        const CloudThing& thing = labels.things[static_cast<std::size_t>(labels.thing_of[i])];
+        all.push_back(samples.points[i][up]);
+        if (thing.nyu40 == kNyuFloor) floor.push_back(samples.points[i][up]);
+    }
+    return lowest(floor.empty() ? std::move(all) : std::move(floor)) - kBelow;
+}
+
+Eigen::AlignedBox3d reachOf(const CloudSamples& samples,
+                            const std::optional<Eigen::Vector3d>& viewpoint) {
+    Eigen::AlignedBox3d box;
+    Eigen::Vector3d facing = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        box.extend(samples.points[i]);
+        facing += samples.normals[i];
+    }
+    if (viewpoint) {
+        box.extend((viewpoint->array() - kBeside).matrix().eval());
+        box.extend((viewpoint->array() + kBeside).matrix().eval());
+        return box;
+    }
+    facing /= static_cast<double>(samples.points.size());
+    if (facing.norm() < kOneSided) return box;
+    const Eigen::Vector3d before = kBefore * facing.normalized();
+    const Eigen::Vector3d beside = Eigen::Vector3d::Constant(kBeside);
+    return box.merged(
+        Eigen::AlignedBox3d(box.min() + before - beside, box.max() + before + beside));
+}
+
+}  // namespace
+
+void addFloor(const CloudSamples& samples, const CloudLabels& labels,
+              const std::optional<Eigen::Vector3d>& viewpoint, int up, RawScene& raw) {
+    const double height = floorHeight(samples, labels, up);
+    const Eigen::AlignedBox3d reach = reachOf(samples, viewpoint);
+    const int along = (up + 1) % 3;
+    const int across = (up + 2) % 3;
+    std::vector<Eigen::Vector3f> positions;
+    for (const auto& [far_along, far_across] :
+         {std::array{false, false}, {true, false}, {true, true}, {false, true}}) {
+        Eigen::Vector3d corner;
+        corner[up] = height;
+        corner[along] = (far_along ? reach.max() : reach.min())[along];
+        corner[across] = (far_across ? reach.max() : reach.min())[across];
+        positions.push_back(corner.cast<float>());
+    }
+    const std::vector<std::uint32_t> sizes = {3, 3};
+    const std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
+    SourceObject& object = raw.objects.emplace_back();
+    object.name = "floor_unseen";
+    object.nyu40 = kNyuFloor;
+    object.structure = true;
+    object.parts = {raw.parts.size()};
+    raw.nodes.push_back({object.name, 0, 0});
+    ++raw.nodes.front().children;
+    Material material;
+    material.name = object.name;
+    MeshPart part;
+    part.name = object.name;
+    part.node = static_cast<int>(raw.nodes.size()) - 1;
+    part.material = static_cast<std::uint32_t>(raw.materials.size());
+    raw.materials.push_back(material);
+    buildMeshPart({positions, {}, {}, sizes, indices}, Eigen::Affine3d::Identity(), part);
+    raw.parts.push_back(std::move(part));
+}
+
+}  // namespace dollytrack::io

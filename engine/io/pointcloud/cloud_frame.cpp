@@ -1,0 +1,156 @@
+#include "engine/io/pointcloud/cloud_frame.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr double kAlong = 0.87;  // cosine of 30 degrees: as far as a scan may be tilted
+
+struct Candidate {
+    Eigen::Vector3d up;
+    double score = 0.0;
+    double floor = 0.0;  // evidence of floors and ceilings alone
+};
+
+struct Spread {
+    double low = 0.0;   // where the lowest 2 % end
+    double high = 0.0;  // and the highest begin
+    double mean = 0.0;
+};
+
+/// Heights of the points along a direction.
+Spread spreadAlong(const CloudSamples& samples, const Eigen::Vector3d& up) {
+    std::vector<double> heights;
+    Spread spread;
+    for (const Eigen::Vector3d& p : samples.points) {
+        heights.push_back(up.dot(p));
+        spread.mean += heights.back() / static_cast<double>(samples.points.size());
+    }
+    const std::size_t cut = heights.size() / 50;
+    const auto at = [&](std::size_t i) {
+        std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(i),
+                         heights.end());
+        return heights[i];
+    };
+    spread.low = at(cut);
+    spread.high = at(heights.size() - 1 - cut);
+    return spread;
+}
+
+/// Planes that face up at the bottom and down at the top speak for a direction; those that face
+/// the wrong way against it.
+double floorEvidence(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
+                     const Eigen::Vector3d& up, const Spread& spread) {
+    const double size = std::max(spread.high - spread.low, 1e-9);
+    double evidence = 0.0;
+    double total = 0.0;
+    for (const CloudPlane& plane : planes) {
+        total += plane.area_m2;
+        const double facing = plane.normal.dot(up);
+        if (std::abs(facing) < kAlong) continue;
+        double height = 0.0;
+        for (const std::uint32_t i : plane.points) height += up.dot(samples.points[i]);
+        height = (height / static_cast<double>(plane.points.size()) - spread.low) / size;
+        const bool floor_like = height < 0.5;  // below the middle
+        evidence += (floor_like == (facing > 0.0) ? 1.0 : -1.0) * plane.area_m2;
+    }
+    return total > 0.0 ? evidence / total : 0.0;
+}
+
+/// A camera's own axes: all that it saw faces against its z axis.
+bool isCameraFrame(const CloudSamples& samples) {
+    std::size_t facing = 0;
+    double mean_z = 0.0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        facing += samples.normals[i].z() < 0.2 ? 1U : 0U;
+        mean_z += samples.normals[i].z();
+    }
+    const auto n = static_cast<double>(samples.points.size());
+    return static_cast<double>(facing) > 0.9 * n && mean_z < -0.3 * n;
+}
+
+/// The direction across the walls that is nearest to `up`.
+Eigen::Vector3d acrossWalls(const std::vector<CloudPlane>& planes, const Eigen::Vector3d& up) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    double total = 0.0;
+    for (const CloudPlane& plane : planes) {
+        if (std::abs(plane.normal.dot(up)) > 0.5) continue;
+        spread += plane.area_m2 * plane.normal * plane.normal.transpose();
+        total += plane.area_m2;
+    }
+    if (total <= 0.0) return up;
+    // Where only one wall is seen, the old direction settles the rest.
+    spread += 1e-3 * total * (Eigen::Matrix3d::Identity() - up * up.transpose());
+    Eigen::Vector3d level =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+    if (level.dot(up) < 0.0) level = -level;
+    return level;
+}
+
+/// The largest plane that faces up or down, if there is one.
+const CloudPlane* levelPlane(const std::vector<CloudPlane>& planes, const Eigen::Vector3d& up) {
+    for (const CloudPlane& plane : planes) {
+        if (std::abs(plane.normal.dot(up)) > kAlong) return &plane;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
+               std::optional<char> axis) {
+    const bool camera = isCameraFrame(samples);
+    double smallest = 1e300;
+    for (int i = 0; i < 3; ++i) {
+        const Spread spread = spreadAlong(samples, Eigen::Vector3d::Unit(i));
+        smallest = std::min(smallest, spread.high - spread.low);
+    }
+    std::vector<Candidate> candidates;
+    for (int i = 0; i < 3; ++i) {
+        if (axis && *axis != "xyz"[i]) continue;
+        for (const double sign : {1.0, -1.0}) {
+            Candidate one;
+            one.up = sign * Eigen::Vector3d::Unit(i);
+            const Spread spread = spreadAlong(samples, one.up);
+            const double size = std::max(spread.high - spread.low, 1e-9);
+            one.floor = floorEvidence(samples, planes, one.up, spread);
+            // Things stand at the bottom, and rooms are lower than long.
+            one.score = 2.0 * one.floor + 1.0 - 2.0 * (spread.mean - spread.low) / size;
+            if (size < 1.001 * smallest) one.score += 0.4;
+            // Habit: surveys have z up, models y up, cameras y down.
+            if (i == 2 && sign > 0.0) one.score += 0.3;
+            if (i == 1 && sign > 0.0) one.score += 0.15;
+            if (i == 1 && sign < 0.0) one.score += camera ? 2.5 : 0.1;
+            if (i == 0) one.score -= 0.5;
+            candidates.push_back(one);
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    CloudUp result;
+    result.up = candidates[0].up;
+    result.source = axis                             ? "given"
+                    : camera && result.up.y() < -0.5 ? "a camera's axes: y points down"
+                    : candidates[0].floor > 0.1      ? "judged from floors and ceilings"
+                                                     : "taken by habit: no floor was found";
+    result.doubtful =
+        !axis && candidates.size() > 1 && candidates[0].score - candidates[1].score < 0.3;
+    if (const CloudPlane* floor = levelPlane(planes, result.up)) {
+        result.up =
+            floor->normal.dot(result.up) < 0.0 ? Eigen::Vector3d(-floor->normal) : floor->normal;
+        result.source += ", level as the largest floor or ceiling";
+    } else {
+        const Eigen::Vector3d level = acrossWalls(planes, result.up);
+        if (level.dot(result.up) > kAlong && !level.isApprox(result.up)) {
+            result.up = level;
+            result.source += ", upright as the walls";
+        }
+    }
+    return result;
+}
+
+}  // namespace dollytrack::io

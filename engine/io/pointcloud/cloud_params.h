@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/core/fields.h"
+
+namespace dollytrack {
+
+/// How a point cloud becomes a room.
+struct CloudParams {
+    double voxel_m = 0.02;     // one point is kept in each cube of this size
+    int max_points = 150'000;  // the cubes grow until no more are kept
+    double gap_m = 0.1;        // surfaces are not joined across more than this
+    double hole_m = 0.4;       // holes up to this wide are filled
+    double plane_m = 0.03;     // a wall or floor is this even
+    double object_m = 0.12;    // things with a smaller diagonal are none
+    bool operator==(const CloudParams&) const = default;
+};
+
+/// The one list of these fields: flags and the project's import section follow from it.
+template <class Params, class Visitor>
+void visitCloudParams(Params& p, Visitor&& visit) {
+    visit.beginSection("cloud");
+    visit("voxel_m", p.voxel_m,
+          FieldInfo{0.002, 0.5, "m", "Detail: one point is kept in each cube of this size"});
+    visit("max_points", p.max_points,
+          FieldInfo{100, 2e6, "", "The cubes grow until no more points than this are kept"});
+    visit("gap_m", p.gap_m,
+          FieldInfo{0.005, 2.0, "m", "Surfaces are not joined across more than this"});
+    visit("hole_m", p.hole_m, FieldInfo{0.0, 5.0, "m", "Holes up to this wide are filled"});
+    visit("plane_m", p.plane_m,
+          FieldInfo{0.005, 0.3, "m", "How far points of a wall or floor may lie from its plane"});
+    visit("object_m", p.object_m,
+          FieldInfo{0.02, 2.0, "m", "Things with a smaller diagonal are no objects of their own"});
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,188 @@
+#include "engine/io/scene_import.h"
+#include "tests/support/obj_writer.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+using test::ObjWriter;
+using test::TempFolder;
+
+/// 5 x 4 x 2.6 m with four things in it.
+ObjWriter furnished() {
+    ObjWriter obj(1.0, false);
+    obj.room({5, 4, 2.6}, true);
+    obj.object("sofa").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
+    obj.object("chair").box({1.2, 1.6, 0.0}, {1.65, 2.05, 0.9});
+    obj.object("lamp").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
+    obj.object("coffee_table").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
+    return obj;
+}
+
+Scene imported(const std::string& text, const std::string& name = "room.obj") {
+    const TempFolder folder;
+    Result<Scene> scene = importScene(folder.write(name, text));
+    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
+    return scene ? std::move(*scene) : Scene{};
+}
+
+std::vector<std::string> namesOf(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Object& object : scene.objects) names.push_back(object.name);
+    return names;
+}
+
+bool says(const std::vector<std::string>& notes, const std::string& part) {
+    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+        return note.find(part) != std::string::npos;
+    });
+}
+
+/// Each face as `change` has it.
+std::string withFaces(const std::string& text,
+                      const std::function<std::string(const std::string&)>& change) {
+    std::string changed;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        changed += (line.starts_with("f ") ? change(line) : line) + "\n";
+    }
+    return changed;
+}
+
+std::string turned(const std::string& face) {
+    std::istringstream words(face.substr(2));
+    std::string corners;
+    for (std::string word; words >> word;) corners.insert(0, " " + word);
+    return "f" + corners;
+}
+
+/// Nothing about the objects and the room is as it is but for the notes.
+void expectTheSameRoom(const Scene& scene) {
+    const Scene plain = imported(furnished().text());
+    EXPECT_EQ(namesOf(scene), namesOf(plain));
+    EXPECT_TRUE(scene.room_bounds.isApprox(plain.room_bounds, 1e-6));
+    EXPECT_EQ(scene.report.up_axis, plain.report.up_axis);
+    EXPECT_DOUBLE_EQ(scene.report.unit_m, plain.report.unit_m);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        EXPECT_EQ(scene.objects[i].role, plain.objects[i].role);
+        EXPECT_TRUE(scene.objects[i].box.center.isApprox(plain.objects[i].box.center, 1e-6));
+        EXPECT_TRUE(scene.objects[i].box.half_size.isApprox(plain.objects[i].box.half_size, 1e-6));
+    }
+}
+
+TEST(AwkwardHouse, AnOrdinaryRoomIsNotOdd) {
+    const Scene scene = imported(furnished().text());
+    for (const char* words : {"storeys", "twice", "inside out", "mirror"}) {
+        EXPECT_FALSE(says(scene.report.notes, words)) << words;
+    }
+}
+
+TEST(AwkwardHouse, ThingsInsideOutAreSeenAllTheSame) {
+    const Scene scene = imported(withFaces(furnished().text(), turned));
+    expectTheSameRoom(scene);
+    EXPECT_TRUE(says(scene.report.notes, "4 objects are inside out"));
+}
+
+/// Triangles, since the other side of a polygon may be cut along the other diagonal.
+std::string bothSides(const std::string& face) {
+    std::istringstream words(face.substr(2));
+    std::vector<std::string> corners;
+    for (std::string word; words >> word;) corners.push_back(word);
+    std::string faces;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const std::string triangle = "f " + corners[0] + " " + corners[i - 1] + " " + corners[i];
+        faces += (faces.empty() ? "" : "\n") + triangle + "\n" + turned(triangle);
+    }
+    return faces;
+}
+
+TEST(AwkwardHouse, FacesForBothSidesAreOneThing) {
+    const Scene scene = imported(withFaces(furnished().text(), bothSides));
+    expectTheSameRoom(scene);
+    EXPECT_TRUE(says(scene.report.notes, "10 objects have each face twice"));
+    EXPECT_FALSE(says(scene.report.notes, "inside out"));
+}
+
+TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
+    std::string text;
+    std::istringstream lines(furnished().text());
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("o ")) text += line + "\n";
+    }
+    const Scene scene = imported(text);
+    const auto targets =
+        std::count_if(scene.objects.begin(), scene.objects.end(),
+                      [](const Object& object) { return object.role == Role::Target; });
+    EXPECT_EQ(targets, 4);
+    EXPECT_TRUE(says(scene.report.warnings, "does not keep its objects apart"));
+}
+
+TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {
+    ObjWriter obj = furnished();
+    obj.object("ottoman").box({1.5, 3.2, 0.0}, {2.6, 3.9, 0.6});  // in the sofa
+    obj.object("plant").box({2.5, 1.8, 0.1}, {2.7, 2.0, 1.1});    // through the table
+    const Scene scene = imported(obj.text());
+    EXPECT_EQ(scene.objects.size(), 12U);
+    EXPECT_TRUE(scene.report.warnings.empty());
+}
+
+TEST(AwkwardHouse, MirrorsAndWindowsAreNoHoles) {
+    ObjWriter obj = furnished();
+    obj.object("mirror").box({4.95, 1.0, 0.8}, {5.0, 2.0, 1.8});
+    obj.object("window").box({2.0, 0.0, 0.9}, {3.0, 0.02, 2.1});
+    const Scene scene = imported(obj.text());
+    EXPECT_TRUE(says(scene.report.notes, "1 mirror is drawn as a plain surface"));
+    const auto window = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                     [](const Object& object) { return object.name == "window"; });
+    ASSERT_NE(window, scene.objects.end());
+    EXPECT_TRUE(window->structure);
+}
+
+TEST(AwkwardHouse, TexturesThatAreGoneAreNamed) {
+    const TempFolder folder;
+    (void)folder.write("room.mtl", "newmtl leather\nKd 0.5 0.3 0.2\nmap_Kd no_such_picture.png\n");
+    std::string text = furnished().text();
+    text.insert(text.find("o sofa\n") + 7, "usemtl leather\n");
+    const Result<Scene> scene = importScene(folder.write("room.obj", "mtllib room.mtl\n" + text));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(scene->report.textures_missing, std::vector<std::string>{"no_such_picture.png"});
+    EXPECT_EQ(namesOf(*scene), namesOf(imported(furnished().text())));
+}
+
+/// Two floors with four things on each, and stairs between them.
+TEST(AwkwardHouse, StoreysAreCounted) {
+    ObjWriter obj(1.0, false);
+    obj.object("floor_ground").box({0, 0, -0.1}, {8, 6, 0});
+    obj.object("floor_upper").box({0, 1.2, 2.6}, {8, 6, 2.85});
+    obj.object("ceiling").box({0, 0, 5.45}, {8, 6, 5.55});
+    obj.object("wall_1").box({0, -0.1, 0}, {8, 0, 5.45});
+    obj.object("wall_2").box({0, 6, 0}, {8, 6.1, 5.45});
+    obj.object("wall_3").box({-0.1, 0, 0}, {0, 6, 5.45});
+    obj.object("wall_4").box({8, 0, 0}, {8.1, 6, 5.45});
+    obj.object("stairs");
+    for (int i = 0; i < 15; ++i) {
+        obj.box({1.2 + 0.27 * i, 0.05, 0.0}, {1.47 + 0.27 * i, 1.15, 0.19 * (i + 1)});
+    }
+    for (const double z : {0.0, 2.85}) {
+        const std::string where = z > 0.0 ? "up" : "down";
+        obj.object("sofa_" + where).box({5.5, 4.8, z}, {7.5, 5.6, z + 0.8});
+        obj.object("table_" + where).box({2.0, 3.2, z}, {3.2, 4.0, z + 0.75});
+        obj.object("lamp_" + where).box({0.3, 5.3, z}, {0.6, 5.6, z + 1.5});
+        obj.object("chair_" + where).box({6.8, 2.2, z}, {7.25, 2.65, z + 0.9});
+    }
+    const Scene scene = imported(obj.text());
+    EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
+    EXPECT_NEAR(scene.room_bounds.max().z(), 5.55, 1e-3);
+    EXPECT_TRUE(says(scene.report.notes, "2 storeys, their floors at 0.00, 2.85 m"));
+}
+
+}  // namespace
+}  // namespace dollytrack

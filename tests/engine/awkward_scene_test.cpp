@@ -1,0 +1,219 @@
+#include "engine/io/obj_numbers.h"
+#include "engine/io/scene_import.h"
+#include "tests/support/obj_writer.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+using test::ObjWriter;
+using test::TempFolder;
+
+/// 5 x 4 x 2.6 m with four things in it.
+ObjWriter furnished(double units_per_metre = 1.0) {
+    ObjWriter obj(units_per_metre, false);
+    obj.room({5, 4, 2.6}, true);
+    obj.object("sofa").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
+    obj.object("chair").box({1.2, 1.6, 0.0}, {1.65, 2.05, 0.9});
+    obj.object("lamp").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
+    obj.object("coffee_table").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
+    return obj;
+}
+
+Scene imported(const ObjWriter& obj) {
+    const TempFolder folder;
+    Result<Scene> scene = importScene(folder.write("room.obj", obj.text()));
+    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
+    return scene ? std::move(*scene) : Scene{};
+}
+
+int countTargets(const Scene& scene) {
+    return static_cast<int>(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                          [](const Object& o) { return o.role == Role::Target; }));
+}
+
+bool says(const std::vector<std::string>& notes, const std::string& part) {
+    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+        return note.find(part) != std::string::npos;
+    });
+}
+
+TEST(AwkwardScene, UnitsThatNobodySaid) {
+    for (const double units_per_metre : {1.0, 100.0, 1000.0, 1.0 / 0.0254}) {
+        const Scene scene = imported(furnished(units_per_metre));
+        EXPECT_NEAR(scene.report.unit_m, 1.0 / units_per_metre, 1e-9);
+        EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
+        EXPECT_TRUE(scene.report.warnings.empty());
+    }
+    // Made to be of size 1: no usual unit gives a room, and that is said.
+    EXPECT_TRUE(says(imported(furnished(0.2)).report.warnings, "unit is doubtful"));
+}
+
+TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
+    ObjWriter obj = furnished();
+    obj.object("UCX_sofa_01").box({0.15, 2.95, 0.0}, {2.25, 3.85, 0.85});
+    obj.object("UBX_chair").box({1.15, 1.55, 0.0}, {1.7, 2.1, 0.95});
+    obj.object("room_hull").box({0, 0, 0}, {5, 4, 2.6});
+    obj.object("coffee_table_collision").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
+    obj.object("lamp_col").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
+    // What only sounds like one stays: a column of books, a model of a ship.
+    obj.object("books_col").box({4.0, 3.0, 0.0}, {4.3, 3.3, 0.4});
+    obj.object("ship_hull").box({3.0, 3.2, 0.0}, {3.8, 3.5, 0.4});
+    const Scene scene = imported(obj);
+    EXPECT_EQ(countTargets(scene), 6);
+    EXPECT_TRUE(says(scene.report.notes, "5 meshes are for physics and were left out: "));
+}
+
+TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {
+    ObjWriter obj(1.0, false);
+    obj.object("UCX_crate").box({0, 0, 0}, {1, 1, 1});
+    EXPECT_EQ(imported(obj).objects.size(), 1U);
+}
+
+TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
+    ObjWriter obj = furnished();
+    obj.object("sofa_copy").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
+    obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // alike, elsewhere
+    const Scene scene = imported(obj);
+    EXPECT_EQ(countTargets(scene), 5);
+    EXPECT_TRUE(says(scene.report.notes, "1 mesh is there twice"));
+}
+
+/// A hall with crates of a metre.
+ObjWriter hall(const Eigen::Vector3d& size) {
+    ObjWriter obj(1.0, false);
+    obj.room(size, true);
+    for (int i = 0; i < 24; ++i) {
+        const Eigen::Vector3d low(3.0 + 4.5 * (i / 4), 3.0 + 4.0 * (i % 4), 0.0);
+        obj.object("crate_" + std::to_string(i)).box(low, low + Eigen::Vector3d::Ones());
+    }
+    return obj;
+}
+
+TEST(AwkwardScene, AHallIsNoRoomInFeet) {
+    for (const Eigen::Vector3d& size :
+         {Eigen::Vector3d(30, 20, 6), Eigen::Vector3d(40, 25, 8), Eigen::Vector3d(30, 20, 10)}) {
+        const Scene scene = imported(hall(size));
+        EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
+        EXPECT_TRUE(says(scene.report.warnings, "hall in metres")) << size.transpose();
+        EXPECT_EQ(countTargets(scene), 24);
+    }
+}
+
+/// What is in it tells feet from halls.
+TEST(AwkwardScene, ARoomInFeetIsKnownByItsFurniture) {
+    EXPECT_DOUBLE_EQ(imported(furnished(1.0 / 0.3048)).report.unit_m, 0.3048);
+    ObjWriter obj = hall({40, 25, 8});
+    obj.object("chair").box({1.0, 1.0, 0.0}, {1.45, 1.45, 0.9});
+    EXPECT_DOUBLE_EQ(imported(obj).report.unit_m, 1.0);
+}
+
+/// The same text, its corners moved.
+std::string moved(const ObjWriter& obj, const Eigen::Vector3d& by) {
+    std::ostringstream text;
+    text.precision(15);
+    std::istringstream lines(obj.text());
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        Eigen::Vector3d p;
+        if (words >> kind && kind == "v" && words >> p.x() >> p.y() >> p.z()) {
+            text << "v " << (p + by).transpose() << "\n";
+        } else {
+            text << line << "\n";
+        }
+    }
+    return text.str();
+}
+
+TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
+    const TempFolder folder;
+    ImportOptions options;
+    options.unit_m = 1.0;
+    const auto read = [&](double away) {
+        const std::string text = moved(furnished(), Eigen::Vector3d(away, away, 0.0));
+        return importScene(folder.write("room.obj", text), options);
+    };
+    const Result<Scene> near = read(1e3);  // numbers are 0.1 mm apart
+    ASSERT_TRUE(near) << describe(near.error());
+    EXPECT_TRUE(near->report.warnings.empty());
+    const Result<Scene> far = read(2e5);  // 16 mm
+    ASSERT_TRUE(far) << describe(far.error());
+    EXPECT_EQ(countTargets(*far), 4);
+    EXPECT_TRUE(says(far->report.warnings, "from the origin"));
+    const Result<Scene> farthest = read(1e9);  // 64 m
+    ASSERT_FALSE(farthest);
+    EXPECT_EQ(farthest.error().code, ErrorCode::BadInput);
+    EXPECT_NE(farthest.error().message.find("from the origin"), std::string::npos)
+        << farthest.error().message;
+}
+
+/// What exporters write that spare zeros: ".5" for "0.5".
+TEST(AwkwardScene, NumbersWithoutALeadingZero) {
+    const std::string text =
+        "v -2.5 -.5 -2\nv 2.5 -.5 -2\nv -2.5 2.1 -2\nv 2.5 2.1 -2\n"
+        "v -2.5 -.5 2\nv 2.5 -.5 2\nv -2.5 2.1 2\nv 2.5 2.1 2\nv .25\t+.5 0\n"
+        "o room\nf 3 4 2 1\nf 6 8 7 5\nf 2 6 5 1\nf 7 8 4 3\nf 5 7 3 1\nf 4 8 6 2\n"
+        "o chair\nf 1 2 9\n";
+    const TempFolder folder;
+    ImportOptions options;
+    options.up_axis = 'y';
+    options.unit_m = 1.0;
+    const Result<Scene> scene = importScene(folder.write("room.obj", text), options);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_NEAR(scene->room_bounds.sizes().z(), 2.6, 1e-6);
+    EXPECT_EQ(scene->objects.size(), 2U);
+    EXPECT_EQ(scene->triangles.size(), 13U);
+}
+
+TEST(AwkwardScene, NamesOfFilesKeepTheirPoints) {
+    const auto bytes = [](const std::string& text) {
+        return std::vector<std::uint8_t>(text.begin(), text.end());
+    };
+    EXPECT_FALSE(hasBarePoints(bytes("mtllib a.5.mtl\nv 0.5 1. -2.5e-3\n")));
+    EXPECT_EQ(withLeadingZeros(bytes("mtllib a.5.mtl\nv -.5 1. +.25\n")),
+              bytes("mtllib a.5.mtl\nv -0.5 1. +0.25\n"));
+}
+
+/// A shell whose faces look away from the room: what is inside of it is the room all the same.
+TEST(AwkwardScene, AnInsideOutShellIsARoom) {
+    const Scene as_it_is = imported(furnished());
+    // Every face is wound the other way round.
+    std::string turned;
+    std::istringstream lines(furnished().text());
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("f ")) {
+            turned += line + "\n";
+            continue;
+        }
+        std::istringstream words(line.substr(2));
+        std::string corners;
+        for (std::string word; words >> word;) corners.insert(0, " " + word);
+        turned += "f" + corners + "\n";
+    }
+    const TempFolder folder;
+    const Result<Scene> scene = importScene(folder.write("room.obj", turned));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(countTargets(*scene), countTargets(as_it_is));
+    EXPECT_TRUE(scene->room_bounds.isApprox(as_it_is.room_bounds, 1e-6));
+    EXPECT_EQ(scene->report.up_axis, as_it_is.report.up_axis);
+}
+
+TEST(AwkwardScene, ADomeIsNoRoom) {
+    ObjWriter obj = furnished();
+    obj.object("dome").box({-100, -100, -100}, {100, 100, 100});
+    const Scene scene = imported(obj);
+    EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
+    EXPECT_EQ(countTargets(scene), 4);
+}
+
+}  // namespace
+}  // namespace dollytrack
