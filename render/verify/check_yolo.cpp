@@ -196,8 +196,8 @@ CheckWork beginYolo(const Subject& subject, Findings& findings) {
     checkNames(subject.dataset, "classes.txt", "", findings);
     checkNames(subject.dataset, "data.yaml", "names:", findings);
     CheckWork work;
-    work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
-        FrameCheck(dataset, images, findings).run();
+    work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& found) {
+        FrameCheck(dataset, images, found).run();
     };
     return work;
 }
