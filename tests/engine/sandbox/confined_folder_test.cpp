@@ -1,4 +1,6 @@
 #include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/sandbox/input_list.h"
+#include "engine/io/sandbox/input_record.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +85,18 @@ TEST(ConfinedFolder, RefusesWhatIsNoFile) {
         EXPECT_FALSE(folder.open(name)) << name;
         EXPECT_FALSE(folder.has(name)) << name;
     }
+}
+
+// The list of what was asked for is handed back, and one with such a name would be refused.
+TEST(ConfinedFolder, ForgetsNamesThatNoFileCanHave) {
+    const Folders folders;
+    const io::InputRecord record;
+    const ConfinedFolder folder(folders.scene);
+    EXPECT_FALSE(folder.has(std::string("maps/\0.png", 10)));
+    EXPECT_TRUE(record.uses().empty());
+    EXPECT_FALSE(folder.has("maps/elm.png"));
+    ASSERT_EQ(record.uses().size(), 1U);
+    EXPECT_TRUE(io::parseInputList(io::inputListText(record.uses())));
 }
 
 TEST(ConfinedFolder, ListsFilesButNoLinks) {
