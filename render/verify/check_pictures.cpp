@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kFewest = 200;  // borders between objects, px, to judge a picture by
 constexpr int kAside = 5;             // px
-// Sound pictures of furnished rooms have 2.7 and more, those of other frames 0.2 to 1.2.
-constexpr double kLeastRatio = 1.15;
+// Sound pictures of furnished rooms have 2 and more, those of other frames most often 0.2 to 1.3.
+constexpr double kLeastRatio = 1.4;
 
 /// How much the colour changes between neighbours along one axis, at most one pixel beside.
 class Steps {

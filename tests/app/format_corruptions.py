@@ -151,3 +151,27 @@ def object_that_does_not_exist(copy):
         ids[20, 30] = 9999
         return ids
     copy.edit("instance/000001.png", foreign)
+
+
+@found_by("yolo")
+def yolo_names_exchanged(copy):
+    def exchange(data):
+        names = data.split(b"\n")
+        names[0], names[1] = names[1], names[0]
+        return b"\n".join(names)
+    copy.edit_bytes("classes.txt", exchange)
+
+
+@found_by("yolo")
+def yolo_names_counted_from_one(copy):
+    copy.edit_bytes("data.yaml", lambda data: data.replace(b"  0: wall\n", b"", 1))
+
+
+@found_by("pictures")
+def picture_mirrored(copy):
+    copy.edit("rgb/000001.png", lambda image: np.ascontiguousarray(image[:, ::-1]))
+
+
+@found_by("pictures")
+def picture_black(copy):
+    copy.edit("rgb/000001.png", np.zeros_like)
