@@ -75,6 +75,12 @@ std::string toText(const ScoreWeights& score) {
                        score.squared);
 }
 
+std::string pictureText(const PictureParams& picture) {
+    return picture.render_mode == RenderMode::Fast
+               ? "fast"
+               : fmt::format("reference {}", picture.reference_samples);
+}
+
 }  // namespace
 
 DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
@@ -96,6 +102,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the distances of optical flow",
          fmt::format("{}", fmt::join(settings.flow_distances, " "))},
         {"the stereo baseline", fmt::format("{:a}", settings.stereo_baseline_m)},
+        {"the way pictures are made", pictureText(settings.picture)},
         {"the motions of objects", hash(motionsText(contents))},
         {"the weights of the image score", toText(settings.score)},
         {"the modalities", names(contents.modalities)},

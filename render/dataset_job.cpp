@@ -193,9 +193,10 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     if (moving.any()) warnOfTouching(contents);
     std::map<int, std::vector<ObjectView>> restored;
     for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;
-    FramePipeline& pipeline = impl->pipeline.emplace(
-        *impl->frame_context, impl->settings.rules,
-        needsOf(contents.modalities, impl->order.card.formats), std::move(restored));
+    FramePipeline& pipeline =
+        impl->pipeline.emplace(*impl->frame_context, impl->settings.rules,
+                               needsOf(contents.modalities, impl->order.card.formats),
+                               impl->settings.picture, std::move(restored));
     Status status = pipeline.prepare(rays, origin.rooms, job.stage(0.3, 1.0, "light"));
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());

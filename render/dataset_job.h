@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
+#include "engine/camera/picture_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
@@ -35,6 +36,7 @@ struct DatasetSettings {
     double imu_rate_hz = 200.0;             // samples a second in imu.csv
     std::vector<int> flow_distances = {1};  // in frames of the dataset
     double stereo_baseline_m = 0.1;
+    PictureParams picture;
     ScoreWeights score;  // of the scores in frames.csv
     FoldSettings folds;  // for cross-validation
 };

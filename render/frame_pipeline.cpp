@@ -10,10 +10,12 @@
 namespace dollytrack::render {
 
 FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
+                             const PictureParams& picture,
                              std::map<int, std::vector<ObjectView>> restored)
     : context_(context),
       contents_(context.contents),
       needs_(needs),
+      picture_(picture),
       counter_(context.contents.scene, rules),
       restored_(std::move(restored)) {
     for (int i = 0; i < frameCount(); ++i) {
@@ -25,9 +27,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
                               const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
-    const LightVolume light =
-        bakeLightVolume(scene, rays, makeLightRig(scene, rays, rooms), {}, job);
+    const LightRig rig = makeLightRig(scene, rays, rooms);
+    const LightVolume light = bakeLightVolume(scene, rays, rig, {}, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
+    if (picture_.render_mode == RenderMode::Reference) {
+        reference_.emplace(context_, balanced(rig, light), light.exposure,
+                           picture_.reference_samples, job);
+    }
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));
@@ -71,6 +77,11 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
         right_->readRgb(record.rgb_right);
         right_->readDepth(record.depth_right_m);
         fillRightCracks(context_, right, record);
+        if (reference_) {
+            if (Status status = reference_->take(right, record.index, record.rgb_right); !status) {
+                return status;
+            }
+        }
     }
     return {};
 }
@@ -152,6 +163,11 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     if (needs(kNeedsDepth)) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, context_, view, record);
+    if (reference_ && needs(kNeedsRgb)) {
+        if (Status status = reference_->take(view, record.index, record.rgb); !status) {
+            return status;
+        }
+    }
     mendDepths(view, record.instance, *context_.moving.raysAt(record.index), record.depth_m);
     ++drawn_;
     return writer.write(std::move(record));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/camera/picture_params.h"
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
@@ -8,6 +9,7 @@
 #include "render/frame_context.h"
 #include "render/frame_ledger.h"
 #include "render/frame_writer.h"
+#include "render/reference_pictures.h"
 #include "render/scene_renderer.h"
 #include "render/surface_target.h"
 
@@ -25,9 +27,10 @@ class FramePipeline {
     /// `restored`: the views of the frames that need not be drawn. `needs`: bits of FrameNeeds.
     /// `context` must outlive this.
     FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
-                  std::map<int, std::vector<ObjectView>> restored);
+                  const PictureParams& picture, std::map<int, std::vector<ObjectView>> restored);
 
-    /// Computes the light and loads the scene, where there is anything to draw.
+    /// Computes the light and loads the scene, where there is anything to draw. The job can cancel
+    /// frames, too.
     [[nodiscard]] Status prepare(const RayCaster& rays,
                                  const std::vector<Eigen::AlignedBox3d>& rooms,
                                  const JobContext& job);
@@ -67,6 +70,8 @@ class FramePipeline {
     std::array<std::optional<RenderTarget>, 2> targets_;
     std::optional<RenderTarget> right_;
     std::optional<SurfaceTarget> surfaces_;
+    PictureParams picture_;
+    std::optional<ReferencePictures> reference_;  // where they are wanted
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
     std::vector<int> missing_;  // indices of frames

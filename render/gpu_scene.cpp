@@ -1,6 +1,7 @@
 #include "render/gpu_scene.h"
 
 #include "render/gl/context.h"
+#include "render/surface_kind.h"
 
 #include <GL/glew.h>
 
@@ -31,10 +32,6 @@ constexpr int kMaxTextureSize = 2048;
 
 std::uint8_t toByte(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
-}
-
-bool isTextured(const Scene& scene, const Material& material) {
-    return material.texture >= 0 && scene.textures[material.texture].width > 0;
 }
 
 void setNormal(Vertex& vertex, const Eigen::Vector3f& normal) {
@@ -136,17 +133,10 @@ void describeLayout(GpuScene& scene) {
 class SceneSorter {
   public:
     explicit SceneSorter(const Scene& scene) : scene_(scene) {
-        std::vector<bool> holes;
-        for (const Texture& texture : scene.textures) holes.push_back(hasHoles(texture));
-        for (const Material& material : scene.materials) {
-            const bool textured = isTextured(scene, material);
-            Surface surface = Surface::Opaque;
-            if (material.opacity < 0.95F) {
-                surface = Surface::Glass;
-            } else if (textured && holes[material.texture]) {
-                surface = Surface::CutOut;
-            }
-            keys_.emplace_back(surface, textured ? material.texture : -1);
+        const std::vector<Surface> kinds = surfaceKinds(scene);
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const Material& material = scene.materials[i];
+            keys_.emplace_back(kinds[i], isTextured(scene, material) ? material.texture : -1);
         }
     }
 
@@ -192,12 +182,6 @@ class SceneSorter {
 };
 
 }  // namespace
-
-bool hasHoles(const Texture& texture) {
-    std::size_t holes = 0;
-    for (std::size_t i = 3; i < texture.rgba.size(); i += 4) holes += texture.rgba[i] < 128 ? 1 : 0;
-    return holes * 4 > texture.rgba.size() / 100;
-}
 
 Result<GpuScene> uploadScene(const Scene& scene) {
     if (scene.objects.size() > 65535) {

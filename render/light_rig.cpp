@@ -1,7 +1,10 @@
 #include "render/light_rig.h"
 
+#include "engine/scene/labels.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dollytrack::render {
 namespace {
@@ -19,6 +22,23 @@ double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double
 }
 
 }  // namespace
+
+double Lamp::area() const {
+    return std::numbers::pi * radius_m * radius_m;
+}
+
+double Lamp::radiance() const {
+    return intensity * (1.0 + radius_m * radius_m) / area();
+}
+
+Eigen::Vector3f LightRig::skyRadiance(const Eigen::Vector3d& way) const {
+    const double strength = way.z() > -0.05 ? sky_strength : ground_share * sky_strength;
+    return sky_color * static_cast<float>(strength);
+}
+
+bool sendsDaylight(const Object& object) {
+    return object.nyu40 == kNyuWindow;
+}
 
 LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                       std::span<const Eigen::AlignedBox3d> rooms) {

@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr double kReach = 9.0;          // m; farther lamps add too little to be worth a ray
-constexpr double kLampShade = 0.4;      // m around a lamp in which nothing casts a shadow
 constexpr int kShadowRays = 6;          // per lamp and cell
 constexpr int kNearestLamps = 4;        // considered per cell
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
@@ -182,10 +181,8 @@ class Baker {
         if (hit.object_id != 0) {
             result.distance = std::max(static_cast<float>(hit.distance), 1e-6F);
         }
-        if (hit.object_id == 0 || scene_.object(hit.object_id).nyu40 == kNyuWindow) {
-            const auto strength = static_cast<float>(rig_.sky_strength);
-            // From below the horizon comes what the ground throws back.
-            result.sent = rig_.sky_color * (way.z() > -0.05 ? strength : 0.3F * strength);
+        if (hit.object_id == 0 || sendsDaylight(scene_.object(hit.object_id))) {
+            result.sent = rig_.skyRadiance(way);
             return result;
         }
         const Triangle& triangle = scene_.triangles[hit.triangle];
@@ -197,7 +194,7 @@ class Baker {
         if (normal.dot(way.cast<float>()) > 0.0F) normal = -normal;
         result.normal = normal;
         result.albedo = albedo_[scene_.triangle_material[hit.triangle]];
-        result.sent = material.emission.cwiseMin(8.0F);
+        result.sent = rig_.emissionOf(material);
         const Eigen::Vector3d at = from + way * hit.distance;
         result.cell = cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
         return result;
@@ -311,7 +308,8 @@ class Baker {
         const float wanted = kDaylightShare * median(std::move(lamps));
         const float found = median(std::move(others));
         if (found <= wanted || wanted == 0.0F) return;
-        for (Bounce& bounce : bounces_) bounce.sent *= wanted / found;
+        volume_.dimmed = wanted / found;
+        for (Bounce& bounce : bounces_) bounce.sent *= volume_.dimmed;
     }
 
     /// From what the lit cells receive: dark solids and the outside must not decide.
@@ -339,6 +337,12 @@ class Baker {
 };
 
 }  // namespace
+
+LightRig balanced(LightRig rig, const LightVolume& volume) {
+    rig.sky_strength *= volume.dimmed;
+    rig.emission_scale *= volume.dimmed;
+    return rig;
+}
 
 LightVolume bakeLightVolume(const Scene& scene, const RayCaster& rays, const LightRig& rig,
                             const LightVolumeParams& params, const JobContext& job) {

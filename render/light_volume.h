@@ -29,12 +29,17 @@ struct LightVolume {
     std::vector<Eigen::Vector3f> ambient;  // irradiance from all around, linear RGB
     std::vector<Eigen::Vector3f> lamps;    // irradiance vector: sum of strength * direction to it
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
+    float dimmed = 1.0F;    // sky and emission, to this share of the rig's; see balanced()
     float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey
 
     [[nodiscard]] std::size_t index(int x, int y, int z) const {
         return (static_cast<std::size_t>(z) * cells[1] + y) * cells[0] + x;
     }
 };
+
+/// The rig as the volume was lit by: files give emission in any unit, and a house without a roof
+/// would be all cool daylight, so both are dimmed where they would drown the lamps.
+[[nodiscard]] LightRig balanced(LightRig rig, const LightVolume& volume);
 
 /// Computed by ray casting on all threads; the result does not depend on their number. Empty when
 /// cancelled.

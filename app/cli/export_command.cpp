@@ -32,6 +32,7 @@ struct ExportArguments {
     std::vector<std::string> formats;
     std::string planner = "dollytrack";
     render::FoldSettings folds;
+    std::vector<std::string> pictures;  // settings of PictureParams, name=value
     bool overwrite = false;
     bool resume = false;
     bool still = false;
@@ -130,6 +131,17 @@ Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
     return io::findAnnotations(opened.imported->source, given);
 }
 
+/// What --picture can set.
+std::string pictureFields() {
+    PictureParams standard;
+    std::string all;
+    for (const Field& field : listPictureFields(standard)) {
+        all += fmt::format("{}{}={} ({})", all.empty() ? "" : "; ", field.name, field.valueText(),
+                           field.rangeText());
+    }
+    return all;
+}
+
 /// Renders one trajectory into a folder.
 Result<render::DatasetSummary> renderTrajectory(
     const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
@@ -144,7 +156,9 @@ Result<render::DatasetSummary> renderTrajectory(
     origin.seed = static_cast<std::uint64_t>(planned.params.seed);
     planning::PlanParams params = planned.params;
     origin.edits_json = jsonText(editsJson(opened.edits));
-    origin.parameters_json = toJson(planning::listFields(params)).dump();
+    nlohmann::json parameters = toJson(planning::listFields(params));
+    parameters.update(toJson(listPictureFields(settings.picture)));
+    origin.parameters_json = parameters.dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
     origin.rooms = planned.rooms;
     if (!still) {
@@ -169,6 +183,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.formats = arguments.formats;
     settings.flow_distances = arguments.flow_distances;
     settings.folds = arguments.folds;
+    for (const std::string& assignment : arguments.pictures) {
+        Status status = setField(listPictureFields(settings.picture), assignment);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
     // Said before the work, not after it.
@@ -302,6 +320,11 @@ void addExportCommand(CLI::App& app, Session& session) {
         ->type_name("N,...")
         ->allow_extra_args(false)
         ->delimiter(',');
+    command
+        ->add_option("--picture", arguments->pictures,
+                     "How colour pictures are made: " + pictureFields())
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
     command->add_flag("--still", arguments->still,
                       "Things that have a track stay where the plan has them");
     command

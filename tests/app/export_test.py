@@ -294,6 +294,48 @@ class Export(FolderCase):
             "--overwrite")
         self.assertEqual(hashes(out), files)
 
+    # --- path traced pictures
+
+    REFERENCE = ["--picture", "render_mode=reference", "--picture", "reference_samples=4",
+                 "--range", "0:3"]
+
+    def test_path_traced_pictures_change_nothing_but_colours(self):
+        out = {}
+        for mode in ["fast", "reference"]:
+            out[mode] = self.new_folder()
+            result = run("export", self.project, "--out", out[mode], *self.REFERENCE, "--picture",
+                         f"render_mode={mode}", "--modalities", "all", "--threads",
+                         "1" if mode == "fast" else "2")
+            self.assertEqual(result.returncode, 0, result.stderr)
+        files = {mode: hashes(folder) for mode, folder in out.items()}
+        differ = {name for name in files["fast"] if files["fast"][name] != files["reference"][name]}
+        self.assertEqual({name.split("/")[0] for name in differ},
+                         {"rgb", "rgb_right", "contact_sheet.jpg", "dataset.json"})
+        self.assertTrue(all(name in differ for name in files["fast"] if name.startswith("rgb")))
+        card = json.loads((out["reference"] / "dataset.json").read_text())
+        self.assertEqual(card["parameters"]["picture"],
+                         {"render_mode": "reference", "reference_samples": 4})
+
+    def test_path_traced_pictures_are_the_same_on_one_thread_and_continued(self):
+        whole, parts = self.new_folder(), self.new_folder()
+        result = run("export", self.project, "--out", whole, *self.REFERENCE, "--threads", "2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        process = start("export", self.project, "--out", parts, *self.REFERENCE, "--threads", "1")
+        wait_for(lambda: list(parts.glob("rgb/*.png")))
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        # Pictures of another quality are no continuation.
+        other = [word.replace("samples=4", "samples=5") for word in self.REFERENCE]
+        if process.returncode != 0:
+            self.assertFails(run("export", self.project, "--out", parts, *other, "--resume"), 2,
+                             "the way pictures are made")
+        result = run("export", self.project, "--out", parts, *self.REFERENCE, "--threads", "1",
+                     "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(hashes(parts), hashes(whole))
+        verified = run("verify", whole, "--scene", APARTMENT)
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+
     def test_unknown_choices_are_usage_errors(self):
         out = self.new_folder()
         self.assertFails(run("export", self.project, "--out", out, "--modalities", "rgb,dept"), 2,

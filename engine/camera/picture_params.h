@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/core/field_list.h"
+
+namespace dollytrack {
+
+/// How the colour pictures of a dataset come to be; depth, labels and all else are the same.
+enum class RenderMode {
+    Fast,       // drawn, lit by light computed once for the scene
+    Reference,  // path traced
+};
+
+/// The colour pictures that an export writes.
+struct PictureParams {
+    RenderMode render_mode = RenderMode::Fast;
+    int reference_samples = 64;
+
+    bool operator==(const PictureParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitPictureParams(Params& p, Visitor&& visit) {
+    visit("render_mode", p.render_mode,
+          ChoiceInfo{{"fast", "reference"},
+                     "How colour pictures are made: drawn, or path traced, which takes minutes a "
+                     "frame and is what the light would really do"});
+    visit("reference_samples", p.reference_samples,
+          FieldInfo{1, 65536, "",
+                    "Paths a pixel of path traced pictures; noise falls with its "
+                    "square root"});
+}
+
+/// The fields, for the command line and for files. Points into `params`.
+inline FieldList listPictureFields(PictureParams& params) {
+    FieldCollector collector;
+    collector.beginSection("picture");
+    visitPictureParams(params, collector);
+    return collector.take();
+}
+
+}  // namespace dollytrack

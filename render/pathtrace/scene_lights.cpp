@@ -1,0 +1,121 @@
+#include "render/pathtrace/scene_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double areaOf(const std::array<Eigen::Vector3d, 3>& corners) {
+    return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+}
+
+}  // namespace
+
+SceneLights::SceneLights(const Scene& scene, const TracedSurface& surface, const LightRig& rig)
+    : scene_(scene), surface_(surface), rig_(rig) {
+    double sum = 0.0;
+    for (const Object& object : scene.objects) {
+        for (std::uint32_t t = object.first_triangle;
+             t < object.first_triangle + object.triangle_count; ++t) {
+            const double power = brightness(object.id, t) * areaOf(surface.corners(t));
+            if (power <= 0.0) continue;
+            sum += power;
+            shining_.push_back({t, object.id});
+            power_.push_back(sum);
+        }
+    }
+}
+
+double SceneLights::brightness(int object_id, std::uint32_t triangle) const {
+    if (sendsDaylight(scene_.object(object_id))) {
+        return rig_.sky_color.mean() * rig_.sky_strength;
+    }
+    return rig_.emissionOf(scene_.materials[scene_.triangle_material[triangle]]).mean();
+}
+
+Eigen::Vector3f SceneLights::sent(int object_id, std::uint32_t triangle,
+                                  const Eigen::Vector3d& way) const {
+    if (sendsDaylight(scene_.object(object_id))) return rig_.skyRadiance(way);
+    return rig_.emissionOf(scene_.materials[scene_.triangle_material[triangle]]);
+}
+
+double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const {
+    const Eigen::Vector3d way = lamp.position - from;
+    if (way.z() <= 0.0) return 0.0;
+    const double squared = way.squaredNorm();
+    // Lamps that are nearly level reach the point with their near edge.
+    const double down = std::max(way.z() / std::sqrt(squared), 0.02);
+    return lamp.intensity * down / (squared + lamp.radius_m * lamp.radius_m);
+}
+
+double SceneLights::totalChoice(const Eigen::Vector3d& from) const {
+    double sum = 0.0;
+    for (const Lamp& lamp : rig_.lamps) sum += choice(lamp, from);
+    return sum;
+}
+
+std::optional<LightSample> SceneLights::sampleLamp(const Eigen::Vector3d& from, double which,
+                                                   const std::array<double, 2>& where) const {
+    const double total = totalChoice(from);
+    if (total <= 0.0) return std::nullopt;
+    double left = which * total;
+    const Lamp* chosen = nullptr;
+    for (const Lamp& lamp : rig_.lamps) {
+        const double share = choice(lamp, from);
+        if (share <= 0.0) continue;
+        chosen = &lamp;
+        left -= share;
+        if (left < 0.0) break;
+    }
+    const double radius = chosen->radius_m * std::sqrt(where[0]);
+    const double angle = 2.0 * kPi * where[1];
+    const Eigen::Vector3d way =
+        chosen->position +
+        Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0.0) - from;
+    LightSample sample;
+    sample.distance = way.norm();
+    sample.way = way / sample.distance;
+    sample.free = std::max(sample.distance - kLampShade, 0.0);
+    sample.density = choice(*chosen, from) / total * sample.distance * sample.distance /
+                     (chosen->area() * sample.way.z());
+    sample.radiance = lampRadiance(*chosen);
+    return sample;
+}
+
+std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& from, double which,
+                                                       const std::array<double, 2>& where) const {
+    if (power_.empty()) return std::nullopt;
+    const auto found = std::upper_bound(power_.begin(), power_.end(), which * power_.back());
+    const auto index = static_cast<std::size_t>(
+        std::min(found - power_.begin(), static_cast<std::ptrdiff_t>(power_.size()) - 1));
+    const auto& [triangle, object_id] = shining_[index];
+    const auto [a, b, c] = surface_.corners(triangle);
+    const double root = std::sqrt(where[0]);
+    const Eigen::Vector3d at = a + root * (1.0 - where[1]) * (b - a) + root * where[1] * (c - a);
+    LightSample sample;
+    sample.distance = (at - from).norm();
+    if (sample.distance <= 0.0) return std::nullopt;
+    sample.way = (at - from) / sample.distance;
+    sample.free = sample.distance;
+    sample.density = triangleDensity(object_id, triangle, from, at);
+    sample.radiance = sent(object_id, triangle, sample.way);
+    if (!(sample.density > 0.0) || !std::isfinite(sample.density)) return std::nullopt;
+    return sample;
+}
+
+double SceneLights::triangleDensity(int object_id, std::uint32_t triangle,
+                                    const Eigen::Vector3d& from, const Eigen::Vector3d& at) const {
+    if (power_.empty()) return 0.0;
+    const auto [a, b, c] = surface_.corners(triangle);
+    const Eigen::Vector3d across = (b - a).cross(c - a);
+    const Eigen::Vector3d way = at - from;
+    const double squared = way.squaredNorm();
+    const double facing = std::abs(across.normalized().dot(way)) / std::sqrt(squared);
+    return brightness(object_id, triangle) / power_.back() * squared / facing;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "render/light_rig.h"
+#include "render/pathtrace/traced_surface.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// A place that light may come from, as chosen by chance.
+struct LightSample {
+    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();  // to it, unit vector
+    double distance = 0.0;                           // m
+    double free = 0.0;                               // so far, m, nothing may stand in the way
+    double density = 0.0;                            // 1/sr
+    Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
+};
+
+/// Chooses among what sends light in a scene: the rig's lamps by what they would give without
+/// shadows, and shining triangles (emitting ones and windows) by their power. Keeps references.
+class SceneLights {
+  public:
+    SceneLights(const Scene& scene, const TracedSurface& surface, const LightRig& rig);
+
+    [[nodiscard]] std::optional<LightSample> sampleLamp(const Eigen::Vector3d& from, double which,
+                                                        const std::array<double, 2>& where) const;
+    [[nodiscard]] std::optional<LightSample> sampleTriangle(
+        const Eigen::Vector3d& from, double which, const std::array<double, 2>& where) const;
+
+    /// What a ray adds up of the lamps whose light begins between two distances along it (their
+    /// shade, see kLampShade, is no obstacle): visit(radiance, density of sampleLamp()).
+    template <class Visit>
+    void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
+                    double end, Visit&& visit) const {
+        if (way.z() <= 0.0) return;
+        for (const Lamp& lamp : rig_.lamps) {
+            const double distance = (lamp.position.z() - from.z()) / way.z();
+            const double free = std::max(distance - kLampShade, 0.0);
+            if (distance <= 0.0 || free < begin || free >= end) continue;
+            const Eigen::Vector3d at = from + distance * way - lamp.position;
+            if (at.squaredNorm() > lamp.radius_m * lamp.radius_m) continue;
+            const double density = choice(lamp, from) / totalChoice(from) * distance * distance /
+                                   (lamp.area() * way.z());
+            visit(lampRadiance(lamp), density);
+        }
+    }
+
+    /// Density with which sampleTriangle() takes this place.
+    [[nodiscard]] double triangleDensity(int object_id, std::uint32_t triangle,
+                                         const Eigen::Vector3d& from,
+                                         const Eigen::Vector3d& at) const;
+
+    /// What a triangle sends by itself along -way, that is, towards whom looks along `way`.
+    [[nodiscard]] Eigen::Vector3f sent(int object_id, std::uint32_t triangle,
+                                       const Eigen::Vector3d& way) const;
+
+  private:
+    [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
+    [[nodiscard]] double totalChoice(const Eigen::Vector3d& from) const;
+    [[nodiscard]] Eigen::Vector3f lampRadiance(const Lamp& lamp) const {
+        return rig_.lamp_color * static_cast<float>(lamp.radiance());
+    }
+    /// By which triangles are chosen.
+    [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
+
+    struct Shining {
+        std::uint32_t triangle;
+        int object_id;
+    };
+
+    const Scene& scene_;
+    const TracedSurface& surface_;
+    const LightRig& rig_;
+    std::vector<Shining> shining_;
+    std::vector<double> power_;  // summed up to each, W/sr but for a factor
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,55 @@
+#include "render/reference_pictures.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::render {
+
+struct ReferencePictures::Still {
+    std::shared_ptr<const RayCaster> rays;
+    std::optional<MovedShape> shape;
+    std::optional<PathTracer> tracer;
+};
+
+ReferencePictures::ReferencePictures(const FrameContext& context, LightRig rig, float exposure,
+                                     int samples, JobContext job)
+    : context_(context),
+      rig_(std::move(rig)),
+      exposure_(exposure),
+      samples_(samples),
+      job_(std::move(job)) {}
+
+const PathTracer& ReferencePictures::tracerAt(int frame) {
+    const MovingObjects& moving = context_.moving;
+    if (still_ && (!moving.any() || frame == prepared_frame_)) return *still_->tracer;
+    const Scene& scene = context_.contents.scene;
+    auto still = std::make_shared<Still>();
+    still->rays = moving.raysAt(frame);
+    if (moving.any()) {
+        still->shape.emplace(MovedShape{scene.positions, scene.normals});
+        for (const ObjectMotion& motion : moving.motions()) {
+            const MovingObjects::Shape there = moving.shapeAt(motion, frame);
+            const auto first =
+                static_cast<std::ptrdiff_t>(scene.object(motion.object_id).first_vertex);
+            std::ranges::copy(there.positions, still->shape->positions.begin() + first);
+            std::ranges::copy(there.normals, still->shape->normals.begin() + first);
+        }
+    }
+    PathTracerParams params;
+    params.exposure = exposure_;
+    still->tracer.emplace(scene, *still->rays, rig_, params,
+                          still->shape ? &*still->shape : nullptr);
+    still_ = std::move(still);
+    prepared_frame_ = frame;
+    return *still_->tracer;
+}
+
+Status ReferencePictures::take(const View& view, int frame, std::vector<std::uint8_t>& rgb) {
+    RadianceImage image;
+    if (Status status = tracerAt(frame).add(view, samples_, image, job_); !status) return status;
+    rgb = developed(image, exposure_);
+    return {};
+}
+
+}  // namespace dollytrack::render
