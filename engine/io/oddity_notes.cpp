@@ -23,6 +23,7 @@ constexpr double kStep_m = 0.05;         // floors of one storey are this even
 constexpr double kFloorShare = 0.1;      // of the largest floor, for a landing to be a storey
 constexpr float kLevel = 0.98F;          // cosine of 11 degrees
 constexpr double kInsideOut = -0.05;     // share of its box that a thing turned inside out encloses
+constexpr double kClosed = 1e-3;         // share of its area that a closed thing may face one way
 constexpr double kTwoSided = 0.9;        // share of a thing's faces that are there twice
 constexpr std::uint64_t kSampleOf = 16;  // of large things one face in so many is looked at
 constexpr std::uint32_t kLarge = 4096;   // faces
@@ -93,17 +94,23 @@ bool isTwoSided(const Scene& scene, const Object& object) {
     return twice > 0 && static_cast<double>(twice) >= kTwoSided * static_cast<double>(keys.size());
 }
 
-/// By the volume that the faces enclose, negative where they look inwards.
+/// By the volume that the faces enclose, negative where they look inwards. What is open, a scan
+/// from one side, encloses nothing.
 bool isInsideOut(const Scene& scene, const Object& object) {
     double volume = 0.0;
+    double area = 0.0;
+    Eigen::Vector3d facing = Eigen::Vector3d::Zero();
     for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
         const Triangle& t = scene.triangles[object.first_triangle + i];
         const Eigen::Vector3d a = corner(scene, t, 0) - object.box.center;
-        volume += a.dot((corner(scene, t, 1) - object.box.center)
-                            .cross(corner(scene, t, 2) - object.box.center)) /
-                  6.0;
+        const Eigen::Vector3d b = corner(scene, t, 1) - object.box.center;
+        const Eigen::Vector3d c = corner(scene, t, 2) - object.box.center;
+        const Eigen::Vector3d across = (b - a).cross(c - a);
+        volume += a.dot(b.cross(c)) / 6.0;
+        area += across.norm();
+        facing += across;
     }
-    return volume < kInsideOut * 8.0 * object.box.half_size.prod();
+    return facing.norm() < kClosed * area && volume < kInsideOut * object.box.volume();
 }
 
 }  // namespace

@@ -91,6 +91,20 @@ TEST(AwkwardHouse, ThingsInsideOutAreSeenAllTheSame) {
     EXPECT_TRUE(says(scene.report.notes, "4 objects are inside out"));
 }
 
+/// Three walls of a niche look inwards and are no thing turned inside out.
+TEST(AwkwardHouse, WhatIsOpenIsNotInsideOut) {
+    ObjWriter obj = furnished();
+    obj.object("niche");
+    obj.quad({3.6, 3.2, 0.5}, {3.6, 3.6, 0.5}, {3.6, 3.6, 1.0}, {3.6, 3.2, 1.0});
+    obj.quad({3.6, 3.6, 0.5}, {4.2, 3.6, 0.5}, {4.2, 3.6, 1.0}, {3.6, 3.6, 1.0});
+    obj.quad({4.2, 3.6, 0.5}, {4.2, 3.2, 0.5}, {4.2, 3.2, 1.0}, {4.2, 3.6, 1.0});
+    for (const std::string& text : {obj.text(), withFaces(obj.text(), turned)}) {
+        const Scene scene = imported(text);
+        EXPECT_FALSE(says(scene.report.notes, "5 objects are inside out"));
+        EXPECT_FALSE(says(scene.report.notes, "1 object is inside out"));
+    }
+}
+
 /// Triangles, since the other side of a polygon may be cut along the other diagonal.
 std::string bothSides(const std::string& face) {
     std::istringstream words(face.substr(2));

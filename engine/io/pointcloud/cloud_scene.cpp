@@ -298,6 +298,9 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     raw.notes.push_back(
         "a level floor was put under the scan, \"floor_unseen\": scans show none behind furniture "
         "and where the scanner stood");
+    if (!options.unit_m) {
+        raw.notes.push_back(fmt::format("1 unit of the cloud is {} m, judged by its size", unit_m));
+    }
     raw.notes.push_back("up in the cloud: " + up.source);
     if (up.doubtful) raw.notes.push_back("the cloud's upward axis is doubtful; give it if wrong");
     return raw;

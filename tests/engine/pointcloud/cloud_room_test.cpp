@@ -165,6 +165,10 @@ TEST(CloudRoom, FarAwayMillimetresComeOutInMetres) {
     const auto scene = importScene(folder.write("room.xyz", RoomScan(far).text()));
     ASSERT_TRUE(scene) << describe(scene.error());
     EXPECT_DOUBLE_EQ(scene->report.unit_m, 0.001);
+    const auto& notes = scene->report.notes;
+    EXPECT_NE(
+        std::find(notes.begin(), notes.end(), "1 unit of the cloud is 0.001 m, judged by its size"),
+        notes.end());
     expectTheRoom(*scene, 0.05);
     const auto targets = targetsOf(*scene);
     const Eigen::Vector3d at = scene->source_from_world * targets[0]->box.center;
