@@ -14,6 +14,8 @@ namespace dollytrack::render {
 namespace {
 
 constexpr std::array<const char*, 2> kFiles = {"data.yaml", "classes.txt"};
+/// Readers take a picture's path and put labels in the place of this.
+constexpr const char* kPictures = "images";
 constexpr std::array<const char*, 2> kFolders = {"labels", "labels_seg"};
 
 std::vector<std::uint8_t> asBytes(const std::string& text) {
@@ -66,9 +68,8 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     return files;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    const std::string pictures = contents.pictureModality().name;
-    std::string yaml = fmt::format("path: .\ntrain: {0}\nval: {0}\nnames:\n", pictures);
+Result<std::vector<DatasetFile>> write(const DatasetContents& /*contents*/) {
+    std::string yaml = fmt::format("path: .\ntrain: {0}\nval: {0}\nnames:\n", kPictures);
     std::string classes;
     for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
         yaml += fmt::format("  {}: {}\n", nyu40 - 1, nyu40Name(nyu40));
@@ -78,12 +79,13 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 }
 
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
-            {"folders", kFolders},
-            {"format",
-             "YOLO: class (NYU40 - 1) and, in shares of the image, the box's centre and size, or "
-             "the outline of the object's largest part in sight; targets only. Readers that look "
-             "for labels beside a folder 'images' want rgb under that name (ln -s rgb images)"}};
+    return {
+        {"files", kFiles},
+        {"folders", kFolders},
+        {"format",
+         "YOLO: class (NYU40 - 1) and, in shares of the image, the box's centre and size, or "
+         "the outline of the object's largest part in sight; targets only. Readers look for labels "
+         "beside a folder 'images': make that another name of rgb (ln -s rgb images)"}};
 }
 
 }  // namespace
