@@ -4,110 +4,110 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
+#include <map>
+#include <utility>
 
 namespace dollytrack::verify {
 namespace {
 
-constexpr std::size_t kFewest = 200;  // borders between objects, px, to judge a picture by
-constexpr int kAside = 5;             // px
-// Sound pictures of furnished rooms have 2 and more, those of other frames most often 0.2 to 1.3.
+constexpr std::size_t kFewest = 200;  // border pixels to judge a picture by
+constexpr int kAside = 6;             // px
+// Sound pictures of furnished rooms have 2 and more, those of other frames most often 0 to 1.3.
 constexpr double kLeastRatio = 1.4;
+constexpr double kLeastChange = 4.0;  // of 255: what is fainter proves nothing
 
-/// How much the colour changes between neighbours along one axis, at most one pixel beside.
-class Steps {
-  public:
-    Steps(const Image8& picture, int dx, int dy)
-        : width_(picture.width - dx), height_(picture.height - dy), dx_(dx), dy_(dy) {
-        std::vector<std::uint8_t> steps;
-        steps.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-        for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                const std::uint8_t* a = picture.pixel(x, y);
-                const std::uint8_t* b = picture.pixel(x + dx, y + dy);
-                int most = 0;
-                for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a[c] - b[c]));
-                steps.push_back(static_cast<std::uint8_t>(most));
-            }
+/// How the colour changes along the whole border of two objects. Signed changes are summed, so that
+/// noise and patterns cancel out and what tells the two apart is left.
+struct Border {
+    std::array<double, 3> sum = {};
+    std::array<double, 3> squares = {};
+    double count = 0.0;
+
+    void add(const std::uint8_t* from, const std::uint8_t* to) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double change = static_cast<double>(to[c]) - from[c];
+            sum[c] += change;
+            squares[c] += change * change;
         }
-        values_ = steps;
-        for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                for (const int side : {-1, 1}) {
-                    const int near_x = x + side * dx;
-                    const int near_y = y + side * dy;
-                    if (!holds(near_x, near_y)) continue;
-                    values_[at(x, y)] = std::max(values_[at(x, y)], steps[at(near_x, near_y)]);
-                }
-            }
+        count += 1.0;
+    }
+    /// The change beyond what chance may have made: two standard deviations of the sum.
+    [[nodiscard]] double beyondChance() const {
+        double most = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double spread = std::max(0.0, squares[c] - sum[c] * sum[c] / count);
+            most = std::max(most, std::abs(sum[c]) - 2.0 * std::sqrt(spread));
         }
+        return most;
     }
-
-    struct Sum {
-        double steps = 0.0;
-        std::size_t count = 0;
-    };
-
-    /// The steps where the ids change, looked up so far aside.
-    [[nodiscard]] Sum atBorders(const Image16& ids, int aside_x, int aside_y) const {
-        Sum sum;
-        for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                if (*ids.pixel(x, y) == *ids.pixel(x + dx_, y + dy_)) continue;
-                if (!holds(x + aside_x, y + aside_y)) continue;
-                sum.steps += values_[at(x + aside_x, y + aside_y)];
-                ++sum.count;
-            }
-        }
-        return sum;
-    }
-
-  private:
-    [[nodiscard]] bool holds(int x, int y) const {
-        return x >= 0 && y >= 0 && x < width_ && y < height_;
-    }
-    [[nodiscard]] std::size_t at(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-               static_cast<std::size_t>(x);
-    }
-
-    int width_;
-    int height_;
-    int dx_;
-    int dy_;
-    std::vector<std::uint8_t> values_;
 };
+
+struct Change {
+    double mean = 0.0;      // of 255
+    std::size_t count = 0;  // border pixels
+};
+
+/// The change of colour at the borders of what the ids show, looked up so far aside; a pixel beyond
+/// either side of a border, as those along it are smoothed.
+Change changeAtBorders(const Image8& picture, const Image16& ids, int aside_x, int aside_y) {
+    std::map<std::pair<int, int>, Border> borders;
+    std::size_t count = 0;
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1)}) {
+        for (int y = dy; y + 2 * dy < ids.height; ++y) {
+            for (int x = dx; x + 2 * dx < ids.width; ++x) {
+                const int a = ids.at(x, y);
+                const int b = ids.at(x + dx, y + dy);
+                if (a == b) continue;
+                const int from_x = x - dx + aside_x, from_y = y - dy + aside_y;
+                const int to_x = x + 2 * dx + aside_x, to_y = y + 2 * dy + aside_y;
+                if (!picture.holds(from_x, from_y) || !picture.holds(to_x, to_y)) continue;
+                const std::uint8_t* from = picture.pixel(from_x, from_y);
+                const std::uint8_t* to = picture.pixel(to_x, to_y);
+                if (a > b) std::swap(from, to);
+                borders[std::minmax(a, b)].add(from, to);
+                ++count;
+            }
+        }
+    }
+    double sum = 0.0;
+    for (const auto& [ids_of_two, border] : borders) sum += border.beyondChance();
+    return {sum / static_cast<double>(std::max<std::size_t>(count, 1)), count};
+}
+
+/// Whether all of it has one colour.
+bool isBlank(const Image8& picture) {
+    const std::size_t pixels = picture.values.size() / 3;
+    for (std::size_t i = 1; i < pixels; ++i) {
+        if (!std::equal(picture.values.begin(), picture.values.begin() + 3,
+                        picture.values.begin() + static_cast<std::ptrdiff_t>(3 * i))) {
+            return false;
+        }
+    }
+    return true;
+}
 
 /// Colours change more at the borders of what the picture shows than beside them.
 void checkPicture(FrameImages& images, Findings& findings) {
     const Image8* picture = images.image8("rgb");
     const Image16* ids = images.image16("instance");
     if (!picture || !ids) return;
-    const std::array steps = {Steps(*picture, 1, 0), Steps(*picture, 0, 1)};
-    const auto meanAside = [&](int x, int y) {
-        Steps::Sum all;
-        for (const Steps& along : steps) {
-            const Steps::Sum sum = along.atBorders(*ids, x, y);
-            all.steps += sum.steps;
-            all.count += sum.count;
-        }
-        return std::pair(all.steps / static_cast<double>(std::max<std::size_t>(all.count, 1)),
-                         all.count);
-    };
-    const auto [here, count] = meanAside(0, 0);
-    if (count < kFewest) return;
+    const Change here = changeAtBorders(*picture, *ids, 0, 0);
+    if (here.count < kFewest) return;
     double aside = 0.0;
-    for (const auto& [x, y] :
-         {std::pair(kAside, kAside), {-kAside, kAside}, {kAside, -kAside}, {-kAside, -kAside}}) {
-        aside = std::max(aside, meanAside(x, y).first);
+    for (const int x : {-kAside, kAside}) {
+        for (const int y : {-kAside, kAside}) {
+            aside = std::max(aside, changeAtBorders(*picture, *ids, x, y).mean);
+        }
     }
-    if (here > kLeastRatio * aside) return;
+    const bool proves = std::max(here.mean, aside) >= kLeastChange || isBlank(*picture);
+    if (!proves || here.mean > kLeastRatio * aside) return;
     findings.add({imageFile("rgb", images.frame()),
                   images.frame(),
                   {},
                   fmt::format("where objects meet in instance/{:06}.png colours change by {:.1f} "
                               "of 255, {} px beside by {:.1f}",
-                              images.frame(), here, kAside, aside),
+                              images.frame(), here.mean, kAside, aside),
                   "edges where the objects of this frame meet"});
 }
 

@@ -168,8 +168,12 @@ def yolo_names_counted_from_one(copy):
 
 
 @found_by("pictures")
-def picture_mirrored(copy):
-    copy.edit("rgb/000001.png", lambda image: np.ascontiguousarray(image[:, ::-1]))
+def pictures_one_too_late(copy):
+    earlier = copy.read("rgb/000000.png")
+    for name in sorted(path.name for path in (copy.folder / "rgb").iterdir())[1:]:
+        picture = copy.read(f"rgb/{name}")
+        copy.write(f"rgb/{name}", earlier)
+        earlier = picture
 
 
 @found_by("pictures")
