@@ -66,11 +66,12 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
         std::ranges::any_of(order.contents.modalities, [](const Modality* modality) {
             return std::string_view(modality->name).starts_with("flow_");
         });
-    for (const int distance : settings.flow_distances) {
-        if (!has_flow || distance == 1 || distance < std::ssize(order.contents.frames)) continue;
+    const int nearest =
+        settings.flow_distances.empty() ? 1 : *std::ranges::min_element(settings.flow_distances);
+    if (has_flow && nearest > 1 && nearest >= std::ssize(order.contents.frames)) {
         return fail(ErrorCode::Usage,
                     "no two of the " + std::to_string(order.contents.frames.size()) +
-                        " frames are " + std::to_string(distance) + " apart",
+                        " frames are " + std::to_string(nearest) + " apart",
                     "--flow-distances");
     }
     order.contents.flow_distances = settings.flow_distances;

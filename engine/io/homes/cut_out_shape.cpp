@@ -123,11 +123,12 @@ class PathReader {
             ry *= std::sqrt(off);
         }
         const double a = rx * rx * half.y() * half.y() + ry * ry * half.x() * half.x();
-        const double root = std::sqrt(std::max(0.0, (rx * rx * ry * ry - a) / a));
-        if (!(a > 0.0) || !std::isfinite(root)) {  // radii too small or too large to be drawn
+        if (!(a > 0.0) ||
+            !std::isfinite(rx * rx * ry * ry)) {  // too small or too large to be drawn
             to(end);
             return;
         }
+        const double root = std::sqrt(std::max(0.0, (rx * rx * ry * ry - a) / a));
         const double sign = large == sweep ? -1.0 : 1.0;
         const Vector2d middle = sign * root * Vector2d(rx * half.y() / ry, -ry * half.x() / rx);
         const Vector2d centre = rotation * middle + 0.5 * (at_ + end);
