@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kFewest = 200;  // border pixels to judge a picture by
 constexpr int kAside = 6;             // px
-// Sound pictures of furnished rooms have 2 and more, those of other frames most often 0 to 1.3.
-constexpr double kLeastRatio = 1.4;
-constexpr double kLeastChange = 4.0;  // of 255: what is fainter proves nothing
+// Sound pictures of furnished rooms have 2 and more, those of other frames most often 0 to 0.9.
+constexpr double kLeastRatio = 1.0;
+constexpr double kLeastChange = 8.0;  // of 255: what is fainter proves nothing
 
 /// How the colour changes along the whole border of two objects. Signed changes are summed, so that
 /// noise and patterns cancel out and what tells the two apart is left.
