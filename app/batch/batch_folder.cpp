@@ -34,6 +34,16 @@ bool isOurs(const std::string& list) {
     return json.is_object() && json.contains("format") && json["format"] == kFormat;
 }
 
+/// Nothing is in the folder but lists on their way: parts of one batch start at the same time.
+bool isFree(const fs::path& folder) {
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error);
+         !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        if (!entry->path().filename().string().starts_with(kList)) return false;
+    }
+    return !error;
+}
+
 }  // namespace
 
 Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
@@ -47,7 +57,7 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     const std::string wanted = textOf(list);
     const std::string found = io::readText(path).value_or("");
     if (found == wanted) return {};
-    if (!isOurs(found) && !fs::is_empty(folder, error)) {
+    if (!isOurs(found) && !(found.empty() && isFree(folder))) {
         // Another part of the batch may have marked it just now.
         if (io::readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,

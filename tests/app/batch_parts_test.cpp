@@ -1,9 +1,13 @@
+#include "app/batch/batch_folder.h"
 #include "app/batch/job.h"
 #include "app/batch/markup.h"
 #include "app/batch/scene_files.h"
+#include "engine/io/text_file.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -116,6 +120,40 @@ TEST(Shard, IsReadOrRefused) {
     for (const char* wrong : {"", "2", "8/8", "-1/8", "1/0", "1/8x", "a/8", "1/", "/8", "1 /8"}) {
         EXPECT_FALSE(parseShard(wrong)) << wrong;
     }
+}
+
+TEST(BatchFolder, PartsThatStartAtOnceAllClaimIt) {
+    const BatchList list{{}, {"captured_pct >= 90"}};
+    for (int round = 0; round < 100; ++round) {
+        const test::TempFolder folder;
+        std::vector<pid_t> parts;
+        for (int part = 0; part < 4; ++part) {
+            const pid_t child = ::fork();
+            if (child == 0) ::_exit(claimBatchFolder(folder.path(), list) ? 0 : 1);
+            parts.push_back(child);
+        }
+        for (const pid_t part : parts) {
+            int status = -1;
+            ASSERT_EQ(::waitpid(part, &status, 0), part);
+            EXPECT_EQ(status, 0) << "round " << round;
+        }
+        EXPECT_TRUE(readBatchList(folder.path()));
+    }
+}
+
+TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
+    const test::TempFolder folder;
+    (void)folder.write("jobs.json.tmp.123", "half of a li");  // of a part that was killed, say
+    EXPECT_TRUE(claimBatchFolder(folder.path(), {{}, {}}));
+    EXPECT_TRUE(claimBatchFolder(folder.path(), {{}, {"captured_pct >= 90"}}));
+
+    const test::TempFolder photos;
+    (void)photos.write("photo.png", "x");
+    EXPECT_FALSE(claimBatchFolder(photos.path(), {{}, {}}));
+    const test::TempFolder other;
+    (void)other.write("jobs.json", "[1, 2]");
+    EXPECT_FALSE(claimBatchFolder(other.path(), {{}, {}}));
+    EXPECT_EQ(io::readText(other.path() / "jobs.json").value_or(""), "[1, 2]");
 }
 
 TEST(Markup, KeepsNothingThatWouldBeReadAsMarkup) {
