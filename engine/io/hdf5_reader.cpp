@@ -5,6 +5,7 @@
 #include "engine/io/sandbox/input_file.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace dollytrack::io {
 namespace {
@@ -39,51 +40,49 @@ bool liesInFile(const Hdf5Functions& h5, hid_t file, hid_t dataset, const std::s
 }
 
 /// A file and one of its datasets, open while this lives.
-struct Opened {
+struct OpenDataset {
+    const Hdf5Functions& h5;
     Hdf5Lock lock;
     Hdf5Handle file;
-    Hdf5Handle dataset;
+    Hdf5Handle id;
 
-    Opened(const Hdf5Functions& h5, const std::filesystem::path& path, const std::string& name)
-        : file(openBytes(h5, path), h5.H5Fclose),
-          dataset(file >= 0 ? h5.H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1, h5.H5Dclose) {}
-
-    [[nodiscard]] Status check(const Hdf5Functions& h5, const std::filesystem::path& path,
-                               const std::string& name) const {
-        if (file < 0) {
-            return fail(ErrorCode::BadInput, "The file is missing or is no HDF5 file.",
-                        path.string());
-        }
-        if (dataset < 0) {
-            return fail(ErrorCode::BadInput, "There is no dataset named \"" + name + "\" in it.",
-                        path.string());
-        }
-        if (!liesInFile(h5, file, dataset, name)) {
-            return fail(ErrorCode::BadInput, "The dataset \"" + name + "\" lies in another file.",
-                        path.string());
-        }
-        return {};
-    }
+    OpenDataset(const Hdf5Functions& functions, const std::filesystem::path& path,
+                const std::string& name)
+        : h5(functions),
+          file(openBytes(h5, path), h5.H5Fclose),
+          id(file >= 0 ? h5.H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1, h5.H5Dclose) {}
 };
 
-tl::unexpected<Error> noLibrary(const std::filesystem::path& path) {
-    return fail(ErrorCode::Failed,
-                std::string("The library that reads HDF5 is not installed (") +
-                    DOLLYTRACK_HDF5_LIBRARY + ").",
-                path.string());
+Result<std::unique_ptr<const OpenDataset>> openDataset(const std::filesystem::path& path,
+                                                       const std::string& name) {
+    const Hdf5Functions* library = hdf5Functions();
+    if (library == nullptr) {
+        return fail(ErrorCode::Failed,
+                    std::string("The library that reads HDF5 is not installed (") +
+                        DOLLYTRACK_HDF5_LIBRARY + ").",
+                    path.string());
+    }
+    auto dataset = std::make_unique<const OpenDataset>(*library, path, name);
+    const auto refused = [&](const std::string& why) {
+        return fail(ErrorCode::BadInput, why, path.string());
+    };
+    if (dataset->file < 0) return refused("The file is missing or is no HDF5 file.");
+    if (dataset->id < 0) return refused("There is no dataset named \"" + name + "\" in it.");
+    if (!liesInFile(*library, dataset->file, dataset->id, name)) {
+        return refused("The dataset \"" + name + "\" lies in another file.");
+    }
+    return dataset;
 }
 
 }  // namespace
 
 Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std::string& name,
                                     std::uint64_t most) {
-    const Hdf5Functions* library = hdf5Functions();
-    if (library == nullptr) return noLibrary(path);
-    const Hdf5Functions& h5 = *library;
-    const Opened opened(h5, path, name);
-    if (Status status = opened.check(h5, path, name); !status)
-        return tl::unexpected(status.error());
-    const Hdf5Handle space(h5.H5Dget_space(opened.dataset), h5.H5Sclose);
+    const auto opened = openDataset(path, name);
+    if (!opened) return tl::unexpected(opened.error());
+    const OpenDataset& dataset = **opened;
+    const Hdf5Functions& h5 = dataset.h5;
+    const Hdf5Handle space(h5.H5Dget_space(dataset.id), h5.H5Sclose);
     const int rank = space >= 0 ? h5.H5Sget_simple_extent_ndims(space) : -1;
     if (rank < 1 || rank > 3) {
         return fail(ErrorCode::BadInput, "Its dataset is not a table of numbers.", path.string());
@@ -103,7 +102,7 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     }
     numbers.size.assign(size.begin(), size.end());
     numbers.values.resize(count);
-    if (count > 0 && h5.H5Dread(opened.dataset, h5.native_double, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+    if (count > 0 && h5.H5Dread(dataset.id, h5.native_double, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                 numbers.values.data()) < 0) {
         return fail(ErrorCode::BadInput, "Its dataset cannot be read as numbers.", path.string());
     }
@@ -112,14 +111,12 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
 
 Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::string& name) {
     constexpr std::size_t kMost = std::size_t{16} << 20U;
-    const Hdf5Functions* library = hdf5Functions();
-    if (library == nullptr) return noLibrary(path);
-    const Hdf5Functions& h5 = *library;
-    const Opened opened(h5, path, name);
-    if (Status status = opened.check(h5, path, name); !status)
-        return tl::unexpected(status.error());
-    const Hdf5Handle type(h5.H5Dget_type(opened.dataset), h5.H5Tclose);
-    const Hdf5Handle space(h5.H5Dget_space(opened.dataset), h5.H5Sclose);
+    const auto opened = openDataset(path, name);
+    if (!opened) return tl::unexpected(opened.error());
+    const OpenDataset& dataset = **opened;
+    const Hdf5Functions& h5 = dataset.h5;
+    const Hdf5Handle type(h5.H5Dget_type(dataset.id), h5.H5Tclose);
+    const Hdf5Handle space(h5.H5Dget_space(dataset.id), h5.H5Sclose);
     const bool text = type >= 0 && h5.H5Tget_class(type) == H5T_STRING &&
                       h5.H5Tis_variable_str(type) == 0 &&
                       h5.H5Sget_simple_extent_npoints(space) == 1;
@@ -129,7 +126,7 @@ Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::s
                     path.string());
     }
     std::string read(length, '\0');
-    if (h5.H5Dread(opened.dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
+    if (h5.H5Dread(dataset.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0) {
         return fail(ErrorCode::BadInput, "\"" + name + "\" cannot be read.", path.string());
     }
     read.resize(std::min(read.find('\0'), read.size()));

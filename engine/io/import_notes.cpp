@@ -13,42 +13,33 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 }
 
 void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
-    if (repairs.bad_numbers > 0) {
-        report.warnings.push_back(
-            counted(repairs.bad_numbers, "face with a corner that is no finite number was dropped",
-                    "faces with a corner that is no finite number were dropped"));
-    }
-    if (repairs.bad_indices > 0) {
-        report.warnings.push_back(counted(repairs.bad_indices,
-                                          "face that names a missing vertex was dropped",
-                                          "faces that name a missing vertex were dropped"));
-    }
-    if (repairs.no_area > 0) {
-        report.notes.push_back(counted(repairs.no_area, "face without area was dropped",
-                                       "faces without area were dropped"));
-    }
-    if (repairs.approximate > 0) {
-        report.warnings.push_back(counted(repairs.approximate,
-                                          "polygon crosses itself and was filled as a fan",
-                                          "polygons cross themselves and were filled as fans"));
-    }
-    if (repairs.lines > 0) {
-        report.notes.push_back(
-            counted(repairs.lines, "point or line was left out", "points and lines were left out"));
-    }
-    if (repairs.polygons > 0) {
-        report.notes.push_back(counted(repairs.polygons, "polygon was cut into triangles",
-                                       "polygons were cut into triangles"));
-    }
-    if (repairs.made_normals > 0) {
-        report.notes.push_back(counted(
-            repairs.made_normals, "mesh had no normals; they were made, smooth below 45 degrees",
-            "meshes had no normals; they were made, smooth below 45 degrees"));
-    }
-    if (repairs.mirrored > 0) {
-        report.notes.push_back(counted(repairs.mirrored,
-                                       "mesh is mirrored; its faces were turned back",
-                                       "meshes are mirrored; their faces were turned back"));
+    const struct {
+        std::size_t count;
+        std::vector<std::string>& told;
+        const char* one;
+        const char* many;
+    } lines[] = {
+        {repairs.bad_numbers, report.warnings,
+         "face with a corner that is no finite number was dropped",
+         "faces with a corner that is no finite number were dropped"},
+        {repairs.bad_indices, report.warnings, "face that names a missing vertex was dropped",
+         "faces that name a missing vertex were dropped"},
+        {repairs.no_area, report.notes, "face without area was dropped",
+         "faces without area were dropped"},
+        {repairs.approximate, report.warnings, "polygon crosses itself and was filled as a fan",
+         "polygons cross themselves and were filled as fans"},
+        {repairs.lines, report.notes, "point or line was left out",
+         "points and lines were left out"},
+        {repairs.polygons, report.notes, "polygon was cut into triangles",
+         "polygons were cut into triangles"},
+        {repairs.made_normals, report.notes,
+         "mesh had no normals; they were made, smooth below 45 degrees",
+         "meshes had no normals; they were made, smooth below 45 degrees"},
+        {repairs.mirrored, report.notes, "mesh is mirrored; its faces were turned back",
+         "meshes are mirrored; their faces were turned back"},
+    };
+    for (const auto& line : lines) {
+        if (line.count > 0) line.told.push_back(counted(line.count, line.one, line.many));
     }
 }
 

@@ -59,6 +59,7 @@ std::vector<double> storeysOf(const Scene& scene) {
     return storeys;
 }
 
+/// Spreads every input bit over all output bits (Steele, Lea and Flood 2014: SplitMix64's end).
 std::uint64_t mixed(std::uint64_t x) {
     x ^= x >> 30U;
     x *= 0xBF58476D1CE4E5B9U;

@@ -1,4 +1,5 @@
 #include "engine/io/scene_import.h"
+#include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -13,37 +14,16 @@
 namespace dollytrack {
 namespace {
 
+using test::furnished;
+using test::importedText;
 using test::ObjWriter;
+using test::says;
 using test::TempFolder;
-
-/// 5 x 4 x 2.6 m with four things in it.
-ObjWriter furnished() {
-    ObjWriter obj(1.0, false);
-    obj.room({5, 4, 2.6}, true);
-    obj.object("sofa").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
-    obj.object("chair").box({1.2, 1.6, 0.0}, {1.65, 2.05, 0.9});
-    obj.object("lamp").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
-    obj.object("coffee_table").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
-    return obj;
-}
-
-Scene imported(const std::string& text, const std::string& name = "room.obj") {
-    const TempFolder folder;
-    Result<Scene> scene = importScene(folder.write(name, text));
-    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
-    return scene ? std::move(*scene) : Scene{};
-}
 
 std::vector<std::string> namesOf(const Scene& scene) {
     std::vector<std::string> names;
     for (const Object& object : scene.objects) names.push_back(object.name);
     return names;
-}
-
-bool says(const std::vector<std::string>& notes, const std::string& part) {
-    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
-        return note.find(part) != std::string::npos;
-    });
 }
 
 /// Each face as `change` has it.
@@ -66,7 +46,7 @@ std::string turned(const std::string& face) {
 
 /// Nothing about the objects and the room is as it is but for the notes.
 void expectTheSameRoom(const Scene& scene) {
-    const Scene plain = imported(furnished().text());
+    const Scene plain = importedText(furnished().text());
     EXPECT_EQ(namesOf(scene), namesOf(plain));
     EXPECT_TRUE(scene.room_bounds.isApprox(plain.room_bounds, 1e-6));
     EXPECT_EQ(scene.report.up_axis, plain.report.up_axis);
@@ -79,14 +59,14 @@ void expectTheSameRoom(const Scene& scene) {
 }
 
 TEST(AwkwardHouse, AnOrdinaryRoomIsNotOdd) {
-    const Scene scene = imported(furnished().text());
+    const Scene scene = importedText(furnished().text());
     for (const char* words : {"storeys", "twice", "inside out", "mirror"}) {
         EXPECT_FALSE(says(scene.report.notes, words)) << words;
     }
 }
 
 TEST(AwkwardHouse, ThingsInsideOutAreSeenAllTheSame) {
-    const Scene scene = imported(withFaces(furnished().text(), turned));
+    const Scene scene = importedText(withFaces(furnished().text(), turned));
     expectTheSameRoom(scene);
     EXPECT_TRUE(says(scene.report.notes, "4 objects are inside out"));
 }
@@ -99,7 +79,7 @@ TEST(AwkwardHouse, WhatIsOpenIsNotInsideOut) {
     obj.quad({3.6, 3.6, 0.5}, {4.2, 3.6, 0.5}, {4.2, 3.6, 1.0}, {3.6, 3.6, 1.0});
     obj.quad({4.2, 3.6, 0.5}, {4.2, 3.2, 0.5}, {4.2, 3.2, 1.0}, {4.2, 3.6, 1.0});
     for (const std::string& text : {obj.text(), withFaces(obj.text(), turned)}) {
-        const Scene scene = imported(text);
+        const Scene scene = importedText(text);
         EXPECT_FALSE(says(scene.report.notes, "5 objects are inside out"));
         EXPECT_FALSE(says(scene.report.notes, "1 object is inside out"));
     }
@@ -119,7 +99,7 @@ std::string bothSides(const std::string& face) {
 }
 
 TEST(AwkwardHouse, FacesForBothSidesAreOneThing) {
-    const Scene scene = imported(withFaces(furnished().text(), bothSides));
+    const Scene scene = importedText(withFaces(furnished().text(), bothSides));
     expectTheSameRoom(scene);
     EXPECT_TRUE(says(scene.report.notes, "10 objects have each face twice"));
     EXPECT_FALSE(says(scene.report.notes, "inside out"));
@@ -131,7 +111,7 @@ TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("o ")) text += line + "\n";
     }
-    const Scene scene = imported(text);
+    const Scene scene = importedText(text);
     const auto targets =
         std::count_if(scene.objects.begin(), scene.objects.end(),
                       [](const Object& object) { return object.role == Role::Target; });
@@ -143,7 +123,7 @@ TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {
     ObjWriter obj = furnished();
     obj.object("ottoman").box({1.5, 3.2, 0.0}, {2.6, 3.9, 0.6});  // in the sofa
     obj.object("plant").box({2.5, 1.8, 0.1}, {2.7, 2.0, 1.1});    // through the table
-    const Scene scene = imported(obj.text());
+    const Scene scene = importedText(obj.text());
     EXPECT_EQ(scene.objects.size(), 12U);
     EXPECT_TRUE(scene.report.warnings.empty());
 }
@@ -152,7 +132,7 @@ TEST(AwkwardHouse, MirrorsAndWindowsAreNoHoles) {
     ObjWriter obj = furnished();
     obj.object("mirror").box({4.95, 1.0, 0.8}, {5.0, 2.0, 1.8});
     obj.object("window").box({2.0, 0.0, 0.9}, {3.0, 0.02, 2.1});
-    const Scene scene = imported(obj.text());
+    const Scene scene = importedText(obj.text());
     EXPECT_TRUE(says(scene.report.notes, "1 mirror is drawn as a plain surface"));
     const auto window = std::find_if(scene.objects.begin(), scene.objects.end(),
                                      [](const Object& object) { return object.name == "window"; });
@@ -168,7 +148,7 @@ TEST(AwkwardHouse, TexturesThatAreGoneAreNamed) {
     const Result<Scene> scene = importScene(folder.write("room.obj", "mtllib room.mtl\n" + text));
     ASSERT_TRUE(scene) << describe(scene.error());
     EXPECT_EQ(scene->report.textures_missing, std::vector<std::string>{"no_such_picture.png"});
-    EXPECT_EQ(namesOf(*scene), namesOf(imported(furnished().text())));
+    EXPECT_EQ(namesOf(*scene), namesOf(importedText(furnished().text())));
 }
 
 /// Two floors with four things on each, and stairs between them.
@@ -192,7 +172,7 @@ TEST(AwkwardHouse, StoreysAreCounted) {
         obj.object("lamp_" + where).box({0.3, 5.3, z}, {0.6, 5.6, z + 1.5});
         obj.object("chair_" + where).box({6.8, 2.2, z}, {7.25, 2.65, z + 0.9});
     }
-    const Scene scene = imported(obj.text());
+    const Scene scene = importedText(obj.text());
     EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
     EXPECT_NEAR(scene.room_bounds.max().z(), 5.55, 1e-3);
     EXPECT_TRUE(says(scene.report.notes, "2 storeys, their floors at 0.00, 2.85 m"));

@@ -1,5 +1,6 @@
 #include "engine/io/obj_numbers.h"
 #include "engine/io/scene_import.h"
+#include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -14,47 +15,22 @@
 namespace dollytrack {
 namespace {
 
+using test::countTargets;
+using test::furnished;
+using test::importedText;
 using test::ObjWriter;
+using test::says;
 using test::TempFolder;
-
-/// 5 x 4 x 2.6 m with four things in it.
-ObjWriter furnished(double units_per_metre = 1.0) {
-    ObjWriter obj(units_per_metre, false);
-    obj.room({5, 4, 2.6}, true);
-    obj.object("sofa").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
-    obj.object("chair").box({1.2, 1.6, 0.0}, {1.65, 2.05, 0.9});
-    obj.object("lamp").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
-    obj.object("coffee_table").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
-    return obj;
-}
-
-Scene imported(const ObjWriter& obj) {
-    const TempFolder folder;
-    Result<Scene> scene = importScene(folder.write("room.obj", obj.text()));
-    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
-    return scene ? std::move(*scene) : Scene{};
-}
-
-int countTargets(const Scene& scene) {
-    return static_cast<int>(std::count_if(scene.objects.begin(), scene.objects.end(),
-                                          [](const Object& o) { return o.role == Role::Target; }));
-}
-
-bool says(const std::vector<std::string>& notes, const std::string& part) {
-    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
-        return note.find(part) != std::string::npos;
-    });
-}
 
 TEST(AwkwardScene, UnitsThatNobodySaid) {
     for (const double units_per_metre : {1.0, 100.0, 1000.0, 1.0 / 0.0254}) {
-        const Scene scene = imported(furnished(units_per_metre));
+        const Scene scene = importedText(furnished(units_per_metre).text());
         EXPECT_NEAR(scene.report.unit_m, 1.0 / units_per_metre, 1e-9);
         EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
         EXPECT_TRUE(scene.report.warnings.empty());
     }
     // Made to be of size 1: no usual unit gives a room, and that is said.
-    EXPECT_TRUE(says(imported(furnished(0.2)).report.warnings, "unit is doubtful"));
+    EXPECT_TRUE(says(importedText(furnished(0.2).text()).report.warnings, "unit is doubtful"));
 }
 
 TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
@@ -67,7 +43,7 @@ TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
     // What only sounds like one stays: a column of books, a model of a ship.
     obj.object("books_col").box({4.0, 3.0, 0.0}, {4.3, 3.3, 0.4});
     obj.object("ship_hull").box({3.0, 3.2, 0.0}, {3.8, 3.5, 0.4});
-    const Scene scene = imported(obj);
+    const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 6);
     EXPECT_TRUE(says(scene.report.notes, "5 meshes are for physics and were left out: "));
 }
@@ -75,14 +51,14 @@ TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
 TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {
     ObjWriter obj(1.0, false);
     obj.object("UCX_crate").box({0, 0, 0}, {1, 1, 1});
-    EXPECT_EQ(imported(obj).objects.size(), 1U);
+    EXPECT_EQ(importedText(obj.text()).objects.size(), 1U);
 }
 
 TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     ObjWriter obj = furnished();
     obj.object("sofa_copy").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
     obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // alike, elsewhere
-    const Scene scene = imported(obj);
+    const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 5);
     EXPECT_TRUE(says(scene.report.notes, "1 mesh is there twice"));
 }
@@ -101,7 +77,7 @@ ObjWriter hall(const Eigen::Vector3d& size) {
 TEST(AwkwardScene, AHallIsNoRoomInFeet) {
     for (const Eigen::Vector3d& size :
          {Eigen::Vector3d(30, 20, 6), Eigen::Vector3d(40, 25, 8), Eigen::Vector3d(30, 20, 10)}) {
-        const Scene scene = imported(hall(size));
+        const Scene scene = importedText(hall(size).text());
         EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
         EXPECT_TRUE(says(scene.report.warnings, "hall in metres")) << size.transpose();
         EXPECT_EQ(countTargets(scene), 24);
@@ -110,10 +86,10 @@ TEST(AwkwardScene, AHallIsNoRoomInFeet) {
 
 /// What is in it tells feet from halls.
 TEST(AwkwardScene, ARoomInFeetIsKnownByItsFurniture) {
-    EXPECT_DOUBLE_EQ(imported(furnished(1.0 / 0.3048)).report.unit_m, 0.3048);
+    EXPECT_DOUBLE_EQ(importedText(furnished(1.0 / 0.3048).text()).report.unit_m, 0.3048);
     ObjWriter obj = hall({40, 25, 8});
     obj.object("chair").box({1.0, 1.0, 0.0}, {1.45, 1.45, 0.9});
-    EXPECT_DOUBLE_EQ(imported(obj).report.unit_m, 1.0);
+    EXPECT_DOUBLE_EQ(importedText(obj.text()).report.unit_m, 1.0);
 }
 
 /// The same text, its corners moved.
@@ -185,7 +161,7 @@ TEST(AwkwardScene, NamesOfFilesKeepTheirPoints) {
 
 /// A shell whose faces look away from the room: what is inside of it is the room all the same.
 TEST(AwkwardScene, AnInsideOutShellIsARoom) {
-    const Scene as_it_is = imported(furnished());
+    const Scene as_it_is = importedText(furnished().text());
     // Every face is wound the other way round.
     std::string turned;
     std::istringstream lines(furnished().text());
@@ -210,7 +186,7 @@ TEST(AwkwardScene, AnInsideOutShellIsARoom) {
 TEST(AwkwardScene, ADomeIsNoRoom) {
     ObjWriter obj = furnished();
     obj.object("dome").box({-100, -100, -100}, {100, 100, 100});
-    const Scene scene = imported(obj);
+    const Scene scene = importedText(obj.text());
     EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
     EXPECT_EQ(countTargets(scene), 4);
 }

@@ -2,6 +2,7 @@
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/scene_report.h"
+#include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -16,7 +17,11 @@
 namespace dollytrack {
 namespace {
 
+using test::countTargets;
+using test::find;
+using test::imported;
 using test::ObjWriter;
+using test::says;
 using test::TempFolder;
 
 /// A bedroom 4 x 3 x 2.6 m: bed at the west wall, table with a cup, picture on the north wall.
@@ -29,23 +34,6 @@ std::string bedroom(double units_per_metre, bool y_up) {
     obj.object("chair").box({2.5, 1.2, 0}, {2.95, 1.65, 0.9});
     obj.object("wall_picture").box({1.5, 2.97, 1.2}, {2.3, 2.99, 1.8});
     return obj.text();
-}
-
-const Object* find(const Scene& scene, const std::string& name) {
-    const auto at = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                 [&](const Object& object) { return object.name == name; });
-    return at == scene.objects.end() ? nullptr : &*at;
-}
-
-Scene imported(const std::filesystem::path& path, const ImportOptions& options = {}) {
-    Result<Scene> scene = importScene(path, options);
-    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
-    return scene ? std::move(*scene) : Scene{};
-}
-
-int countTargets(const Scene& scene) {
-    return static_cast<int>(std::count_if(scene.objects.begin(), scene.objects.end(),
-                                          [](const Object& o) { return o.role == Role::Target; }));
 }
 
 TEST(SceneImport, ReadsANamedRoom) {

@@ -66,4 +66,14 @@ ObjWriter& ObjWriter::room(const Vector3d& s, bool named) {
     return *this;
 }
 
+ObjWriter furnished(double units_per_metre) {
+    ObjWriter obj(units_per_metre, false);
+    obj.room({5, 4, 2.6}, true);
+    obj.object("sofa").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
+    obj.object("chair").box({1.2, 1.6, 0.0}, {1.65, 2.05, 0.9});
+    obj.object("lamp").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
+    obj.object("coffee_table").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
+    return obj;
+}
+
 }  // namespace dollytrack::test

@@ -34,4 +34,7 @@ class ObjWriter {
     std::ostringstream out_;
 };
 
+/// A room of 5 x 4 x 2.6 m, z up, with four things in it: sofa, chair, lamp, coffee_table.
+[[nodiscard]] ObjWriter furnished(double units_per_metre = 1.0);
+
 }  // namespace dollytrack::test

@@ -2,6 +2,7 @@
 #include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
+#include "tests/support/imported_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +13,10 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::find;
+using test::imported;
+using test::says;
 using test::TempFolder;
-
-Scene imported(const std::filesystem::path& path, const ImportOptions& options = {}) {
-    Result<Scene> scene = importScene(path, options);
-    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
-    return scene ? std::move(*scene) : Scene{};
-}
-
-const Object* find(const Scene& scene, const std::string& name) {
-    const auto at = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                 [&](const Object& object) { return object.name == name; });
-    return at == scene.objects.end() ? nullptr : &*at;
-}
 
 std::vector<Vector3d> pointsOf(const Scene& scene, const Object& object) {
     std::vector<Vector3d> points;
@@ -37,12 +29,6 @@ std::vector<Vector3d> pointsOf(const Scene& scene, const Object& object) {
 bool hasPoint(const std::vector<Vector3d>& points, const Vector3d& wanted) {
     return std::any_of(points.begin(), points.end(),
                        [&](const Vector3d& p) { return (p - wanted).norm() < 1e-4; });
-}
-
-bool says(const std::vector<std::string>& lines, const std::string& words) {
-    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-    });
 }
 
 // Worked out by hand: a quarter turn about the file's y takes (x, y, z) to (z, y, -x), and the

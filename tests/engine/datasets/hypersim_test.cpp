@@ -2,6 +2,7 @@
 #include "engine/io/hdf5_writer.h"
 #include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
+#include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -14,6 +15,8 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::find;
+using test::says;
 using test::TempFolder;
 
 constexpr double kInch_m = 0.0254;
@@ -61,18 +64,6 @@ void writeDetail(const TempFolder& folder, float box_width_m = 2.0F) {
                  std::vector<float>({1, 0, 0, 0, 1, 0,  0, 0, 1, 1, 0, 0, 0, 1,
                                      0, 0, 0, 1, 0, -1, 0, 1, 0, 0, 0, 0, 1}),
                  {3, 3, 3});
-}
-
-const Object* find(const Scene& scene, const std::string& name) {
-    const auto at = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                 [&](const Object& object) { return object.name == name; });
-    return at == scene.objects.end() ? nullptr : &*at;
-}
-
-bool says(const std::vector<std::string>& lines, const std::string& words) {
-    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-    });
 }
 
 void expectLabelled(const Scene& scene) {

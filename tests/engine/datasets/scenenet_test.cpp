@@ -2,6 +2,7 @@
 #include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
+#include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::find;
+using test::imported;
 using test::TempFolder;
 
 /// A model 0.8 high whose middle is (5, 0.2, -3): 0.4 wide in x, 0.2 in z.
@@ -25,18 +28,6 @@ std::string layout() {
     obj.object("Mesh1").box({0, 0, 2.4}, {5, 0.1, 2.5});
     obj.object("radiator").box({0, 1, 0.1}, {0.1, 2, 0.7});
     return obj.text();
-}
-
-Scene imported(const std::filesystem::path& path, const ImportOptions& options = {}) {
-    Result<Scene> scene = importScene(path, options);
-    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
-    return scene ? std::move(*scene) : Scene{};
-}
-
-const Object* find(const Scene& scene, const std::string& name) {
-    const auto at = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                 [&](const Object& object) { return object.name == name; });
-    return at == scene.objects.end() ? nullptr : &*at;
 }
 
 // Scaled to 1.6 m, twice; the generator's origin is a tenth of the height above the base, so the
