@@ -40,7 +40,7 @@ void Editor::askForFile(const std::string& id) {
     } else if (id == "annotations") {
         const std::filesystem::path beside = io::annotationFileOf(workspace_.sceneFile());
         request.purpose = ui::FileRequest::Purpose::Save;
-        request.title = "Write what is edited, for everyone who opens the scene";
+        request.title = "Write the annotations beside the scene, for everyone who opens it";
         request.accept = "Write";
         request.extension = ".json";
         request.filters = {{"Annotations", {".json"}}};
@@ -83,7 +83,9 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
     } else if (answer.id == "annotations") {
         const io::ProjectFile project = workspace_.snapshot(false);
         Status written = io::writeAnnotations(answer.path, project.import, project.edits);
-        if (!written) {
+        if (written) {
+            log::info("editor", "wrote the annotations to " + answer.path.string());
+        } else {
             questions_.tell({true, "Cannot write the annotations", describe(written.error()), {}});
         }
     } else if (answer.id == "preview.png") {

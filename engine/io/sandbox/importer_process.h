@@ -25,8 +25,8 @@ struct HandBack {
 [[nodiscard]] std::filesystem::path importerProgram();
 
 /// Reads a scene file in a process of its own, which can open what lies beneath the scene's folder
-/// and `more_inputs` (folders or files), and waits for it. It gets 10 seconds, and two more for
-/// each MiB of the files it opens, times the `work` of the scene's format, 15 minutes at most.
+/// and `more_inputs` (folders or files), and waits for it. It gets the time of a
+/// ReadingClock with the `work` of the scene's format.
 /// Cancelling kills it. Errors: BadInput when it crashes, takes too long or ends with nothing;
 /// Cancelled; Failed when there is no importer or it cannot be started.
 [[nodiscard]] Result<HandBack> runImporterProcess(

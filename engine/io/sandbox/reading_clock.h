@@ -7,32 +7,49 @@
 namespace dollytrack::io {
 
 /// How long a reading may take: a damaged file shall be given up soon, and a large sound one on a
-/// slow machine be waited for.
+/// slow machine be waited for. The importer's own start is no fault of the file and has a time of
+/// its own, which ends with the first file that is opened.
 class ReadingClock {
   public:
     using Seconds = std::chrono::duration<double>;
 
-    static constexpr Seconds kLeast{10.0};
+    static constexpr Seconds kStart{10.0};
+    static constexpr Seconds kLeast{2.0};
+    static constexpr Seconds kFirstMebibyte{10.0};
+    static constexpr Seconds kFurtherMebibyte{2.0};
     static constexpr Seconds kMost{900.0};
-    static constexpr Seconds kForMebibyte{2.0};
 
     /// `work` is that of the scene's format.
     explicit ReadingClock(double work = 1.0) : work_(work) {}
 
-    void opened(std::uint64_t bytes) { bytes_ += static_cast<double>(bytes); }
+    void opened(std::uint64_t bytes) {
+        if (!reads_) {
+            reads_ = true;
+            begin_ = Clock::now();
+            waited_before_ = waited_;
+        }
+        mebibytes_ += static_cast<double>(bytes) / 1048576.0;
+    }
     [[nodiscard]] Seconds allowed() const {
-        return std::min(kMost, work_ * (kLeast + kForMebibyte * (bytes_ / 1048576.0)));
+        if (!reads_) return kStart;
+        const double first = std::min(mebibytes_, 1.0);
+        return std::min(kMost, work_ * (kLeast + first * kFirstMebibyte +
+                                        (mebibytes_ - first) * kFurtherMebibyte));
     }
     /// For so long in all others had the processors: a busy machine is no fault of the file.
     void waited(Seconds sum) { waited_ = std::max(waited_, sum); }
-    [[nodiscard]] Seconds left() const { return allowed() + waited_ - (Clock::now() - begin_); }
+    [[nodiscard]] Seconds left() const {
+        return allowed() + waited_ - waited_before_ - (Clock::now() - begin_);
+    }
 
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin_ = Clock::now();
     double work_;
-    double bytes_ = 0.0;
+    double mebibytes_ = 0.0;
+    bool reads_ = false;
     Seconds waited_{0.0};
+    Seconds waited_before_{0.0};
 };
 
 }  // namespace dollytrack::io

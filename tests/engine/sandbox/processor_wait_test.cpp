@@ -97,9 +97,29 @@ TEST(ReadingClock, StandsStillWhileOthersHaveTheProcessors) {
     const Seconds before = clock.left();
     clock.waited(Seconds{1000.0});
     EXPECT_GT(clock.left(), before + Seconds{999.0});
-    EXPECT_EQ(clock.allowed(), ReadingClock::kLeast);
-    clock.opened(3U << 20U);
-    EXPECT_EQ(clock.allowed(), ReadingClock::kLeast + 3.0 * ReadingClock::kForMebibyte);
+    EXPECT_EQ(clock.allowed(), ReadingClock::kStart);
+}
+
+TEST(ReadingClock, GivesALargeFileMoreTime) {
+    ReadingClock clock;
+    clock.opened(0);
+    EXPECT_DOUBLE_EQ(clock.allowed().count(), 2.0);
+    clock.opened(1U << 19U);
+    EXPECT_DOUBLE_EQ(clock.allowed().count(), 7.0);
+    clock.opened(5U << 19U);
+    EXPECT_DOUBLE_EQ(clock.allowed().count(), 2.0 + 10.0 + 2.0 * 2.0);
+    clock.opened(std::uint64_t{1} << 50U);
+    EXPECT_DOUBLE_EQ(clock.allowed().count(), 900.0);
+}
+
+TEST(ReadingClock, CountsFromTheFirstFile) {
+    ReadingClock clock;
+    clock.waited(ReadingClock::Seconds(100.0));
+    EXPECT_GT(clock.left().count(), 105.0);
+    clock.opened(0);
+    EXPECT_LE(clock.left().count(), 2.0);
+    clock.waited(ReadingClock::Seconds(101.0));
+    EXPECT_GT(clock.left().count(), 2.0);
 }
 
 }  // namespace
