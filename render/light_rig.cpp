@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's height around itself
 constexpr double kBelowCeiling = 0.25;
+constexpr int kNyuLamp = 35;
 
 /// Under the ceiling that is really there: boxes of rooms include beams and the roof.
 double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double x, double y) {
@@ -19,6 +20,23 @@ double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double
     const double ceiling =
         up.object_id != 0 ? start + up.distance : std::min(room.max().z(), room.min().z() + 3.0);
     return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
+}
+
+/// Where a lamp of the scene hangs near the place, else the place itself.
+Eigen::Vector2d hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
+                         const Eigen::Vector2d& place) {
+    Eigen::Vector2d nearest = place;
+    double distance = kLampSpacing / 3.0;
+    for (const Object& object : scene.objects) {
+        const Eigen::Vector3d& center = object.box.center;
+        if (object.nyu40 != kNyuLamp || !room.contains(center)) continue;
+        if (center.z() < room.center().z()) continue;  // stands on something
+        const double away = (center.head<2>() - place).norm();
+        if (away >= distance) continue;
+        distance = away;
+        nearest = center.head<2>();
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -54,9 +72,11 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
         for (int i = 0; i < across; ++i) {
             for (int j = 0; j < along; ++j) {
                 Lamp lamp;
-                const double x = room.min().x() + (i + 0.5) / across * size.x();
-                const double y = room.min().y() + (j + 0.5) / along * size.y();
-                lamp.position = {x, y, lampHeight(rays, room, x, y)};
+                const Eigen::Vector2d at =
+                    hungNear(scene, room,
+                             {room.min().x() + (i + 0.5) / across * size.x(),
+                              room.min().y() + (j + 0.5) / along * size.y()});
+                lamp.position = {at.x(), at.y(), lampHeight(rays, room, at.x(), at.y())};
                 lamp.radius_m = std::clamp(0.12 * std::min(size.x(), size.y()), 0.15, 0.6);
                 rig.lamps.push_back(lamp);
             }

@@ -49,8 +49,9 @@ struct LightRig {
 /// are closed by windows that hide the outside, or have no outside at all.
 [[nodiscard]] bool sendsDaylight(const Object& object);
 
-/// One lamp under the middle of each room's ceiling, more in large rooms. `rooms` are the boxes of
-/// the rooms; when it is empty the scene's room_bounds is the one room.
+/// One lamp under the middle of each room's ceiling, more in large rooms; where a lamp of the scene
+/// hangs near such a place, under that. `rooms` are the boxes of the rooms; when it is empty the
+/// scene's room_bounds is the one room.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                                     std::span<const Eigen::AlignedBox3d> rooms = {});
 

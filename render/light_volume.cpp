@@ -42,6 +42,9 @@ Eigen::Vector3f meanTexel(const Texture& texture) {
                       : Eigen::Vector3f((sum / static_cast<double>(taken)).cast<float>());
 }
 
+/// Thin things at a window, in cells half outside, would have black sides.
+constexpr float kSteepest = 0.75F;
+
 class Baker {
   public:
     Baker(const Scene& scene, const RayCaster& rays, const LightRig& rig,
@@ -50,10 +53,13 @@ class Baker {
         placeGrid();
         const std::size_t count = cellCount();
         volume_.ambient.assign(count, Eigen::Vector3f::Zero());
+        volume_.slope.assign(count, Eigen::Vector3f::Zero());
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
         volume_.lamp_color = rig.lamp_color;
         bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
         in_air_.assign(count, 1);
+        turns_.resize(count);
+        makeSpiral();
         for (const Material& material : scene.materials) {
             Eigen::Vector3f albedo = material.base_color;
             const bool textured =
@@ -76,8 +82,9 @@ class Baker {
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
             closeHoles(volume_.ambient);
+            closeHoles(volume_.slope);
         }
-        volume_.ambient = smoothed(volume_.ambient);
+        smoothAmbient();
         expose();
         return std::move(volume_);
     }
@@ -120,19 +127,16 @@ class Baker {
         Random random(17, i);
         const Eigen::Vector3d from = center(i);
         volume_.lamps[i] = lampsAt(from, random);
-        const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
-        const int count = params_.rays_per_cell;
-        int escaped = 0;
-        int stuck = 0;
-        for (int k = 0; k < count; ++k) {
-            // A spiral over the sphere, turned by chance from cell to cell.
-            const double z = 1.0 - 2.0 * (k + 0.5) / count;
-            const double ring = std::sqrt(1.0 - z * z);
-            const double angle = turn + k * 2.399963229728653;
-            const Eigen::Vector3d way(ring * std::cos(angle), ring * std::sin(angle), z);
-            Bounce& bounce =
-                bounces_[i * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)];
-            bounce = follow(from, way);
+        turns_[i] =
+            Eigen::AngleAxisf(static_cast<float>(random.uniform(0.0, 2.0 * std::numbers::pi)),
+                              Eigen::Vector3f::UnitZ())
+                .toRotationMatrix();
+        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        std::size_t escaped = 0;
+        std::size_t stuck = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            Bounce& bounce = bounces_[i * count + k];
+            bounce = follow(from, (turns_[i] * spiral_[k]).cast<double>().normalized());
             escaped += bounce.distance == 0.0F ? 1 : 0;
             stuck += bounce.distance > 0.0F && bounce.distance < volume_.cell_m ? 1 : 0;
         }
@@ -143,17 +147,19 @@ class Baker {
     }
 
     [[nodiscard]] Eigen::Vector3f lampsAt(const Eigen::Vector3d& from, Random& random) const {
-        std::vector<std::pair<double, const Lamp*>> near;
+        std::vector<std::pair<double, const Lamp*>> near;  // by what they would give unshaded
         for (const Lamp& lamp : rig_.lamps) {
-            const double distance = (lamp.position - from).norm();
-            if (distance < kReach) near.emplace_back(distance, &lamp);
+            const Eigen::Vector3d way = lamp.position - from;
+            const double squared = way.squaredNorm() + lamp.radius_m * lamp.radius_m;
+            if (way.z() <= 0.0 || squared > kReach * kReach) continue;
+            near.emplace_back(lamp.intensity * way.z() / (squared * std::sqrt(squared)), &lamp);
         }
         std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
-            return a.first != b.first ? a.first < b.first : a.second < b.second;
+            return a.first != b.first ? a.first > b.first : a.second < b.second;
         });
         if (near.size() > kNearestLamps) near.resize(kNearestLamps);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const auto& [distance, lamp] : near) {
+        for (const auto& [unshaded, lamp] : near) {
             const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
             for (int k = 0; k < kShadowRays; ++k) {
                 const double angle = turn + k * 2.0 * std::numbers::pi / kShadowRays;
@@ -161,15 +167,13 @@ class Baker {
                 const Eigen::Vector3d at =
                     lamp->position + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0);
                 const Eigen::Vector3d way = at - from;
-                const double squared = way.squaredNorm();
-                const double down = way.z() / std::sqrt(squared);
-                // The shade of a real lamp hanging where ours is must not darken the room.
-                const double free = std::max(0.0, 1.0 - kLampShade / std::sqrt(squared));
+                const double distance = way.norm();
+                const double down = way.z() / distance;
+                const double free = std::max(0.0, 1.0 - kLampShade / distance);
                 if (down <= 0.0 || !rays_.sees(from, from + free * way)) continue;
-                const double area = lamp->radius_m * lamp->radius_m;
-                // A little light leaves sideways, as from a shade.
-                const double strength = lamp->intensity * (0.25 + 0.75 * down) / (squared + area);
-                sum += way * (strength / std::sqrt(squared) / kShadowRays);
+                const double strength =
+                    lamp->radiance() * lamp->area() * down / (distance * distance);
+                sum += way * (strength / distance / kShadowRays);
             }
         }
         return sum.cast<float>();
@@ -202,21 +206,59 @@ class Baker {
 
     void bounce() {
         std::vector<Eigen::Vector3f> next(cellCount());
+        std::vector<Eigen::Vector3f> slope(cellCount(), Eigen::Vector3f::Zero());
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                Eigen::Vector3f aside = Eigen::Vector3f::Zero();
                 for (std::size_t k = 0; k < count; ++k) {
                     const Bounce& ray = bounces_[i * count + k];
                     const float lamp = std::max(0.0F, ray.normal.dot(volume_.lamps[ray.cell]));
+                    const float facing = 1.0F + volume_.slope[ray.cell].dot(ray.normal);
                     const Eigen::Vector3f falls =
-                        volume_.ambient[ray.cell] + rig_.lamp_color * lamp;
-                    sum += ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
+                        volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lamp_color * lamp;
+                    const Eigen::Vector3f light = ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
+                    sum += light;
+                    aside += light.mean() * spiral_[k];
                 }
                 next[i] = sum * (kPi / static_cast<float>(count));
+                // Of radiance l0 + l1 . way, pi * l0 + 2/3 pi * l1 . n falls on a surface; l1 is
+                // three times the mean of radiance * way.
+                if (sum.mean() > 0.0F) slope[i] = turns_[i] * aside * (2.0F / sum.mean());
             }
         });
         volume_.ambient = std::move(next);
+        volume_.slope = std::move(slope);
+    }
+
+    /// Evenly over the sphere. Each cell turns it by chance, lest all miss the same thing.
+    void makeSpiral() {
+        const int count = params_.rays_per_cell;
+        for (int k = 0; k < count; ++k) {
+            const double z = 1.0 - 2.0 * (k + 0.5) / count;
+            const double ring = std::sqrt(1.0 - z * z);
+            const double angle = k * 2.399963229728653;
+            spiral_.push_back(
+                Eigen::Vector3d(ring * std::cos(angle), ring * std::sin(angle), z).cast<float>());
+        }
+    }
+
+    void smoothAmbient() {
+        std::vector<Eigen::Vector3f> aside(cellCount());
+        for (std::size_t i = 0; i < aside.size(); ++i) {
+            aside[i] = volume_.slope[i] * volume_.ambient[i].mean();
+        }
+        volume_.ambient = smoothed(volume_.ambient);
+        aside = smoothed(aside);
+        for (std::size_t i = 0; i < aside.size(); ++i) {
+            const float mean = volume_.ambient[i].mean();
+            volume_.slope[i].setZero();
+            if (mean <= 0.0F) continue;
+            volume_.slope[i] = aside[i] / mean;
+            const float length = volume_.slope[i].norm();
+            if (length > kSteepest) volume_.slope[i] *= kSteepest / length;
+        }
     }
 
     /// Calls add(j, steps) for the 27 cells around i, itself included.
@@ -332,7 +374,9 @@ class Baker {
     const LightVolumeParams& params_;
     LightVolume volume_;
     std::vector<Bounce> bounces_;
-    std::vector<char> in_air_;  // by cell
+    std::vector<char> in_air_;             // by cell
+    std::vector<Eigen::Vector3f> spiral_;  // the ways of a cell's rays, before they are turned
+    std::vector<Eigen::Matrix3f> turns_;   // of each cell's spiral, about z
     std::vector<Eigen::Vector3f> albedo_;
 };
 

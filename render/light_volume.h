@@ -17,17 +17,20 @@ struct LightVolumeParams {
     double cell_m = 0.12;    // wanted; grows where the scene would need more than max_cells
     int max_cells = 60'000;  // bounds time and memory
     int rays_per_cell = 32;
-    int bounces = 3;
+    int bounces = 12;  // cheap; white rooms still gain by the tenth
 };
 
 /// Light in the air of a scene on a regular grid, x fastest: what the lamps send, with soft
-/// shadows, and what surfaces, windows and emitting things send from all around.
+/// shadows, and what surfaces, windows and emitting things send from all around, in spherical
+/// harmonics of order 1 (Ramamoorthi & Hanrahan 2001): in colour the mean, its slope in brightness.
 struct LightVolume {
     Eigen::Vector3d low = Eigen::Vector3d::Zero();  // corner of the grid; cell centres are inside
     double cell_m = 0.12;
     std::array<int, 3> cells = {0, 0, 0};
     std::vector<Eigen::Vector3f> ambient;  // irradiance from all around, linear RGB
-    std::vector<Eigen::Vector3f> lamps;    // irradiance vector: sum of strength * direction to it
+    /// How that changes with the direction a surface faces: ambient * (1 + slope . normal).
+    std::vector<Eigen::Vector3f> slope;
+    std::vector<Eigen::Vector3f> lamps;  // irradiance vector: sum of strength * direction to it
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // sky and emission, to this share of the rig's; see balanced()
     float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <numbers>
 
 namespace dollytrack::render {
 namespace {
@@ -44,6 +45,7 @@ struct SceneRenderer::Impl {
     GpuScene scene;
     LightVolume light;  // without its cells
     gl::Texture ambient;
+    gl::Texture slope;
     gl::Texture lamps;
     gl::VertexArray no_vertices;
     gl::Program surface;
@@ -61,9 +63,14 @@ struct SceneRenderer::Impl {
 
     void setLight(const LightVolume& new_light) {
         ambient = uploadVolume(new_light, new_light.ambient);
+        slope = uploadVolume(new_light, new_light.slope.empty()
+                                            ? std::vector<Eigen::Vector3f>(new_light.ambient.size(),
+                                                                           Eigen::Vector3f::Zero())
+                                            : new_light.slope);
         lamps = uploadVolume(new_light, new_light.lamps);
         light = new_light;
         light.ambient.clear();
+        light.slope.clear();
         light.lamps.clear();
     }
 
@@ -182,9 +189,11 @@ struct SceneRenderer::Impl {
         if (view.backdrop) backdrop << *view.backdrop, 1.0F;
         glProgramUniform4fv(name, 8, 1, backdrop.data());
         glProgramUniform1i(name, 9, view.orthographic ? 1 : 0);
+        glProgramUniform1f(name, 10, std::numbers::pi_v<float> * light.exposure * light.dimmed);
         glBindTextureUnit(0, target.color_.get());
         glBindTextureUnit(4, ambient.get());
         glBindTextureUnit(5, lamps.get());
+        glBindTextureUnit(6, slope.get());
         drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
         glBindTextureUnit(0, target.lit_.get());
         drawPicture(target.picture_frame_, target.width(), target.height(), edges);

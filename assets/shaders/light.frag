@@ -12,6 +12,7 @@ layout(location = 6) uniform float exposure;
 layout(location = 7) uniform vec3 lamp_color;
 layout(location = 8) uniform vec4 backdrop;      // rgb where nothing is hit; a > 0: a plain colour
 layout(location = 9) uniform int orthographic;
+layout(location = 10) uniform float glow;        // of emission, for one unit
 
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
@@ -19,6 +20,7 @@ layout(binding = 2) uniform sampler2D surface;
 layout(binding = 3) uniform sampler2D occlusion;
 layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
 layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps
+layout(binding = 6) uniform sampler3D slope_volume;    // of the ambient light, see light_volume.h
 
 layout(location = 0) out vec4 out_rgb;
 
@@ -55,13 +57,14 @@ void main() {
 
     vec3 p = camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
     vec3 at = (p + n * lift_m - volume_low) * volume_scale;
-    vec3 ambient = texture(ambient_volume, at).rgb;
+    vec3 around = texture(ambient_volume, at).rgb;
+    vec3 slope = texture(slope_volume, at).xyz;
     vec3 lamp = texture(lamp_volume, at).xyz;
 
     float lamp_strength = length(lamp);
     vec3 to_lamp = lamp_strength > 0.0 ? lamp / lamp_strength : n;
-    // Lamps are large: light wraps a little beyond the terminator.
-    float facing_lamp = max(0.0, (dot(n, to_lamp) + 0.15) / 1.15);
+    float facing_lamp = max(0.0, dot(n, to_lamp));
+    vec3 ambient = around * max(0.05, 1.0 + dot(slope, n));
 
     // The occlusion of a quarter of the pixels, brought up without crossing depth edges.
     vec2 size = vec2(textureSize(surface, 0));
@@ -82,8 +85,10 @@ void main() {
     float r2 = max(roughness * roughness, 0.02);
     float power = 2.0 / (r2 * r2);
     float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
-    vec3 shiny = fresnel * (ambient * open + lamp_color * (lamp_strength * shine *
+    // Radiance has half as much again of the irradiance's slope.
+    vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
+    vec3 shiny = fresnel * (room * open + lamp_color * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
 
-    out_rgb = vec4(encode(toneCurve(exposure * (lit + shiny) + albedo * emission)), 1.0);
+    out_rgb = vec4(encode(toneCurve(exposure * (lit + shiny) + glow * emission * albedo)), 1.0);
 }

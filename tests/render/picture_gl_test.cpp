@@ -1,5 +1,6 @@
 #include "render/overlays/overlay_painter.h"
 #include "render/overview.h"
+#include "render/pathtrace/path_tracer.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 
@@ -82,6 +83,35 @@ TEST_F(PictureGl, LooksLikeTheGoldenImage) {
     cv::Mat darker;
     expected.convertTo(darker, -1, 0.98);
     EXPECT_GT(compare(darker, expected).mean, 0.5);
+}
+
+// What is drawn is what light would do, but for what a coarse grid of light cannot hold.
+TEST_F(PictureGl, DrawnAndPathTracedPicturesAgree) {
+    const Scene scene = furnishedRoom();
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    const LightVolume light = bakeLightVolume(scene, rays, rig);
+    CameraParams camera = goldenCamera();
+    camera.width_px = 96;
+    camera.height_px = 72;
+    auto renderer = OffscreenRenderer::create(std::move(context_), scene, light, camera.width_px,
+                                              camera.height_px);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    const View view = makeView(camera, lookAt({0.4, 0.3, 1.8}, {3.1, 2.0, 0.7}));
+    const auto drawn = renderer->render(view);
+    ASSERT_TRUE(drawn);
+    PathTracerParams params;
+    params.exposure = light.exposure;
+    const PathTracer tracer(scene, rays, balanced(rig, light), params);
+    RadianceImage image;
+    ASSERT_TRUE(tracer.add(view, 32, image));
+    FrameRecord traced = *drawn;
+    traced.rgb = developed(image, light.exposure);
+    const Difference difference = compare(asMat(*drawn), asMat(traced));
+    EXPECT_LT(difference.mean, 12.0);
+    // The measure is not so lax that other light would pass.
+    traced.rgb = developed(image, 1.3F * light.exposure);
+    EXPECT_GT(compare(asMat(*drawn), asMat(traced)).mean, 12.0);
 }
 
 // Glass shows what is behind it and is itself in the labels.

@@ -1,0 +1,143 @@
+#include "render/light_volume.h"
+
+#include "engine/core/random.h"
+#include "render/pathtrace/path_tracer.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+using dollytrack::test::furnishedRoom;
+using dollytrack::test::SceneBuilder;
+
+constexpr double kPi = std::numbers::pi;
+
+std::size_t cellAt(const LightVolume& volume, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d at = (point - volume.low) / volume.cell_m;
+    return volume.index(static_cast<int>(at.x()), static_cast<int>(at.y()),
+                        static_cast<int>(at.z()));
+}
+
+Eigen::Vector3d centerOf(const LightVolume& volume, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d at = (point - volume.low) / volume.cell_m;
+    return volume.low + (at.array().floor() + 0.5).matrix() * volume.cell_m;
+}
+
+/// Irradiance vector of a lamp that nothing hides, summed over its area.
+Eigen::Vector3d lampVector(const Lamp& lamp, const Eigen::Vector3d& at) {
+    constexpr int kSteps = 100;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < kSteps; ++i) {
+        for (int j = 0; j < kSteps; ++j) {
+            const double r = lamp.radius_m * std::sqrt((i + 0.5) / kSteps);
+            const double angle = 2.0 * kPi * j / kSteps;
+            const Eigen::Vector3d way =
+                lamp.position + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0) - at;
+            const double distance = way.norm();
+            sum += way / distance *
+                   (lamp.radiance() * lamp.area() / (kSteps * kSteps) * (way.z() / distance) /
+                    (distance * distance));
+        }
+    }
+    return sum;
+}
+
+TEST(LightVolume, LampsSendWhatTheirAreaSends) {
+    SceneBuilder builder;
+    builder.object("floor", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
+        .quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0});
+    Scene scene = builder.build();
+    scene.room_bounds.extend(Eigen::Vector3d(0, 0, 2.6));
+    const RayCaster rays(scene);
+    LightRig rig;
+    rig.lamps.push_back({{0.1, -0.2, 2.4}, 0.3, 2.0});
+    const LightVolume volume = bakeLightVolume(scene, rays, rig);
+    for (const Eigen::Vector3d& point :
+         {Eigen::Vector3d(0.1, -0.2, 0.4), Eigen::Vector3d(1, 0.5, 0.8),
+          Eigen::Vector3d(-1.4, 1, 1.2), Eigen::Vector3d(0.4, 0.3, 1.4)}) {
+        const Eigen::Vector3d expected = lampVector(rig.lamps.front(), centerOf(volume, point));
+        const Eigen::Vector3d found = volume.lamps[cellAt(volume, point)].cast<double>();
+        EXPECT_LT((found - expected).norm(), 0.05 * expected.norm())
+            << point.transpose() << ": " << found.transpose() << " and " << expected.transpose();
+    }
+}
+
+/// What falls on a surface from all but the lamps, by path tracing. Lamps are not seen by cameras,
+/// so the mean of what a camera sees is what all surfaces send.
+double irradianceByPaths(const PathTracer& tracer, const Eigen::Vector3d& at,
+                         const Eigen::Vector3d& normal) {
+    constexpr int kPaths = 1500;
+    Random random(11);
+    double sum = 0.0;
+    const Eigen::Vector3d x = normal.unitOrthogonal();
+    const Eigen::Vector3d y = normal.cross(x);
+    for (std::uint32_t k = 0; k < kPaths; ++k) {
+        const double r = std::sqrt(random.uniform());
+        const double angle = random.uniform(0.0, 2.0 * kPi);
+        const Eigen::Vector3d way =
+            r * std::cos(angle) * x + r * std::sin(angle) * y + std::sqrt(1.0 - r * r) * normal;
+        sum += tracer.radiance(at, way, 3, k).mean();
+    }
+    return kPi * sum / kPaths;
+}
+
+TEST(LightVolume, BouncedLightIsThatOfThePathTracerFromEachSide) {
+    Scene scene = furnishedRoom();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    const LightVolume volume = bakeLightVolume(scene, rays, rig);
+    const PathTracer tracer(scene, rays, balanced(rig, volume));
+    double error = 0.0;
+    double error_without_slope = 0.0;
+    double sum = 0.0;
+    for (const Eigen::Vector3d& point :
+         {Eigen::Vector3d(2.0, 1.5, 1.3), Eigen::Vector3d(1.4, 0.4, 0.5),
+          Eigen::Vector3d(3.6, 2.6, 1.9), Eigen::Vector3d(1.6, 2.4, 2.3)}) {
+        const Eigen::Vector3d at = centerOf(volume, point);
+        const std::size_t cell = cellAt(volume, point);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double side : {1.0, -1.0}) {
+                const Eigen::Vector3d normal = side * Eigen::Vector3d::Unit(axis);
+                const double expected = irradianceByPaths(tracer, at, normal);
+                const double all = volume.ambient[cell].mean();
+                const double facing = 1.0 + volume.slope[cell].cast<double>().dot(normal);
+                error += std::abs(all * facing - expected);
+                error_without_slope += std::abs(all - expected);
+                sum += expected;
+            }
+        }
+    }
+    EXPECT_LT(error / sum, 0.08);
+    EXPECT_GT(error_without_slope, 1.5 * error);
+}
+
+TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {3, 3, 2.6});
+    builder.object("pendant", {35, Role::Target, {0.8F, 0.8F, 0.8F}})
+        .box({1.9, 1.2, 2.1}, {0.3, 0.3, 0.2});
+    builder.object("floor lamp", {35, Role::Target, {0.8F, 0.8F, 0.8F}})
+        .box({1.4, 1.5, 0.8}, {0.3, 0.3, 1.6});
+    const Scene scene = builder.build();
+    const LightRig rig = makeLightRig(scene, RayCaster(scene));
+    ASSERT_EQ(rig.lamps.size(), 1U);
+    EXPECT_NEAR(rig.lamps[0].position.x(), 1.9, 1e-6);
+    EXPECT_NEAR(rig.lamps[0].position.y(), 1.2, 1e-6);
+    EXPECT_LT(rig.lamps[0].position.z(), 2.0);  // under it
+    EXPECT_GT(rig.lamps[0].position.z(), 1.6);
+
+    SceneBuilder without;
+    without.room({0, 0, 0}, {3, 3, 2.6});
+    const Scene bare = without.build();
+    const LightRig middle = makeLightRig(bare, RayCaster(bare));
+    EXPECT_NEAR(middle.lamps.at(0).position.x(), 1.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
