@@ -77,7 +77,7 @@ std::string toText(const ScoreWeights& score) {
 
 std::string pictureText(const PictureParams& picture) {
     return picture.render_mode == RenderMode::Fast
-               ? "fast"
+               ? fmt::format("fast {}", static_cast<int>(picture.antialias))
                : fmt::format("reference {}", picture.reference_samples);
 }
 

@@ -73,6 +73,7 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
     if (needs(kNeedsRight)) {
         View right = view;
         right.pose = rightOf(view.pose, contents_.stereo_baseline_m);
+        right.antialias = antialias();
         if (Status status = renderer_->draw(right, *right_); !status) return status;
         right_->readRgb(record.rgb_right);
         right_->readDepth(record.depth_right_m);
@@ -111,6 +112,11 @@ Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
     return {};
 }
 
+/// Of what is path traced afterwards only the labels are wanted.
+Antialias FramePipeline::antialias() const {
+    return reference_ ? Antialias::Edges : picture_.antialias;
+}
+
 View FramePipeline::viewOf(int index) const {
     return makeView(contents_.camera,
                     contents_.frames[static_cast<std::size_t>(index)].camera.pose);
@@ -131,7 +137,8 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     while (started_ < std::min(drawn_ + targets_.size(), missing_.size())) {
         RenderTarget& target = *targets_[started_ % targets_.size()];
         placeObjects(missing_[started_]);
-        const View view = viewOf(missing_[started_++]);
+        View view = viewOf(missing_[started_++]);
+        if (needs(kNeedsRgb)) view.antialias = antialias();
         if (Status status = renderer_->draw(view, target); !status) return status;
     }
     RenderTarget& target = *targets_[drawn_ % targets_.size()];

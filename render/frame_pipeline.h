@@ -51,6 +51,7 @@ class FramePipeline {
     [[nodiscard]] const std::vector<ObjectView>& views();
 
   private:
+    [[nodiscard]] Antialias antialias() const;
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);

@@ -51,6 +51,7 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     target.occlusion_ = makeImage(GL_R8, half_width, half_height);
     target.soft_occlusion_ = makeImage(GL_R8, half_width, half_height, GL_LINEAR);
     target.lit_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
+    target.sum_ = makeImage(GL_RGBA32F, width, height);
     target.picture_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
 
     target.surfaces_frame_ = gl::createFramebuffer();
@@ -68,6 +69,7 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     target.occlusion_frame_ = frameOver(target.occlusion_);
     target.soft_frame_ = frameOver(target.soft_occlusion_);
     target.lit_frame_ = frameOver(target.lit_);
+    target.sum_frame_ = frameOver(target.sum_);
     target.picture_frame_ = frameOver(target.picture_);
     if (Status status = gl::checkErrors("creating the images"); !status) {
         return tl::unexpected(status.error());

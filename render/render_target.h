@@ -51,11 +51,13 @@ class RenderTarget {
     gl::Texture occlusion_;
     gl::Texture soft_occlusion_;
     gl::Texture lit_;
+    gl::Texture sum_;  // of several looks, linear
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
     gl::Framebuffer occlusion_frame_;
     gl::Framebuffer soft_frame_;
     gl::Framebuffer lit_frame_;
+    gl::Framebuffer sum_frame_;
     gl::Framebuffer picture_frame_;
 };
 

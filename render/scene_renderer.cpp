@@ -32,6 +32,18 @@ gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vect
     return texture;
 }
 
+/// Where in a pixel its colour is looked at, px from its middle: the sample positions of Direct3D
+/// 11. Their mean is the middle, so that pictures and labels lie on each other.
+std::vector<Eigen::Vector2d> looksOf(Antialias antialias) {
+    std::vector<Eigen::Vector2d> sixteenths;
+    if (antialias == Antialias::Samples4) sixteenths = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
+    if (antialias == Antialias::Samples8) {
+        sixteenths = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+    }
+    for (Eigen::Vector2d& look : sixteenths) look /= 16.0;
+    return sixteenths;
+}
+
 void drawPicture(const gl::Framebuffer& frame, int width, int height, const gl::Program& program) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
     glViewport(0, 0, width, height);
@@ -54,6 +66,7 @@ struct SceneRenderer::Impl {
     gl::Program soften;
     gl::Program lighting;
     gl::Program edges;
+    gl::Program encode;
     SilhouetteCounter silhouettes;
     WholeMaskDrawer whole_masks;
     std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
@@ -93,6 +106,7 @@ struct SceneRenderer::Impl {
         glDisablei(GL_BLEND, 0);
         for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDisable(GL_DEPTH_TEST);
+        glBindVertexArray(no_vertices.get());
     }
 
     /// The same surfaces in the same order, so that of two at one depth the same one is on top.
@@ -169,7 +183,8 @@ struct SceneRenderer::Impl {
         glBindTextureUnit(3, target.soft_occlusion_.get());
     }
 
-    void drawLight(const View& view, RenderTarget& target) {
+    /// The light of one look, added to the others of the pixel when it has a share of them.
+    void drawLight(const View& view, RenderTarget& target, float share) {
         const unsigned name = lighting.get();
         const Eigen::Vector3f position = view.pose.position.cast<float>();
         const Eigen::Vector3f low = light.low.cast<float>();
@@ -190,13 +205,42 @@ struct SceneRenderer::Impl {
         glProgramUniform4fv(name, 8, 1, backdrop.data());
         glProgramUniform1i(name, 9, view.orthographic ? 1 : 0);
         glProgramUniform1f(name, 10, std::numbers::pi_v<float> * light.exposure * light.dimmed);
+        glProgramUniform1f(name, 11, share);
         glBindTextureUnit(0, target.color_.get());
         glBindTextureUnit(4, ambient.get());
         glBindTextureUnit(5, lamps.get());
         glBindTextureUnit(6, slope.get());
-        drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
-        glBindTextureUnit(0, target.lit_.get());
-        drawPicture(target.picture_frame_, target.width(), target.height(), edges);
+        if (share > 0.0F) {
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+            drawPicture(target.sum_frame_, target.width(), target.height(), lighting);
+            glDisable(GL_BLEND);
+        } else {
+            drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
+        }
+    }
+
+    void finish(const gl::Texture& image, const gl::Program& program, RenderTarget& target) {
+        glBindTextureUnit(0, image.get());
+        drawPicture(target.picture_frame_, target.width(), target.height(), program);
+    }
+
+    /// The mean of several looks; depth and labels are those of the pixels' middles.
+    void drawLooks(const View& view, const std::vector<Eigen::Vector2d>& looks,
+                   RenderTarget& target) {
+        const std::array<float, 4> zero{};
+        glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
+        View moved = view;
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            moved.intrinsics.cx = view.intrinsics.cx - looks[i].x();
+            moved.intrinsics.cy = view.intrinsics.cy - looks[i].y();
+            drawSurfaces(moved, target);
+            // It is soft: that of one look is good for all.
+            if (i == 0) drawOcclusion(moved, target);
+            drawLight(moved, target, 1.0F / static_cast<float>(looks.size()));
+        }
+        drawSurfaces(view, target);
+        finish(target.sum_, encode, target);
     }
 };
 
@@ -213,13 +257,14 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     impl->setLight(light);
     impl->no_vertices = gl::createVertexArray();
 
-    const std::array<std::tuple<gl::Program*, const char*, const char*>, 6> programs = {{
+    const std::array<std::tuple<gl::Program*, const char*, const char*>, 7> programs = {{
         {&impl->surface, "surface.vert", "surface.frag"},
         {&impl->glass, "surface.vert", "glass.frag"},
         {&impl->occlusion, "picture.vert", "occlusion.frag"},
         {&impl->soften, "picture.vert", "soften.frag"},
         {&impl->lighting, "picture.vert", "light.frag"},
         {&impl->edges, "picture.vert", "smooth_edges.frag"},
+        {&impl->encode, "picture.vert", "encode.frag"},
     }};
     for (const auto& [program, vertex, fragment] : programs) {
         Result<gl::Program> linked = gl::linkProgram(vertex, fragment);
@@ -246,10 +291,14 @@ void SceneRenderer::setLight(const LightVolume& light) {
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target) {
     glDisable(GL_CULL_FACE);
-    impl_->drawSurfaces(view, target);
-    glBindVertexArray(impl_->no_vertices.get());
-    impl_->drawOcclusion(view, target);
-    impl_->drawLight(view, target);
+    if (const auto looks = looksOf(view.antialias); !looks.empty()) {
+        impl_->drawLooks(view, looks, target);
+    } else {
+        impl_->drawSurfaces(view, target);
+        impl_->drawOcclusion(view, target);
+        impl_->drawLight(view, target, 0.0F);
+        impl_->finish(target.lit_, impl_->edges, target);
+    }
     return gl::checkErrors("drawing");
 }
 

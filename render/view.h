@@ -2,6 +2,7 @@
 
 #include "engine/camera/camera_params.h"
 #include "engine/camera/intrinsics.h"
+#include "engine/camera/picture_params.h"
 #include "engine/math/pose.h"
 
 #include <Eigen/Core>
@@ -42,6 +43,7 @@ struct View {
     std::optional<StructureCut> structure_cut;
     /// Colour (sRGB 0..1) where nothing is hit; none: a sky.
     std::optional<Eigen::Vector3f> backdrop;
+    Antialias antialias = Antialias::Edges;
     /// None: a pinhole camera.
     std::optional<Orthographic> orthographic;
 

@@ -13,6 +13,7 @@ layout(location = 7) uniform vec3 lamp_color;
 layout(location = 8) uniform vec4 backdrop;      // rgb where nothing is hit; a > 0: a plain colour
 layout(location = 9) uniform int orthographic;
 layout(location = 10) uniform float glow;        // of emission, for one unit
+layout(location = 11) uniform float share;       // of one of several looks; 0: the picture itself
 
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
@@ -35,6 +36,15 @@ vec3 encode(vec3 linear) {
                step(0.0031308, linear));
 }
 
+vec3 decode(vec3 srgb) {
+    return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
+}
+
+// The picture itself is encoded; of several looks the mean is taken of light.
+vec4 shown(vec3 linear) {
+    return vec4(share > 0.0 ? share * linear : encode(linear), 1.0);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float z = texelFetch(surface, pixel, 0).r;
@@ -44,7 +54,7 @@ void main() {
         float rise = normalize(ray).z;
         vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
         sky = mix(sky, vec3(0.64, 0.63, 0.61), smoothstep(0.0, 0.12, -rise));
-        out_rgb = vec4(backdrop.a > 0.0 ? backdrop.rgb : sky, 1.0);
+        out_rgb = shown(decode(backdrop.a > 0.0 ? backdrop.rgb : sky));
         return;
     }
     vec4 color = texelFetch(colors, pixel, 0);
@@ -90,5 +100,5 @@ void main() {
     vec3 shiny = fresnel * (room * open + lamp_color * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
 
-    out_rgb = vec4(encode(toneCurve(exposure * (lit + shiny) + glow * emission * albedo)), 1.0);
+    out_rgb = shown(toneCurve(exposure * (lit + shiny) + glow * emission * albedo));
 }

@@ -314,7 +314,21 @@ class Export(FolderCase):
         self.assertTrue(all(name in differ for name in files["fast"] if name.startswith("rgb")))
         card = json.loads((out["reference"] / "dataset.json").read_text())
         self.assertEqual(card["parameters"]["picture"],
-                         {"render_mode": "reference", "reference_samples": 4})
+                         {"render_mode": "reference", "antialias": "4x", "reference_samples": 4})
+
+    def test_smoother_pictures_change_nothing_but_colours(self):
+        files = {}
+        for way in ["edges", "4x", "8x"]:
+            out = self.new_folder()
+            result = run("export", self.project, "--out", out, "--range", "0:3", "--modalities",
+                         "all", "--picture", f"antialias={way}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            files[way] = hashes(out)
+        for one, other in [("edges", "4x"), ("4x", "8x")]:
+            differ = {name for name in files[one] if files[one][name] != files[other][name]}
+            self.assertEqual({name.split("/")[0] for name in differ},
+                             {"rgb", "rgb_right", "contact_sheet.jpg", "dataset.json"})
+            self.assertTrue(all(name in differ for name in files[one] if name.startswith("rgb")))
 
     def test_path_traced_pictures_are_the_same_on_one_thread_and_continued(self):
         whole, parts = self.new_folder(), self.new_folder()

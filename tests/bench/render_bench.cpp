@@ -83,6 +83,7 @@ void exportFrames(benchmark::State& state) {
         if (!context) return state.SkipWithError(describe(context.error()).c_str());
         render::DatasetSettings settings;
         settings.folder = folder;
+        settings.picture.antialias = static_cast<Antialias>(state.range(0));
         auto job = render::DatasetJob::begin(std::move(*context), *scene, rays, trajectory, {},
                                              settings, {});
         if (!job) return state.SkipWithError(describe(job.error()).c_str());
@@ -102,7 +103,7 @@ void exportFrames(benchmark::State& state) {
         benchmark::Counter(static_cast<double>(state.iterations() * trajectory.frames.size()),
                            benchmark::Counter::kIsRate);
 }
-BENCHMARK(exportFrames)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(exportFrames)->Unit(benchmark::kMillisecond)->UseRealTime()->DenseRange(0, 2);
 
 void bakeLight(benchmark::State& state) {
     const Result<Scene> scene = benchScene();

@@ -5,6 +5,7 @@
 #include "tests/support/scene_builder.h"
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <cstdlib>
 #include <filesystem>
@@ -83,6 +84,52 @@ TEST_F(PictureGl, LooksLikeTheGoldenImage) {
     cv::Mat darker;
     expected.convertTo(darker, -1, 0.98);
     EXPECT_GT(compare(darker, expected).mean, 0.5);
+}
+
+/// A picture of half the width and height, each pixel the mean of four.
+cv::Mat halved(const cv::Mat& picture) {
+    cv::Mat half;
+    cv::resize(picture, half, {picture.cols / 2, picture.rows / 2}, 0, 0, cv::INTER_AREA);
+    return half;
+}
+
+// Against a picture of many more pixels, brought down: more looks come closer to it. Labels and
+// depth know nothing of them.
+TEST_F(PictureGl, MoreLooksAPixelComeCloserToALargePicture) {
+    const Scene scene = furnishedRoom();
+    const CameraParams camera = goldenCamera();
+    const Pose pose = lookAt({0.4, 0.3, 1.8}, {3.1, 2.0, 0.7});
+    auto renderer = makeRenderer(scene, camera, /*lit=*/true);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    const auto drawn = [&](const CameraParams& size, Antialias antialias) {
+        View view = makeView(size, pose);
+        view.antialias = antialias;
+        auto target = RenderTarget::create(size.width_px, size.height_px);
+        EXPECT_TRUE(target);
+        EXPECT_TRUE(renderer->scene().draw(view, *target));
+        FrameRecord frame;
+        frame.width = size.width_px;
+        frame.height = size.height_px;
+        target->readRgb(frame.rgb);
+        target->readDepth(frame.depth_m);
+        target->readIds(frame.instance);
+        return frame;
+    };
+    CameraParams large = camera;
+    large.width_px *= 4;
+    large.height_px *= 4;
+    const cv::Mat wanted = halved(halved(asMat(drawn(large, Antialias::Samples8))));
+    const FrameRecord edges = drawn(camera, Antialias::Edges);
+    const FrameRecord four = drawn(camera, Antialias::Samples4);
+    const FrameRecord eight = drawn(camera, Antialias::Samples8);
+    const double of_edges = compare(asMat(edges), wanted).mean;
+    const double of_four = compare(asMat(four), wanted).mean;
+    const double of_eight = compare(asMat(eight), wanted).mean;
+    EXPECT_LT(of_four, 0.85 * of_edges);
+    EXPECT_LT(of_eight, of_four);
+    EXPECT_EQ(four.instance, edges.instance);
+    EXPECT_EQ(eight.depth_m, edges.depth_m);
+    EXPECT_NE(four.rgb, edges.rgb);
 }
 
 // What is drawn is what light would do, but for what a coarse grid of light cannot hold.
