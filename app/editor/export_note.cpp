@@ -37,17 +37,12 @@ fs::path exportFile(const fs::path& folder, const std::string& mark, int job, co
 
 Status writeNote(const fs::path& file, const ExportNote& note) {
     const ui::ExportRequest& request = note.request;
-    const json text = {{"name", request.name},
-                       {"folder", request.folder.string()},
-                       {"range", request.range},
-                       {"modalities", request.modalities},
-                       {"formats", request.formats},
-                       {"flow_distances", request.flow_distances},
-                       {"still", request.still},
-                       {"overwrite", request.overwrite},
-                       {"project", note.project_file.string()},
-                       {"snapshot", note.snapshot},
-                       {"frames_done", note.frames_done},
+    const json text = {{"name", request.name},           {"folder", request.folder.string()},
+                       {"range", request.range},         {"modalities", request.modalities},
+                       {"formats", request.formats},     {"flow_distances", request.flow_distances},
+                       {"picture", request.picture},     {"still", request.still},
+                       {"overwrite", request.overwrite}, {"project", note.project_file.string()},
+                       {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
                        {"frames", note.frames}};
     try {
         return io::writeWhole(file, text.dump(1) + "\n");
@@ -70,6 +65,7 @@ Result<ExportNote> readNote(const fs::path& file) {
         note.request.modalities = read.at("modalities").get<std::vector<std::string>>();
         note.request.formats = read.at("formats").get<std::vector<std::string>>();
         note.request.flow_distances = read.at("flow_distances").get<std::string>();
+        note.request.picture = read.value("picture", note.request.picture);
         note.request.still = read.at("still").get<bool>();
         note.request.overwrite = read.at("overwrite").get<bool>();
         note.project_file = read.at("project").get<std::string>();

@@ -1,4 +1,5 @@
 #include "app/editor/export_places.h"
+#include "app/editor/export_program.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,23 @@ TEST(ExportPlaces, GivesEveryProjectAFolderOfItsOwn) {
     EXPECT_EQ(folderBeside("/data/room/", "/else/flat.dolly", {}), "/data/flat");
     EXPECT_EQ(folderBeside("/data/room", "/else/flat.dolly", {job}), "/data/flat_2");
     EXPECT_EQ(folderBeside("/data/room", "/else/room.dolly", {job}), "/data/room_2");
+}
+
+TEST(ExportProgram, IsAskedForWhatWasChosen) {
+    ui::ExportJob job;
+    job.request.folder = "/data/flat";
+    const std::vector<std::string> plain = exportCommand("dollytrack", "/a b/flat.dolly", job);
+    EXPECT_EQ(plain,
+              (std::vector<std::string>{"dollytrack", "export", "/a b/flat.dolly", "--out",
+                                        "/data/flat", "--range", "::", "--progress", "json"}));
+    job.request.modalities = {"rgb", "depth"};
+    job.request.picture = {"antialias=8x"};
+    job.request.still = true;
+    std::vector<std::string> more = plain;
+    for (const char* word : {"--modalities", "rgb,depth", "--picture", "antialias=8x", "--still"}) {
+        more.emplace_back(word);
+    }
+    EXPECT_EQ(exportCommand("dollytrack", "/a b/flat.dolly", job), more);
 }
 
 }  // namespace dollytrack::editor

@@ -148,6 +148,27 @@ TEST(ExportPanel, TakesTheRangeForOtherProjectsAsItIsMeant) {
     EXPECT_EQ(rangeForOthers(draft), "::");
 }
 
+// What belongs to the other mode is not offered, and nothing where no colour is written.
+TEST(ExportPanel, ChoosesHowPicturesAreMade) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_TRUE(requestOf(panel.view, panel.draft).picture.empty());
+    EXPECT_EQ(screen.names().find("reference_samples"), std::string::npos);
+    ASSERT_TRUE(screen.click("export.picture.antialias")) << screen.names();
+    ASSERT_TRUE(screen.click("choice.8x")) << screen.names();
+    EXPECT_EQ(requestOf(panel.view, panel.draft).picture,
+              (std::vector<std::string>{"antialias=8x"}));
+    ASSERT_TRUE(screen.click("export.picture.render_mode"));
+    ASSERT_TRUE(screen.click("choice.reference"));
+    EXPECT_NE(screen.names().find("export.picture.reference_samples"), std::string::npos);
+    EXPECT_EQ(screen.names().find("antialias"), std::string::npos);
+    EXPECT_EQ(requestOf(panel.view, panel.draft).picture[0], "render_mode=reference");
+    panel.draft.turned_modalities = {"rgb"};
+    screen.frame(2);
+    EXPECT_EQ(screen.names().find("export.picture"), std::string::npos);
+    EXPECT_TRUE(requestOf(panel.view, panel.draft).picture.empty());
+}
+
 TEST(ExportPanel, SetsTheSizeOfTheImage) {
     Export panel;
     int width = 640;

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -273,6 +274,31 @@ bool wantsFlow(const ExportView& view, const ExportDraft& draft) {
     return isIn(names, "flow_forward") || isIn(names, "flow_backward");
 }
 
+bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
+    const auto names = chosen(view.modalities, draft.turned_modalities);
+    return isIn(names, "rgb") || isIn(names, "rgb_right");
+}
+
+/// How colour pictures are made: the mode, and beside it what belongs to that mode.
+void drawPictures(ExportDraft& draft) {
+    PictureParams as_made;
+    const FieldList standard = listPictureFields(as_made);
+    const FieldList fields = listPictureFields(draft.picture);
+    const std::string other =
+        draft.picture.render_mode == RenderMode::Fast ? "antialias" : "reference_samples";
+    const float half =
+        (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
+    bool first = true;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name != "render_mode" && fields[i].name != other) continue;
+        if (!std::exchange(first, false)) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SetNextItemWidth(half);
+        if (!drawFieldValue(fields[i], standard[i], "export.picture." + fields[i].name).says) {
+            tooltip(std::string(fields[i].text()));
+        }
+    }
+}
+
 /// "1,5": whole numbers from 1 on.
 bool areDistances(const std::string& text) {
     std::istringstream parts(text);
@@ -312,6 +338,10 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
     drawFolder(view, draft, actions);
     drawImageSize(view, draft, actions);
     drawFrames(view, draft);
+    if (wantsPictures(view, draft)) {
+        formLabel("Pictures", "How colour pictures are made; all other files are the same");
+        drawPictures(draft);
+    }
     endForm();
 }
 
@@ -410,6 +440,16 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     }
     if (wantsFlow(view, draft) && draft.flow_distances != "1") {
         request.flow_distances = draft.flow_distances;
+    }
+    if (wantsPictures(view, draft)) {
+        PictureParams standard;
+        PictureParams wanted = draft.picture;
+        const FieldList as_made = listPictureFields(standard);
+        for (const Field& field : listPictureFields(wanted)) {
+            const auto same = std::ranges::find(as_made, field.name, &Field::name);
+            if (field.valueText() == same->valueText()) continue;
+            request.picture.push_back(field.name + "=" + field.valueText());
+        }
     }
     request.still = view.has_tracks && draft.still;
     request.overwrite = draft.overwrite;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
+#include "engine/camera/picture_params.h"
 #include "engine/core/field_list.h"
 #include "ui/export_job.h"
 
@@ -51,6 +52,7 @@ struct ExportDraft {
     std::vector<std::string> turned_modalities;
     std::vector<std::string> turned_formats;
     std::string flow_distances = "1";  // in frames, "1,5"
+    PictureParams picture;
     bool still = false;
     bool overwrite = false;
 
