@@ -128,7 +128,7 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
                 found[int(task) if task and task.isdigit() else task] = (fields["JobState"], code)
         return found
 
-    def wait_until_ended(self, job, seconds=300):
+    def wait_until_ended(self, job, seconds=600):
         """The states, when none of them is to change any more."""
         def ended():
             states = self.states(job)
