@@ -75,10 +75,13 @@ std::string toText(const ScoreWeights& score) {
                        score.squared);
 }
 
+/// Rises when the same scene is lit otherwise: frames of both do not belong into one dataset.
+constexpr int kLight = 2;
+
 std::string pictureText(const PictureParams& picture) {
     return picture.render_mode == RenderMode::Fast
-               ? fmt::format("fast {}", static_cast<int>(picture.antialias))
-               : fmt::format("reference {}", picture.reference_samples);
+               ? fmt::format("light {} fast {}", kLight, static_cast<int>(picture.antialias))
+               : fmt::format("light {} reference {}", kLight, picture.reference_samples);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's height around itself
 constexpr double kBelowCeiling = 0.25;
+constexpr double kFromWall = 1.0;  // m; kLampShade and the largest lamp's radius
 constexpr int kNyuLamp = 35;
 
 /// Under the ceiling that is really there: boxes of rooms include beams and the roof.
@@ -27,9 +28,13 @@ Eigen::Vector2d hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
                          const Eigen::Vector2d& place) {
     Eigen::Vector2d nearest = place;
     double distance = kLampSpacing / 3.0;
+    // One on a wall lights the room from its middle: what is so near hides nothing of a lamp.
+    Eigen::AlignedBox3d middle = room;
+    middle.min().head<2>().array() += kFromWall;
+    middle.max().head<2>().array() -= kFromWall;
     for (const Object& object : scene.objects) {
         const Eigen::Vector3d& center = object.box.center;
-        if (object.nyu40 != kNyuLamp || !room.contains(center)) continue;
+        if (object.nyu40 != kNyuLamp || !middle.contains(center)) continue;
         if (center.z() < room.center().z()) continue;  // stands on something
         const double away = (center.head<2>() - place).norm();
         if (away >= distance) continue;

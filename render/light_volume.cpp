@@ -18,6 +18,10 @@ constexpr int kNearestLamps = 4;        // considered per cell
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
 constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
 
+/// The longest slope. Light from one half of the world has 1; in cells half outside a window, thin
+/// things would have black sides with it.
+constexpr float kSteepest = 0.75F;
+
 /// Where a ray from a cell ended.
 struct Bounce {
     Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
@@ -41,9 +45,6 @@ Eigen::Vector3f meanTexel(const Texture& texture) {
     return taken == 0 ? Eigen::Vector3f::Ones()
                       : Eigen::Vector3f((sum / static_cast<double>(taken)).cast<float>());
 }
-
-/// Thin things at a window, in cells half outside, would have black sides.
-constexpr float kSteepest = 0.75F;
 
 class Baker {
   public:
@@ -169,7 +170,7 @@ class Baker {
                 const Eigen::Vector3d way = at - from;
                 const double distance = way.norm();
                 const double down = way.z() / distance;
-                const double free = std::max(0.0, 1.0 - kLampShade / distance);
+                const double free = std::max(0.0, 1.0 - kLampShade / distance);  // see light_rig.h
                 if (down <= 0.0 || !rays_.sees(from, from + free * way)) continue;
                 const double strength =
                     lamp->radiance() * lamp->area() * down / (distance * distance);

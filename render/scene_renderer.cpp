@@ -218,6 +218,7 @@ struct SceneRenderer::Impl {
         } else {
             drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
         }
+        glBindTextureUnit(0, 0);  // the next look draws into it
     }
 
     void finish(const gl::Texture& image, const gl::Program& program, RenderTarget& target) {

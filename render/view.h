@@ -43,6 +43,7 @@ struct View {
     std::optional<StructureCut> structure_cut;
     /// Colour (sRGB 0..1) where nothing is hit; none: a sky.
     std::optional<Eigen::Vector3f> backdrop;
+    /// Of the colours; more looks are for exports, and for a preview at rest.
     Antialias antialias = Antialias::Edges;
     /// None: a pinhole camera.
     std::optional<Orthographic> orthographic;

@@ -39,7 +39,8 @@ bool isFree(const fs::path& folder) {
     std::error_code error;
     for (auto entry = fs::directory_iterator(folder, error);
          !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        if (!entry->path().filename().string().starts_with(kList)) return false;
+        const std::string name = entry->path().filename().string();
+        if (name != kList && !name.starts_with(std::string(kList) + ".tmp.")) return false;
     }
     return !error;
 }
@@ -55,9 +56,12 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     }
     const fs::path path = folder / kList;
     const std::string wanted = textOf(list);
-    const std::string found = io::readText(path).value_or("");
+    const Result<std::string> list_text = io::readText(path);
+    const std::string found = list_text.value_or("");
     if (found == wanted) return {};
-    if (!isOurs(found) && !(found.empty() && isFree(folder))) {
+    // Not there, or made a moment ago; one that cannot be read is somebody's.
+    const bool unread = !list_text && fs::exists(path, error);
+    if (!isOurs(found) && (!found.empty() || unread || !isFree(folder))) {
         // Another part of the batch may have marked it just now.
         if (io::readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,

@@ -17,15 +17,18 @@ namespace {
 
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
-    for (const render::Modality& one : render::modalities())
-        choices.push_back({one.name, one.text, one.standard});
+    for (const render::Modality& one : render::modalities()) {
+        const bool colour = (one.needs & render::kNeedsRgb) != 0 || one.name == std::string_view("rgb_right");
+        choices.push_back({one.name, one.text, one.standard, colour});
+    }
     return choices;
 }
 
 std::vector<ui::ExportChoice> formatChoices() {
     std::vector<ui::ExportChoice> choices;
-    for (const render::Format& one : render::formats())
-        choices.push_back({one.name, one.text, one.standard});
+    for (const render::Format& one : render::formats()) {
+        choices.push_back({one.name, one.text, one.standard, (one.needs & render::kNeedsRgb) != 0});
+    }
     return choices;
 }
 

@@ -74,7 +74,7 @@ void main() {
     float lamp_strength = length(lamp);
     vec3 to_lamp = lamp_strength > 0.0 ? lamp / lamp_strength : n;
     float facing_lamp = max(0.0, dot(n, to_lamp));
-    vec3 ambient = around * max(0.05, 1.0 + dot(slope, n));
+    vec3 ambient = around * (1.0 + dot(slope, n));
 
     // The occlusion of a quarter of the pixels, brought up without crossing depth edges.
     vec2 size = vec2(textureSize(surface, 0));

@@ -79,19 +79,22 @@ std::optional<double> smoothDepthAt(const ImageF& depth, const Eigen::Vector2d& 
     return 1.0 / ((1.0 - fy) * top + fy * bottom);
 }
 
-/// By the other picture's depth alone.
+/// By the two pictures' depth alone. What is seen through a slit narrower than a pixel is seen, and
+/// the other picture need not show the slit: it lies at an edge of this one.
 void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
-                  const std::vector<int>& inside, double rounding_m,
+                  const std::vector<int>& inside, const FrameImages::Depth& own,
                   const FrameImages::Depth& other, WrongPixels& pixels) {
     for (const int i : inside) {
         const Followed& one = followed[static_cast<std::size_t>(i)];
         const std::optional<double> surface = smoothDepthAt(other.metres, one.at);
         if (!surface) continue;
-        const double slack = kSameSurface_m + rounding_m + other.rounding_m + 0.003 * one.depth_m;
-        const int found = mask.values[static_cast<std::size_t>(i)];
-        const double before = one.depth_m - *surface;
         const int x = i % mask.width;
         const int y = i / mask.width;
+        if (!smoothDepthAt(own.metres, {x + 0.5, y + 0.5})) continue;
+        const double slack =
+            kSameSurface_m + own.rounding_m + other.rounding_m + 0.003 * one.depth_m;
+        const int found = mask.values[static_cast<std::size_t>(i)];
+        const double before = one.depth_m - *surface;
         if (found == kOccluded && std::abs(before) < 0.001) {
             pixels.add(x, y, [&] { return wrong(found, "seen, by the other picture's depth"); });
         } else if (found == kSeen && before > 3.0 * slack) {
@@ -208,7 +211,7 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
         judgeByRays(subject, mask, followed, inside, depth.rounding_m, to, pixels);
     } else if (other_depth) {
         WrongPixels unlikely;
-        judgeByDepth(mask, followed, inside, depth.rounding_m, *other_depth, unlikely);
+        judgeByDepth(mask, followed, inside, depth, *other_depth, unlikely);
         // A thing thinner than a pixel may hide what no pixel tells; whole surfaces it does not.
         if (unlikely.count() > 5 + inside.size() / 500) {
             unlikely.report(file.name, file.frame, findings);

@@ -129,6 +129,7 @@ TEST(BatchFolder, PartsThatStartAtOnceAllClaimIt) {
         std::vector<pid_t> parts;
         for (int part = 0; part < 4; ++part) {
             const pid_t child = ::fork();
+            ASSERT_GE(child, 0);
             if (child == 0) ::_exit(claimBatchFolder(folder.path(), list) ? 0 : 1);
             parts.push_back(child);
         }
@@ -150,6 +151,12 @@ TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
     const test::TempFolder photos;
     (void)photos.write("photo.png", "x");
     EXPECT_FALSE(claimBatchFolder(photos.path(), {{}, {}}));
+    const test::TempFolder copy;
+    (void)copy.write("jobs.json.bak", "x");
+    EXPECT_FALSE(claimBatchFolder(copy.path(), {{}, {}}));
+    const test::TempFolder odd;
+    std::filesystem::create_directory(odd.path() / "jobs.json");  // not to be read as text
+    EXPECT_FALSE(claimBatchFolder(odd.path(), {{}, {}}));
     const test::TempFolder other;
     (void)other.write("jobs.json", "[1, 2]");
     EXPECT_FALSE(claimBatchFolder(other.path(), {{}, {}}));

@@ -80,8 +80,8 @@ class Slurm(FolderCase):
 
     def test_a_part_that_was_stopped_goes_on(self):
         out = self.folder / "stopped"
-        # Large pictures: the part takes seconds, and is stopped in its first.
-        jobs = self.write_jobs("large.toml", 640, 480)
+        # Larger pictures: the part takes seconds, and is stopped in its first.
+        jobs = self.write_jobs("larger.toml", 640, 480)
         array, merge = self.submit(2, out, jobs)
         self.assertTrue(wait_for(lambda: list(out.glob("room_0.small.seed1/dataset/rgb/*.png"))))
         # The way in which Slurm ends what has run too long, and what somebody cancels.

@@ -13,8 +13,8 @@ struct Export {
         view.project = "room";
         view.frame_count = 100;
         view.current_frame = 42;
-        view.modalities = {{"rgb", ""}, {"depth", ""}, {"instance", ""}};
-        view.formats = {{"coco", ""}, {"camera_json", ""}};
+        view.modalities = {{"rgb", "", true, true}, {"depth", ""}, {"instance", ""}};
+        view.formats = {{"coco", ""}, {"camera_json", ""}, {"hdf5", "", false, true}};
         draft.folder = "/tmp/dataset";
     }
     void addJob(ExportState state) {
@@ -162,11 +162,14 @@ TEST(ExportPanel, ChoosesHowPicturesAreMade) {
     ASSERT_TRUE(screen.click("choice.reference"));
     EXPECT_NE(screen.names().find("export.picture.reference_samples"), std::string::npos);
     EXPECT_EQ(screen.names().find("antialias"), std::string::npos);
-    EXPECT_EQ(requestOf(panel.view, panel.draft).picture[0], "render_mode=reference");
+    EXPECT_EQ(requestOf(panel.view, panel.draft).picture,
+              (std::vector<std::string>{"render_mode=reference"}));
     panel.draft.turned_modalities = {"rgb"};
     screen.frame(2);
     EXPECT_EQ(screen.names().find("export.picture"), std::string::npos);
     EXPECT_TRUE(requestOf(panel.view, panel.draft).picture.empty());
+    panel.draft.turned_formats = {"hdf5"};  // has the colours in its own files
+    EXPECT_EQ(requestOf(panel.view, panel.draft).picture.size(), 1U);
 }
 
 TEST(ExportPanel, SetsTheSizeOfTheImage) {

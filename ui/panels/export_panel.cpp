@@ -275,8 +275,20 @@ bool wantsFlow(const ExportView& view, const ExportDraft& draft) {
 }
 
 bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
-    const auto names = chosen(view.modalities, draft.turned_modalities);
-    return isIn(names, "rgb") || isIn(names, "rgb_right");
+    const auto wanted = [](const std::vector<ExportChoice>& all,
+                           const std::vector<std::string>& turned) {
+        return std::ranges::any_of(all, [&](const ExportChoice& choice) {
+            return choice.colour && isWanted(choice, turned);
+        });
+    };
+    return wanted(view.modalities, draft.turned_modalities) ||
+           wanted(view.formats, draft.turned_formats);
+}
+
+/// Whether a field of PictureParams has a say in this mode.
+bool belongsTo(RenderMode mode, const std::string& field) {
+    return field == "render_mode" ||
+           field == (mode == RenderMode::Fast ? "antialias" : "reference_samples");
 }
 
 /// How colour pictures are made: the mode, and beside it what belongs to that mode.
@@ -284,13 +296,12 @@ void drawPictures(ExportDraft& draft) {
     PictureParams as_made;
     const FieldList standard = listPictureFields(as_made);
     const FieldList fields = listPictureFields(draft.picture);
-    const std::string other =
-        draft.picture.render_mode == RenderMode::Fast ? "antialias" : "reference_samples";
     const float half =
         (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
+    const RenderMode mode = draft.picture.render_mode;
     bool first = true;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (fields[i].name != "render_mode" && fields[i].name != other) continue;
+        if (!belongsTo(mode, fields[i].name)) continue;
         if (!std::exchange(first, false)) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
         ImGui::SetNextItemWidth(half);
         if (!drawFieldValue(fields[i], standard[i], "export.picture." + fields[i].name).says) {
@@ -447,6 +458,7 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
         const FieldList as_made = listPictureFields(standard);
         for (const Field& field : listPictureFields(wanted)) {
             const auto same = std::ranges::find(as_made, field.name, &Field::name);
+            if (!belongsTo(wanted.render_mode, field.name)) continue;
             if (field.valueText() == same->valueText()) continue;
             request.picture.push_back(field.name + "=" + field.valueText());
         }

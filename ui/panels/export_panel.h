@@ -15,6 +15,7 @@ struct ExportChoice {
     std::string name;      // as the command line takes it
     std::string text;      // what it is, for people
     bool standard = true;  // written unless it is turned off
+    bool colour = false;   // holds colour pictures
 };
 
 /// What the panel may read this frame.

@@ -84,7 +84,7 @@ bool samePicture(const render::View& a, const render::View& b) {
     };
     return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
            a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
-           a.backdrop == b.backdrop;
+           a.backdrop == b.backdrop && a.antialias == b.antialias;
 }
 
 /// Overlays on the card, by the pointer they came as.

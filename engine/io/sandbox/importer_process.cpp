@@ -86,6 +86,13 @@ void hear(const ImporterMessage& message, const JobContext& job, ReadingClock& c
 }
 
 tl::unexpected<Error> tookTooLong(const ReadingClock& clock, const std::string& where) {
+    if (!clock.reads()) {
+        return fail(ErrorCode::Failed,
+                    "the program that reads scene files did not begin within " +
+                        std::to_string(std::lround(clock.allowed().count())) +
+                        " s; try again when the machine is less busy",
+                    where);
+    }
     return fail(ErrorCode::BadInput,
                 "reading it took longer than " +
                     std::to_string(std::lround(clock.allowed().count())) + " s and was given up" +

@@ -30,6 +30,8 @@ class ReadingClock {
         }
         mebibytes_ += static_cast<double>(bytes) / 1048576.0;
     }
+    /// Whether a file was opened: what takes long before that is not the file.
+    [[nodiscard]] bool reads() const { return reads_; }
     [[nodiscard]] Seconds allowed() const {
         if (!reads_) return kStart;
         const double first = std::min(mebibytes_, 1.0);

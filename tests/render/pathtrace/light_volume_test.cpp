@@ -134,6 +134,9 @@ TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
 
     SceneBuilder without;
     without.room({0, 0, 0}, {3, 3, 2.6});
+    // From beside a wall its light would go through the wall.
+    without.object("sconce", {35, Role::Target, {0.8F, 0.8F, 0.8F}})
+        .box({0.6, 1.5, 1.9}, {0.2, 0.2, 0.2});
     const Scene bare = without.build();
     const LightRig middle = makeLightRig(bare, RayCaster(bare));
     EXPECT_NEAR(middle.lamps.at(0).position.x(), 1.5, 1e-6);
