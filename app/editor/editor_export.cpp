@@ -18,7 +18,8 @@ namespace {
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
-        const bool colour = (one.needs & render::kNeedsRgb) != 0 || one.name == std::string_view("rgb_right");
+        const bool colour =
+            (one.needs & render::kNeedsRgb) != 0 || one.name == std::string_view("rgb_right");
         choices.push_back({one.name, one.text, one.standard, colour});
     }
     return choices;

@@ -1,6 +1,7 @@
 #include "ui/panels/export_panel.h"
 
 #include "ui/panels/export_jobs.h"
+#include "ui/panels/export_pictures.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/field_editor.h"
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -285,31 +285,6 @@ bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
            wanted(view.formats, draft.turned_formats);
 }
 
-/// Whether a field of PictureParams has a say in this mode.
-bool belongsTo(RenderMode mode, const std::string& field) {
-    return field == "render_mode" ||
-           field == (mode == RenderMode::Fast ? "antialias" : "reference_samples");
-}
-
-/// How colour pictures are made: the mode, and beside it what belongs to that mode.
-void drawPictures(ExportDraft& draft) {
-    PictureParams as_made;
-    const FieldList standard = listPictureFields(as_made);
-    const FieldList fields = listPictureFields(draft.picture);
-    const float half =
-        (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
-    const RenderMode mode = draft.picture.render_mode;
-    bool first = true;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (!belongsTo(mode, fields[i].name)) continue;
-        if (!std::exchange(first, false)) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-        ImGui::SetNextItemWidth(half);
-        if (!drawFieldValue(fields[i], standard[i], "export.picture." + fields[i].name).says) {
-            tooltip(std::string(fields[i].text()));
-        }
-    }
-}
-
 /// "1,5": whole numbers from 1 on.
 bool areDistances(const std::string& text) {
     std::istringstream parts(text);
@@ -351,7 +326,7 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
     drawFrames(view, draft);
     if (wantsPictures(view, draft)) {
         formLabel("Pictures", "How colour pictures are made; all other files are the same");
-        drawPictures(draft);
+        drawPictureFields(draft.picture);
     }
     endForm();
 }
@@ -452,17 +427,7 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     if (wantsFlow(view, draft) && draft.flow_distances != "1") {
         request.flow_distances = draft.flow_distances;
     }
-    if (wantsPictures(view, draft)) {
-        PictureParams standard;
-        PictureParams wanted = draft.picture;
-        const FieldList as_made = listPictureFields(standard);
-        for (const Field& field : listPictureFields(wanted)) {
-            const auto same = std::ranges::find(as_made, field.name, &Field::name);
-            if (!belongsTo(wanted.render_mode, field.name)) continue;
-            if (field.valueText() == same->valueText()) continue;
-            request.picture.push_back(field.name + "=" + field.valueText());
-        }
-    }
+    if (wantsPictures(view, draft)) request.picture = pictureSettings(draft.picture);
     request.still = view.has_tracks && draft.still;
     request.overwrite = draft.overwrite;
     return request;
