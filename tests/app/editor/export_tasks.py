@@ -9,6 +9,9 @@ import numpy
 from task import Programs, Task, plan
 
 DONE, CANCELLED = 3, 4  # of ui/export_job.h
+# Slow enough to be stopped half way.
+SLOW = ("--set", "width_px=320", "--set", "height_px=240", "--max-frames", "60", "--set",
+        "max_repeat_rate=1")
 SMALL = ("--set", "width_px=160", "--set", "height_px=120", "--max-frames", "12")
 
 
@@ -83,7 +86,7 @@ class Exporting(Task):
             self.editor.click(name)
 
     def test_cancel_an_export_and_continue_it(self):
-        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
+        self.start_project(*SLOW)
         out = self.folder / "dataset"
         job = self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
@@ -95,7 +98,7 @@ class Exporting(Task):
         self.assertEqual(len(list((out / "depth").glob("*.png"))), 60)
 
     def test_leaving_while_an_export_runs_asks(self):
-        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
+        self.start_project(*SLOW)
         out = self.folder / "dataset"
         self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
@@ -118,7 +121,7 @@ class Exporting(Task):
         self.assertEqual(self.hashes(out), self.hashes(same))
 
     def test_an_export_that_a_crash_cut_off_is_offered_again(self):
-        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
+        self.start_project(*SLOW)
         out = self.folder / "dataset"
         self.queue(out)
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 3, "three frames")
@@ -194,7 +197,7 @@ class Exporting(Task):
                           name != "dataset.json"], [])
 
     def test_two_exports_do_not_go_into_one_folder(self):
-        self.start_project("--max-frames", "60", "--set", "max_repeat_rate=1")
+        self.start_project(*SLOW)
         out = self.folder / "dataset"
         job = self.queue(out)
         self.press_in_panel("export.add")
