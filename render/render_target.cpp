@@ -51,7 +51,6 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     target.occlusion_ = makeImage(GL_R8, half_width, half_height);
     target.soft_occlusion_ = makeImage(GL_R8, half_width, half_height, GL_LINEAR);
     target.lit_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
-    target.sum_ = makeImage(GL_RGBA32F, width, height);
     target.picture_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
 
     target.surfaces_frame_ = gl::createFramebuffer();
@@ -66,10 +65,16 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     }
     glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
     glNamedFramebufferDrawBuffers(frame, outputs.size(), outputs.data());
+    target.labels_frame_ = gl::createFramebuffer();
+    const unsigned labels = target.labels_frame_.get();
+    glNamedFramebufferTexture(labels, outputs[3], images[3], 0);
+    glNamedFramebufferTexture(labels, outputs[4], images[4], 0);
+    glNamedFramebufferTexture(labels, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
+    outputs[0] = outputs[1] = outputs[2] = GL_NONE;
+    glNamedFramebufferDrawBuffers(labels, outputs.size(), outputs.data());
     target.occlusion_frame_ = frameOver(target.occlusion_);
     target.soft_frame_ = frameOver(target.soft_occlusion_);
     target.lit_frame_ = frameOver(target.lit_);
-    target.sum_frame_ = frameOver(target.sum_);
     target.picture_frame_ = frameOver(target.picture_);
     if (Status status = gl::checkErrors("creating the images"); !status) {
         return tl::unexpected(status.error());
@@ -80,6 +85,12 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
                     "Mesa's software driver");
     }
     return target;
+}
+
+void RenderTarget::makeSum() {
+    if (sum_.get() != 0) return;
+    sum_ = makeImage(GL_RGBA32F, width_, height_);
+    sum_frame_ = frameOver(sum_);
 }
 
 void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {

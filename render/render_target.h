@@ -40,6 +40,8 @@ class RenderTarget {
   private:
     friend class SceneRenderer;
 
+    void makeSum();
+
     int width_ = 0;
     int height_ = 0;
     gl::Texture color_;    // square root of albedo; metallic or emission
@@ -51,9 +53,10 @@ class RenderTarget {
     gl::Texture occlusion_;
     gl::Texture soft_occlusion_;
     gl::Texture lit_;
-    gl::Texture sum_;  // of several looks, linear
+    gl::Texture sum_;  // of several looks, linear; made when first needed
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
+    gl::Framebuffer labels_frame_;  // those of labels alone, of the same images
     gl::Framebuffer occlusion_frame_;
     gl::Framebuffer soft_frame_;
     gl::Framebuffer lit_frame_;

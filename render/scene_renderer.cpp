@@ -62,6 +62,7 @@ struct SceneRenderer::Impl {
     gl::VertexArray no_vertices;
     gl::Program surface;
     gl::Program glass;
+    gl::Program label;
     gl::Program occlusion;
     gl::Program soften;
     gl::Program lighting;
@@ -109,6 +110,25 @@ struct SceneRenderer::Impl {
         glBindVertexArray(no_vertices.get());
     }
 
+    /// What drawSurfaces puts into the images of labels. What may be glass or have holes comes last
+    /// there, too.
+    void drawLabels(const View& view, RenderTarget& target) {
+        begin(target.labels_frame_, target.width(), target.height(), 0);
+        const std::array<float, 4> zero{};
+        const std::array<unsigned, 4> no_id{};
+        glClearBufferfv(GL_COLOR, 3, zero.data());
+        glClearBufferuiv(GL_COLOR, 4, no_id.data());
+        const std::vector<bool> visible = objectsInView(scene, view);
+        for (const bool opaque : {true, false}) {
+            for (const Batch& batch : scene.batches) {
+                if ((batch.surface == Surface::Opaque) != opaque) continue;
+                drawShapes(batch, view, visible, label);
+            }
+        }
+        glDisable(GL_DEPTH_TEST);
+        glBindVertexArray(no_vertices.get());
+    }
+
     /// The same surfaces in the same order, so that of two at one depth the same one is on top.
     void drawMaterials(const View& view, const gl::Framebuffer& frame, int width, int height) {
         begin(frame, width, height, 2);
@@ -142,6 +162,14 @@ struct SceneRenderer::Impl {
 
     void drawBatch(const Batch& batch, const View& view, const std::vector<bool>& visible,
                    const gl::Program& program, float alpha) {
+        glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
+        glProgramUniform1f(program.get(), 5, alpha);
+        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
+        drawShapes(batch, view, visible, program);
+    }
+
+    void drawShapes(const Batch& batch, const View& view, const std::vector<bool>& visible,
+                    const gl::Program& program) {
         counts.clear();
         offsets.clear();
         for (const Piece& piece : batch.pieces) {
@@ -153,8 +181,6 @@ struct SceneRenderer::Impl {
         if (counts.empty()) return;
         glUseProgram(program.get());
         setCamera(program.get(), view);
-        glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
-        glProgramUniform1f(program.get(), 5, alpha);
         const StructureCut structure_cut = view.structure_cut.value_or(StructureCut{});
         const Eigen::Vector4f cut = structure_cut.plane.cast<float>();
         glProgramUniform1f(program.get(), 8, static_cast<float>(structure_cut.keep_below_z));
@@ -162,7 +188,6 @@ struct SceneRenderer::Impl {
         glProgramUniform4fv(program.get(), 6, 1, cut.data());
         const Eigen::Vector3f eye = view.pose.position.cast<float>();
         glProgramUniform3fv(program.get(), 7, 1, eye.data());
-        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
         glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
                             static_cast<GLsizei>(counts.size()));
     }
@@ -230,6 +255,7 @@ struct SceneRenderer::Impl {
     void drawLooks(const View& view, const std::vector<Eigen::Vector2d>& looks,
                    RenderTarget& target) {
         const std::array<float, 4> zero{};
+        target.makeSum();
         glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
         View moved = view;
         for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -240,7 +266,7 @@ struct SceneRenderer::Impl {
             if (i == 0) drawOcclusion(moved, target);
             drawLight(moved, target, 1.0F / static_cast<float>(looks.size()));
         }
-        drawSurfaces(view, target);
+        drawLabels(view, target);
         finish(target.sum_, encode, target);
     }
 };
@@ -258,9 +284,10 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     impl->setLight(light);
     impl->no_vertices = gl::createVertexArray();
 
-    const std::array<std::tuple<gl::Program*, const char*, const char*>, 7> programs = {{
+    const std::array<std::tuple<gl::Program*, const char*, const char*>, 8> programs = {{
         {&impl->surface, "surface.vert", "surface.frag"},
         {&impl->glass, "surface.vert", "glass.frag"},
+        {&impl->label, "surface.vert", "label.frag"},
         {&impl->occlusion, "picture.vert", "occlusion.frag"},
         {&impl->soften, "picture.vert", "soften.frag"},
         {&impl->lighting, "picture.vert", "light.frag"},

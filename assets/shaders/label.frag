@@ -1,0 +1,24 @@
+#version 450 core
+// Depth and label alone, of everything.
+
+in vec3 offset_in_world;
+flat in vec4 surface_traits;
+flat in uint surface_id;
+
+layout(location = 3) uniform vec2 depth_span;  // see surface.vert
+layout(location = 6) uniform vec4 cut_plane;   // see surface.frag
+layout(location = 7) uniform vec3 eye;
+layout(location = 8) uniform float keep_below_z;
+layout(location = 9) uniform float ceiling_z;
+
+layout(location = 3) out float out_depth;
+layout(location = 4) out uint out_id;
+
+void main() {
+    vec3 p = offset_in_world + eye;
+    bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
+    if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
+    out_depth = depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
+                                   : 1.0 / gl_FragCoord.w;
+    out_id = surface_id;
+}
