@@ -1,3 +1,5 @@
+#include "engine/io/input_check.h"
+#include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/scene_import.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
@@ -72,5 +74,44 @@ void importWithoutTextures(benchmark::State& state) {
     }
 }
 BENCHMARK(importWithoutTextures)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The file alone becomes geometry: in this process, in one of its own, or out of the cache.
+void readBy(benchmark::State& state, const std::filesystem::path& path,
+            const ImportOptions& options) {
+    const SceneFormat* format = *checkSceneFile(path);
+    for (auto _ : state) {
+        const auto reading = io::readSceneFile(*format, path, options, {});
+        if (!reading) state.SkipWithError(describe(reading.error()).c_str());
+    }
+}
+
+const std::filesystem::path& smallScene() {
+    static const test::TempFolder folder;
+    static const std::filesystem::path path = [] {
+        test::ObjWriter obj;
+        obj.room({4, 3, 2.5}, true);
+        return folder.write("room.obj", obj.text());
+    }();
+    return path;
+}
+
+void readSmall(benchmark::State& state) {
+    ImportOptions options;
+    options.in_process = state.range(0) == 0;
+    readBy(state, smallScene(), options);
+}
+BENCHMARK(readSmall)
+    ->ArgName("isolated")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void readCached(benchmark::State& state) {
+    ImportOptions options;
+    options.use_cache = true;
+    readBy(state, benchScene(), options);
+}
+BENCHMARK(readCached)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
