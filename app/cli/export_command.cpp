@@ -210,12 +210,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const Result<PlannedScene> planned =
         *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
-    if (planned->trajectory.frames.empty()) {
-        return fail(ErrorCode::Failed,
-                    planned->nothing_free.empty()
-                        ? "The trajectory is empty: nothing in the scene can be captured; "
-                          "'dollytrack info' lists the objects."
-                        : "The trajectory is empty: " + planned->nothing_free + ".",
+    if (const std::string why = whyEmpty(*planned); !why.empty()) {
+        return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
                     arguments.scene.path);
     }
 

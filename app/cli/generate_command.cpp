@@ -255,7 +255,8 @@ void addGenerateCommand(CLI::App& app, Session& session) {
         ->type_name("LxWxH");
     command
         ->add_option("--objects", arguments->objects,
-                     "Clutter: objects to aim at, instead of the preset's number")
+                     "Clutter: objects to aim at, instead of the preset's number; never fewer than "
+                     "the furniture that its kind of room is made of")
         ->check(CLI::Range(1, generate::kMostObjects)
                     .description(fmt::format("1 .. {}", generate::kMostObjects)))
         ->type_name("N");

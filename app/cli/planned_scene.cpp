@@ -112,7 +112,6 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     warnOfFewFrames(**plan, opened.params.timing);
     PlannedScene planned;
     planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);
-    if (!planned.nothing_free.empty()) log::warn("planning", planned.nothing_free);
     planned.scene = opened.scene;
     planned.params = opened.params;
     planned.plan = *plan;
@@ -120,7 +119,18 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     planned.rooms = (*plan)->rooms;
     planned.metrics = metricsJson(*opened.scene, **plan);
     planned.result = resultJson(*opened.scene, **plan);
+    if (const std::string why = whyEmpty(planned); !why.empty()) {
+        log::warn("planning", "the trajectory is empty: " + why);
+    } else if (!planned.nothing_free.empty()) {
+        log::warn("planning", planned.nothing_free);
+    }
     return planned;
+}
+
+std::string whyEmpty(const PlannedScene& planned) {
+    if (!planned.trajectory.frames.empty()) return {};
+    if (!planned.nothing_free.empty()) return planned.nothing_free;
+    return "nothing in the scene can be captured; 'dollytrack info' lists the objects";
 }
 
 Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& job) {

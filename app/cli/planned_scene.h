@@ -28,6 +28,9 @@ struct PlannedScene {
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job);
 
+/// Why the trajectory has no frames; empty when it has some.
+std::string whyEmpty(const PlannedScene& planned);
+
 /// The stored plan of a project when it still holds, else plans.
 Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& job);
 

@@ -57,7 +57,8 @@ void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
             // What is behind the other camera has no place in its picture.
             if (to.behind) continue;
             const Eigen::Vector2d expected = to.at - Eigen::Vector2d(x + 0.5, y + 0.5);
-            if (unknown && expected.cwiseAbs().maxCoeff() >= file.largest_px) continue;
+            const double longest = expected.cwiseAbs().maxCoeff() + to.off_px + kTolerance_px;
+            if (unknown && (to.may_be_behind || longest >= file.largest_px)) continue;
             const double off = (Eigen::Vector2d(uv[0], uv[1]) - expected).norm();
             // Single precision ends at a ten-millionth of motions far out of the picture.
             const double allowed =

@@ -32,7 +32,8 @@ struct Sides {
 };
 
 Sides sidesOf(const StoredDataset& dataset, const Followed& one) {
-    if (one.behind) return {false, true};
+    constexpr double kNear_m = 0.002;  // what the near plane is unsure by
+    if (one.behind) return {one.depth_m > dataset.near_m - kNear_m, true};
     const double off = one.off_px + 1e-3;
     const Intrinsics& lens = dataset.lens;
     const auto inside = [&](double margin) {
@@ -41,7 +42,7 @@ Sides sidesOf(const StoredDataset& dataset, const Followed& one) {
     };
     Sides sides{inside(-off), !inside(off)};
     // The near plane cuts as sharply as the border.
-    if (one.depth_m < dataset.near_m + 0.002) sides.may_be_outside = true;
+    if (one.depth_m < dataset.near_m + kNear_m) sides.may_be_outside = true;
     return sides;
 }
 
@@ -165,10 +166,12 @@ Followed follow(const StoredDataset& dataset, const StoredFrame& from, int x, in
     const Eigen::Vector3d there = to.camera.toCamera(followed.place);
     followed.depth_m = there.z();
     followed.behind = there.z() < dataset.near_m;
+    followed.may_be_behind = there.z() < dataset.near_m + 1e-6;
     if (followed.behind) return followed;
     followed.at = dataset.lens.project(there);
     for (const double depth : {metres - rounding_m, metres + rounding_m}) {
         const Eigen::Vector3d beside = in_other(depth);
+        if (beside.z() < dataset.near_m + 1e-6) followed.may_be_behind = true;
         if (beside.z() <= 1e-6) continue;
         followed.off_px =
             std::max(followed.off_px, (dataset.lens.project(beside) - followed.at).norm());

@@ -29,7 +29,8 @@ struct OtherView {
 
 /// Where a pixel's surface is in the other picture.
 struct Followed {
-    bool behind = false;  // nearer than the near plane, or behind the camera
+    bool behind = false;         // nearer than the near plane, or behind the camera
+    bool may_be_behind = false;  // within what the depth is rounded by
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     double off_px = 0.0;   // the most that the rounding of the depth moves `at`
     double depth_m = 0.0;  // in the other camera

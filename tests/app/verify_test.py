@@ -48,6 +48,21 @@ class VerifyTest(FolderCase):
                          {name: "passed" for name in checks})
         self.assertEqual(code, 0)
 
+    # Depth in whole millimetres leaves open on which side of the other camera's near plane a
+    # surface is, and whether a motion is longer than what a file can hold.
+    def test_motions_at_the_edge_of_what_is_known_are_sound(self):
+        project, out = self.folder / "close.dolly", self.folder / "close"
+        for command in [
+            ["plan", self.folder / "room.obj", "-o", project, "--set", "width_px=160", "--set",
+             "height_px=120", "--max-frames", 24],
+            ["export", project, "--out", out, "--modalities", "depth,flow_forward,flow_backward",
+             "--flow-distances", "1,2,3,5,8", "--formats", "kitti"],
+        ]:
+            result = run(*command)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        code, checks = self.verify(out)
+        self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
+
     def test_mended_hashes_alone_damage_nothing(self):
         code, checks = self.verify(self.damaged(lambda copy: None))
         self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
