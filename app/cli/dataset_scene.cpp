@@ -3,11 +3,13 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
+#include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
 #include "engine/io/sha256.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -90,6 +92,27 @@ std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
     return folders;
 }
 
+/// Where the projects in a folder that are of this scene have it.
+std::vector<fs::path> foldersOfProjects(const fs::path& folder, const std::string& scene_sha256) {
+    constexpr std::size_t kMost = 200;  // of projects that are read
+    std::vector<fs::path> projects;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".dolly") projects.push_back(entry->path());
+    }
+    std::sort(projects.begin(), projects.end());
+    projects.resize(std::min(projects.size(), kMost));
+    std::vector<fs::path> folders;
+    for (const fs::path& path : projects) {
+        const Result<io::ProjectFile> project = io::loadProject(path);
+        if (project && project->scene_sha256 == scene_sha256) {
+            folders.push_back(project->scene.parent_path());
+        }
+    }
+    return folders;
+}
+
 /// The named file where one would leave it; empty when it is nowhere, or no longer the same.
 fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::error_code error;
@@ -98,7 +121,13 @@ fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::vector<fs::path> folders = {
         dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
         fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)};
+    const std::vector<fs::path> near = folders;
     for (fs::path& folder : foldersOfBatch(dataset)) folders.push_back(std::move(folder));
+    for (const fs::path& place : near) {
+        for (fs::path& folder : foldersOfProjects(place, said.sha256)) {
+            folders.push_back(std::move(folder));
+        }
+    }
     for (const fs::path& folder : folders) {
         const fs::path path = folder / name;
         if (!fs::is_regular_file(path, error)) continue;
@@ -189,7 +218,8 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
         arguments.path.empty() ? findScene(dataset.folder, *said) : fs::path(arguments.path);
     DatasetScene opened;
     if (path.empty()) {
-        opened.missing = "the scene " + said->file + " is not beside it; name it with --scene";
+        opened.missing = "the scene " + said->file +
+                         " is not beside it, nor a project of it; name it with --scene";
         return opened;
     }
     Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace dollytrack::cli {
@@ -44,6 +45,19 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
                           "things that straight lines from frame to frame would hit ({}); raise "
                           "frame_rate from {:g}, or set max_speed_mps",
                           lines, timing.frame_rate));
+}
+
+/// Who reads the poses as one motion would see the camera jump.
+void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& constraints) {
+    if (constraints.rooms != planning::RoomTours::Joined) return;
+    std::set<int> motions;
+    for (const TrajectoryFrame& frame : plan.trajectory.frames) motions.insert(frame.path);
+    if (motions.size() < 2) return;
+    log::warn("planning",
+              fmt::format("no free way joins all places: the trajectory has {} motions, and jumps "
+                          "from one to the next; 'path' in frames.csv tells them apart, and "
+                          "--set rooms=each exports rooms by themselves",
+                          motions.size()));
 }
 
 /// What keeps the camera from everywhere, of what a person may set; empty where something is free.
@@ -110,6 +124,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     }
     warnOfAnchors(**plan);
     warnOfFewFrames(**plan, opened.params.timing);
+    warnOfSeparateMotions(**plan, opened.params.constraints);
     PlannedScene planned;
     planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);
     planned.scene = opened.scene;

@@ -54,7 +54,8 @@ Json flowConvention(const DatasetContents& contents, const char* folder, const c
             {"mask", {{"seen", 0}, {"occluded", 1}, {"outside", 2}, {"nothing", 255}}},
             {"meaning",
              "where in B lies what the pixel's centre shows in A, by motion of the "
-             "camera and of objects"}};
+             "camera and of objects; invalid where nothing is seen, and where it is nearer to B's "
+             "camera than near_m or behind it"}};
 }
 
 }  // namespace

@@ -103,7 +103,9 @@ constexpr std::array kChecks = {
     Check{"hdf5", "HDF5's images and poses are the frames'", kHdf5, Names{}, false, beginHdf5},
     Check{"coco_polygons", "outlines hold the instance images' pixels, and what these enclose",
           kPolygons, Names{}, false, beginCocoPolygons},
-    Check{"folds", "every frame is held back once, and none is trained on that shows the same",
+    Check{"folds",
+          "every frame is held back once, and none is trained on that is as near as dataset.json "
+          "forbids",
           kFolds, Names{}, false, beginFolds},
     Check{"video", "the preview shows every picture, in order", kVideo, Names{}, false, beginVideo},
     Check{"albedo", "base colours are those of the materials seen", kAlbedo, Names{}, true,
