@@ -118,21 +118,24 @@ fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::error_code error;
     const fs::path name = fs::path(said.file).filename();
     if (name.empty()) return {};
-    std::vector<fs::path> folders = {
+    const auto first_in = [&](const std::vector<fs::path>& folders) -> fs::path {
+        for (const fs::path& folder : folders) {
+            const fs::path path = folder / name;
+            if (!fs::is_regular_file(path, error)) continue;
+            const Result<std::string> is = io::sha256OfFile(path);
+            if (is && *is == said.sha256) return path;
+        }
+        return {};
+    };
+    const std::vector<fs::path> near = {
         dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
         fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)};
-    const std::vector<fs::path> near = folders;
-    for (fs::path& folder : foldersOfBatch(dataset)) folders.push_back(std::move(folder));
-    for (const fs::path& place : near) {
-        for (fs::path& folder : foldersOfProjects(place, said.sha256)) {
-            folders.push_back(std::move(folder));
+    if (fs::path path = first_in(near); !path.empty()) return path;
+    if (fs::path path = first_in(foldersOfBatch(dataset)); !path.empty()) return path;
+    for (const fs::path& folder : near) {
+        if (fs::path path = first_in(foldersOfProjects(folder, said.sha256)); !path.empty()) {
+            return path;
         }
-    }
-    for (const fs::path& folder : folders) {
-        const fs::path path = folder / name;
-        if (!fs::is_regular_file(path, error)) continue;
-        const Result<std::string> is = io::sha256OfFile(path);
-        if (is && *is == said.sha256) return path;
     }
     return {};
 }

@@ -37,7 +37,8 @@ struct DatasetScene {
 
 /// The scene file or project given; else the file that dataset.json names, in the dataset's folder,
 /// beside it, in the working folder, where the batch had it from that made it, or where a project
-/// in one of those folders has it, if it still is the same. Errors: BadInput, also when the scene given is another one; Cancelled.
+/// in one of the first three has it, if it still is the same. Errors: BadInput, also when the scene
+/// given is another one; Cancelled.
 Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
                                       const DatasetSceneArguments& arguments,
                                       const JobContext& job);

@@ -104,8 +104,8 @@ constexpr std::array kChecks = {
     Check{"coco_polygons", "outlines hold the instance images' pixels, and what these enclose",
           kPolygons, Names{}, false, beginCocoPolygons},
     Check{"folds",
-          "every frame is held back once, and none is trained on that is as near as dataset.json "
-          "forbids",
+          "every frame is held back once, and none is trained on that is nearer to those than "
+          "dataset.json allows",
           kFolds, Names{}, false, beginFolds},
     Check{"video", "the preview shows every picture, in order", kVideo, Names{}, false, beginVideo},
     Check{"albedo", "base colours are those of the materials seen", kAlbedo, Names{}, true,

@@ -166,7 +166,6 @@ Followed follow(const StoredDataset& dataset, const StoredFrame& from, int x, in
     const Eigen::Vector3d there = to.camera.toCamera(followed.place);
     followed.depth_m = there.z();
     followed.behind = there.z() < dataset.near_m;
-    followed.may_be_behind = there.z() < dataset.near_m + 1e-6;
     if (followed.behind) return followed;
     followed.at = dataset.lens.project(there);
     for (const double depth : {metres - rounding_m, metres + rounding_m}) {

@@ -1,6 +1,8 @@
 """Runs `dollytrack verify` on an untouched dataset and on damaged ones: verify_test.py PROGRAM."""
 import json
+import pathlib
 import shutil
+import tempfile
 import unittest
 
 import corruptions
@@ -62,6 +64,19 @@ class VerifyTest(FolderCase):
             self.assertEqual(result.returncode, 0, result.stderr)
         code, checks = self.verify(out)
         self.assertEqual(code, 0, [one for one in checks.values() if one["status"] == "failed"])
+
+    def test_the_scene_is_found_through_a_project(self):
+        for with_project, status in [(True, "passed"), (False, "skipped")]:
+            folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "deep"
+            (folder / "rooms").mkdir(parents=True)
+            shutil.copy(self.folder / "room.obj", folder / "rooms")
+            shutil.copytree(self.dataset, folder / "dataset")
+            if with_project:
+                planned = run("plan", folder / "rooms" / "room.obj", "-o", folder / "a.dolly",
+                              "--max-frames", 2)
+                self.assertEqual(planned.returncode, 0, planned.stderr)
+            code, checks = self.verify(folder / "dataset")
+            self.assertEqual((code, checks["scene"]["status"]), (0, status))
 
     def test_mended_hashes_alone_damage_nothing(self):
         code, checks = self.verify(self.damaged(lambda copy: None))
