@@ -227,7 +227,9 @@ void addVerifyCommand(CLI::App& app, Session& session) {
         "Ends with 0 when every check that could be made has passed, with 4 when one has not.\n"
         "A check is skipped when the dataset lacks the files for it, or the scene is not at hand: "
         "it is\n"
-        "looked for beside the dataset, in the working folder and where a batch had it from.\n"
+        "looked for beside the dataset, in the working folder, where a batch had it from, and "
+        "where\n"
+        "projects in those folders have it.\n"
         "Example: dollytrack verify dataset --scene room.glb");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runVerify(*arguments, session); };
