@@ -6,10 +6,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace dollytrack::editor {
 namespace {
+
+constexpr double kDoubleClick_s = 0.3;
 
 InputQueue* the_queue = nullptr;
 
@@ -22,7 +25,9 @@ void InputQueue::attach(GLFWwindow* window) {
         the_queue->events_.push_back({Event::Kind::Key, key, scancode, action, mods});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) {
-        the_queue->events_.push_back({Event::Kind::Button, button, 0, action, mods});
+        const double now_s = glfwGetTime();
+        the_queue->events_.push_back({Event::Kind::Button, button, 0, action, mods, 0, 0,
+                                      the_queue->earliest(now_s), now_s});
     });
     glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) {
         the_queue->events_.push_back({Event::Kind::Scroll, 0, 0, 0, 0, x, y});
@@ -40,7 +45,19 @@ void InputQueue::attach(GLFWwindow* window) {
     glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
 }
 
+void InputQueue::listen() {
+    listens_since_s_ = glfwGetTime();
+}
+
+double InputQueue::earliest(double now_s) const {
+    // What is told at once was there already, and came at any time while the frame was drawn.
+    constexpr double kAtOnce_s = 0.005;
+    return now_s - listens_since_s_ < kAtOnce_s ? listened_until_s_ : now_s;
+}
+
 bool InputQueue::deliver(bool hold_keys) {
+    listened_until_s_ = glfwGetTime();
+    follows_closely_ = false;
     std::set<int> changed;  // keys, and buttons below zero
     at_event_ = false;      // a button needs the mouse to stay where it is
     bool dragged = false;   // the end of the way must be seen before the button is up
@@ -74,7 +91,12 @@ bool InputQueue::deliver(bool hold_keys) {
                 break;
             case Event::Kind::Button:
                 if (event.code >= 0 && event.code < static_cast<int>(down_.size())) {
-                    down_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
+                    const auto button = static_cast<std::size_t>(event.code);
+                    down_[button] = event.action == GLFW_PRESS;
+                    if (down_[button]) {
+                        follows_closely_ = event.earliest_s - pressed_s_[button] < kDoubleClick_s;
+                        pressed_s_[button] = event.latest_s;
+                    }
                 }
                 ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.action, event.mods);
                 at_event_ = true;
@@ -102,6 +124,8 @@ void InputQueue::setMouse() const {
     // hold of what the mouse has reached instead of what it was pressed on.
     ImGuiIO& io = ImGui::GetIO();
     for (std::size_t i = 0; i < down_.size(); ++i) io.MouseDown[i] = down_[i];
+    // By ImGui's clock, which counts frames, a double click in slow ones would be two clicks.
+    io.MouseDoubleClickTime = follows_closely_ ? std::numeric_limits<float>::max() : 0.0F;
     const bool behind = at_event_ || !events_.empty();
     if (behind && knows_place_ && ImGui::IsMousePosValid(&io.MousePos)) {
         io.MousePos = {static_cast<float>(x_), static_cast<float>(y_)};

@@ -206,6 +206,7 @@ void Window::run(const std::function<bool()>& frame) {
     constexpr double kFrame_ms = 15.0;  // where the driver does not wait for the screen
     bool goes_on = true;
     while (goes_on) {
+        input_.listen();
         if (frames_to_draw_ > 0) {
             glfwPollEvents();
             woken = false;

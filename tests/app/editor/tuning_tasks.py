@@ -1,4 +1,6 @@
 """Parameters, undo, the history and the command palette."""
+import time
+
 from task import BOOK, MUG, PICTURE, SOFA, TABLE, Task, plan
 
 
@@ -62,6 +64,32 @@ class Tuning(Task):
         state = self.editor.idle()
         self.assertAlmostEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
         self.assertEqual(len(state["history"]), 2)
+
+    def test_a_double_click_counts_as_one_however_slow_the_frames(self):
+        self.start_room()
+        self.editor.point(self.find_parameter("fill"))
+        self.editor.press()
+        self.editor.release()
+        time.sleep(0.05)  # until that was seen
+        with self.editor.stuck():
+            self.editor.press()
+            self.editor.release()
+            time.sleep(0.6)
+        self.editor.key("ctrl+a")
+        self.editor.type("0.45")
+        self.editor.key("enter")
+        state = self.editor.idle()
+        self.assertAlmostEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
+
+    def test_two_clicks_are_no_double_click(self):
+        before = self.start_room()
+        item = self.find_parameter("fill")
+        for _ in range(2):
+            self.editor.click(item)
+            time.sleep(0.6)
+        self.editor.type("0.45")
+        self.editor.key("enter")
+        self.assertEqual(self.editor.idle()["parameters"], before["parameters"])
 
     def test_reset_one_parameter(self):
         before = self.start_room()
