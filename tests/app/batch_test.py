@@ -52,9 +52,10 @@ def alive(pid):
 
 
 def memory_kb(pid):
-    """None once it has ended."""
+    """What the process has taken, without the files it maps: the system drops and reloads their
+    pages as it likes. None once it has ended."""
     status = pathlib.Path(f"/proc/{pid}/status").read_text()
-    return int(status.split("VmRSS:")[1].split()[0]) if "VmRSS:" in status else None
+    return int(status.split("RssAnon:")[1].split()[0]) if "RssAnon:" in status else None
 
 
 class Batch(FolderCase):
