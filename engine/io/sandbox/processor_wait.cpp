@@ -21,10 +21,10 @@ ProcessorWait::Seconds waitOf(const std::filesystem::path& thread) {
 
 ProcessorWait::ProcessorWait(pid_t process)
     : folder_("/proc/" + std::to_string(process) + "/task") {
-    update();
+    waitedSinceLastLook();
 }
 
-ProcessorWait::Seconds ProcessorWait::update() {
+ProcessorWait::Seconds ProcessorWait::waitedSinceLastLook() {
     Seconds longest{0.0};
     std::error_code error;
     std::filesystem::directory_iterator thread(folder_, error);
@@ -34,9 +34,14 @@ ProcessorWait::Seconds ProcessorWait::update() {
         longest = std::max(longest, waited - before);
         before = std::max(before, waited);
     }
+    return longest;
+}
+
+ProcessorWait::Seconds ProcessorWait::update() {
+    const Seconds waited = waitedSinceLastLook();
     // The kernel counts a wait when it is over, so it can be longer than the time between two
     // looks.
-    sum_ = std::min<Seconds>(sum_ + longest, Clock::now() - begin_);
+    sum_ = std::min<Seconds>(sum_ + waited, Clock::now() - begin_);
     return sum_;
 }
 

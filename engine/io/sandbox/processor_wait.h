@@ -17,11 +17,13 @@ class ProcessorWait {
     /// The process has to be the caller's child, not yet waited for.
     explicit ProcessorWait(pid_t process);
     /// Looks again, and gives the sum so far: of all looks what the thread that waited longest
-    /// since the last has waited; never more than the time that passed.
+    /// since the last has waited, from when this was made on; never more than the time that passed.
     Seconds update();
 
   private:
     using Clock = std::chrono::steady_clock;
+
+    Seconds waitedSinceLastLook();
 
     std::string folder_;
     std::map<std::string, Seconds> of_thread_;
