@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -244,6 +245,7 @@ void addGenerateCommand(CLI::App& app, Session& session) {
         ->check(CLI::Range(1, 10'000).description("1 .. 10000"))
         ->type_name("N");
     command->add_option("--seed", arguments->seed, "The same seed gives the same rooms (1)")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()).description("0 .. 2147483647"))
         ->type_name("N");
     command
         ->add_option("--preset", arguments->presets,

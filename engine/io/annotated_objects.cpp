@@ -163,6 +163,27 @@ class Taker {
     std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles that nobody has asked for
 };
 
+/// Of the class said, else of the object's name, else of what it is made of.
+Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
+              std::vector<std::string>& warnings) {
+    if (!object.category.empty()) {
+        const Label said = labels.find(object.category);
+        if (said.kind == LabelKind::None && !object.nyu40) {
+            warnings.push_back("annotations: \"" + object.category + "\", the class of \"" +
+                               object.name +
+                               "\", is in no table of labels; add it with --labels, or give nyu40");
+        }
+        return said;
+    }
+    std::vector<std::string> names = {object.name};
+    names.insert(names.end(), object.nodes.begin(), object.nodes.end());
+    names.insert(names.end(), object.meshes.begin(), object.meshes.end());
+    for (const std::string& name : names) {
+        if (const Label label = labels.find(name); label.kind != LabelKind::None) return label;
+    }
+    return {};
+}
+
 }  // namespace
 
 AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
@@ -173,9 +194,13 @@ AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
     for (const io::AnnotatedObject& object : objects) {
         ObjectDraft draft;
         taker.take(object, draft);
-        if (draft.parts.empty()) continue;
+        if (draft.parts.empty()) {
+            result.warnings.push_back("annotations: nothing is left for \"" + object.name +
+                                      "\"; it is no object");
+            continue;
+        }
         draft.name = object.name;
-        draft.label = labels.find(object.category.empty() ? object.name : object.category);
+        draft.label = labelOf(object, labels, result.warnings);
         if (object.nyu40) draft.label.nyu40 = *object.nyu40;
         draft.label.kind = object.structure ? LabelKind::Structure : LabelKind::Target;
         draft.front = object.front;

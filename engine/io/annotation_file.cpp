@@ -1,6 +1,7 @@
 #include "engine/io/annotation_file.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/field_list.h"
 #include "engine/document/json_reader.h"
 #include "engine/document/unknown_keys.h"
 #include "engine/io/datasets/bounded_json.h"
@@ -62,6 +63,19 @@ AnnotatedObject readObject(const JsonReader& from) {
     return object;
 }
 
+/// Keys that nobody knows may be anybody's own; those that look like known ones are slips.
+void doubtKeys(const json& entry, const std::vector<std::string>& known, const std::string& of,
+               std::vector<std::string>& doubts) {
+    if (!entry.is_object()) return;
+    for (const auto& [key, value] : entry.items()) {
+        if (std::ranges::find(known, key) != known.end()) continue;
+        const std::string close = closestName(key, known);
+        if (close.empty()) continue;
+        doubts.push_back("annotations: nothing reads \"" + cleanText(key) + "\"" + of +
+                         "; did you mean \"" + close + "\"?");
+    }
+}
+
 AnnotatedRelation readRelation(const JsonReader& from) {
     AnnotatedRelation relation{cleanText(from.at("object").text()), from.at("relation").text(),
                                cleanText(from.at("holder").text())};
@@ -72,6 +86,9 @@ AnnotatedRelation readRelation(const JsonReader& from) {
 }
 
 void readAll(const JsonReader& from, Annotations& into) {
+    doubtKeys(from.json(),
+              {"format", "version", "unit_m", "up_axis", "objects", "relations", "edits"}, "",
+              into.doubts);
     if (from.at("format").absent() || from.at("format").text() != kFormat) {
         from.at("format").refuse("This must be \"dollytrack-objects\".");
     }
@@ -90,6 +107,10 @@ void readAll(const JsonReader& from, Annotations& into) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < objects.size() && from.good(); ++i) {
         into.objects.push_back(readObject(objects.at(i)));
+        if (!from.good()) break;
+        doubtKeys(objects.at(i).json(),
+                  {"name", "nodes", "meshes", "triangles", "class", "nyu40", "structure", "front"},
+                  " of \"" + into.objects.back().name + "\"", into.doubts);
         if (!names.insert(into.objects.back().name).second) {
             objects.at(i).at("name").refuse("Another object has the same name.");
         }

@@ -46,6 +46,7 @@ struct Annotations {
     std::optional<char> up_axis;  // 'x', 'y' or 'z'
     std::vector<AnnotatedObject> objects;
     std::vector<AnnotatedRelation> relations;
+    std::vector<std::string> doubts;                    // keys that look like slips, in words
     nlohmann::json edits;                               // as in a project: see edits_json.h
     nlohmann::json content = nlohmann::json::object();  // all of it, for keys we do not know
 };

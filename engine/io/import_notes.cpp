@@ -22,6 +22,9 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
         {repairs.bad_numbers, report.warnings,
          "face with a corner that is no finite number was dropped",
          "faces with a corner that is no finite number were dropped"},
+        {repairs.too_far, report.warnings,
+         "face reaches further than 1e9 units from the origin and was dropped",
+         "faces reach further than 1e9 units from the origin and were dropped"},
         {repairs.bad_indices, report.warnings, "face that names a missing vertex was dropped",
          "faces that name a missing vertex were dropped"},
         {repairs.no_area, report.notes, "face without area was dropped",
@@ -107,6 +110,20 @@ Error nothingToDraw(const RawScene& raw, const std::filesystem::path& path) {
                      "none of its faces has an area, their corners lie in one place or line; if it "
                      "was made millions of units from the origin, where numbers keep no corners "
                      "apart, move it to the origin and export it again",
+                     path.string()};
+    }
+    if (raw.repairs.too_far > 0) {
+        return Error{ErrorCode::BadInput,
+                     "all its faces reach further than 1e9 units from the origin; move the scene "
+                     "to the origin, in a unit that fits, and export it again",
+                     path.string()};
+    }
+    if (raw.repairs.bad_numbers + raw.repairs.bad_indices > 0) {
+        return Error{ErrorCode::BadInput,
+                     fmt::format("none of its faces can be drawn: {} have a corner that is no "
+                                 "finite number, {} name a vertex that is not there; the file is "
+                                 "damaged, export it again",
+                                 raw.repairs.bad_numbers, raw.repairs.bad_indices),
                      path.string()};
     }
     return Error{ErrorCode::BadInput,

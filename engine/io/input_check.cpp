@@ -54,8 +54,21 @@ Status checkExtension(const Path& path, const std::string& where) {
                         ext + " out.ply\", or open and save it with CloudCompare",
                     where);
     }
+    if (ext == ".world" || ext == ".sdf") {
+        return fail(ErrorCode::BadInput,
+                    "worlds of Gazebo cannot be read; name the mesh that its models are made of "
+                    "(.dae, .obj, .stl), or put them together in Blender and export glTF",
+                    where);
+    }
     const std::vector<std::string> known = sceneExtensions();
     if (std::find(known.begin(), known.end(), ext) != known.end()) return {};
+    static constexpr std::array<std::string_view, 9> kBlenderReads = {
+        ".usd", ".usda", ".usdc", ".usdz", ".3ds", ".x3d", ".wrl", ".abc", ".dxf"};
+    if (std::ranges::find(kBlenderReads, ext) != kBlenderReads.end()) {
+        return fail(ErrorCode::BadInput,
+                    "\"" + ext + "\" files cannot be read; open it in Blender and export glTF",
+                    where);
+    }
     for (const Program& program : kPrograms) {
         if (ext != program.extension) continue;
         return fail(ErrorCode::BadInput,
@@ -84,6 +97,12 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
                     "this is a Git-LFS pointer, not the model; run \"git lfs pull\" first", where);
     }
     const std::string extension = lowerExtension(path);
+    if (extension == ".xml" && head.find("<scene") != std::string_view::npos) {
+        return fail(ErrorCode::BadInput,
+                    "scenes of Mitsuba cannot be read; name the OBJ or PLY file that it is made "
+                    "of, or put them together in Blender and export glTF",
+                    where);
+    }
     std::string kinds;
     for (const SceneFormat& format : sceneFormats()) {
         if (!has(format, extension)) continue;

@@ -15,10 +15,17 @@ namespace {
 
 constexpr float kAlongAxis = 0.99939F;  // cosine of 2 degrees
 
+enum class Place : char { Good, TooFar, NoNumber };  // a face is as bad as its worst corner
+
+Place judge(const Eigen::Vector3f& corner) {
+    if (!corner.allFinite()) return Place::NoNumber;
+    return corner.cwiseAbs().maxCoeff() <= kFarthest ? Place::Good : Place::TooFar;
+}
+
 /// The faces that can be kept, as triangles into the mesh's own vertices.
 std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
                                        const std::vector<Eigen::Vector3f>& placed,
-                                       const std::vector<char>& finite, RepairCounts& counts) {
+                                       const std::vector<Place>& places, RepairCounts& counts) {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.face_indices.size() / 2);
     std::vector<Eigen::Vector3f> corners;
@@ -32,13 +39,15 @@ std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
             continue;
         }
         bool in_range = true;
-        bool is_finite = true;
+        Place worst = Place::Good;
         for (const std::uint32_t v : face) {
             in_range = in_range && v < placed.size();
-            is_finite = is_finite && in_range && finite[v];
+            if (in_range) worst = std::max(worst, places[v]);
         }
-        if (!in_range || !is_finite) {
-            ++(in_range ? counts.bad_numbers : counts.bad_indices);
+        if (!in_range || worst != Place::Good) {
+            ++(!in_range                  ? counts.bad_indices
+               : worst == Place::NoNumber ? counts.bad_numbers
+                                          : counts.too_far);
             continue;
         }
         corners.clear();
@@ -102,6 +111,7 @@ class JoinAtPlaces {
 
 void RepairCounts::add(const RepairCounts& other) {
     bad_numbers += other.bad_numbers;
+    too_far += other.too_far;
     bad_indices += other.bad_indices;
     no_area += other.no_area;
     approximate += other.approximate;
@@ -140,12 +150,12 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
     const bool moves = !source_from_mesh.isApprox(Eigen::Affine3d::Identity(), 0.0);
 
     std::vector<Eigen::Vector3f> placed(mesh.positions.begin(), mesh.positions.end());
-    std::vector<char> finite(placed.size());
+    std::vector<Place> places(placed.size());
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (moves) placed[i] = (source_from_mesh * placed[i].cast<double>()).cast<float>();
-        finite[i] = placed[i].allFinite();
+        places[i] = judge(placed[i]);
     }
-    std::vector<Triangle> triangles = collectTriangles(mesh, placed, finite, counts);
+    std::vector<Triangle> triangles = collectTriangles(mesh, placed, places, counts);
     if (mirrors) {
         for (Triangle& t : triangles) std::swap(t[1], t[2]);
     }

@@ -48,8 +48,13 @@ struct TextureRequest {
     bool only_there = false;       // a file of that name in another folder is another picture
 };
 
+/// Units from the origin. Further away there is no room, and squares of squares are no numbers
+/// any more.
+constexpr float kFarthest = 1e9F;
+
 struct RepairCounts {
     std::size_t bad_numbers = 0;   // triangles with NaN or infinity
+    std::size_t too_far = 0;       // triangles that reach further than kFarthest
     std::size_t bad_indices = 0;   // triangles that name a vertex that is not there
     std::size_t no_area = 0;       // triangles and polygons without area
     std::size_t approximate = 0;   // polygons that cross themselves

@@ -37,13 +37,16 @@ void giveFront(const Eigen::Vector3d& front_in_source, const Eigen::Affine3d& so
 void moveToWorld(std::vector<MeshPart>& parts, const Eigen::Affine3d& world_from_source) {
     if (world_from_source.isApprox(Eigen::Affine3d::Identity(), 0.0)) return;
     const Eigen::Matrix3f turn = world_from_source.linear().cast<float>();
+    const Eigen::Vector3d shift = world_from_source.translation();
+    const bool shifts = !shift.isZero(0.0);
     const double unit = std::cbrt(world_from_source.linear().determinant());
     const Eigen::Matrix3f normal_turn = (world_from_source.linear() / unit).cast<float>();
     parallelFor(parts.size(), [&](std::size_t i) {
         MeshPart& part = parts[i];
         part.bounds.setEmpty();
         for (Eigen::Vector3f& p : part.positions) {
-            p = turn * p;
+            p = shifts ? Eigen::Vector3f((world_from_source * p.cast<double>()).cast<float>())
+                       : Eigen::Vector3f(turn * p);
             part.bounds.extend(p);
         }
         for (Eigen::Vector3f& n : part.normals) n = normal_turn * n;

@@ -22,6 +22,8 @@
 #include "engine/scene/object_size.h"
 #include "engine/scene/room_bounds.h"
 
+#include <fmt/format.h>
+
 #include <iterator>
 #include <map>
 
@@ -47,6 +49,7 @@ AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTabl
     if (said.file.empty()) return {};
     const std::string file = cleanText(said.file.filename().string());
     report.notes.push_back("annotations: " + file);
+    report.warnings.insert(report.warnings.end(), said.doubts.begin(), said.doubts.end());
     if (said.objects.empty()) return {};
     if (!raw.objects.empty()) {
         report.warnings.push_back(
@@ -58,6 +61,15 @@ AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTabl
     report.warnings.insert(report.warnings.end(), annotated.warnings.begin(),
                            annotated.warnings.end());
     return annotated;
+}
+
+/// A front is where a thing looks to, on its floor.
+void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (!drafts[i].front || scene.objects[i].front_source == FrontSource::Annotation) continue;
+        scene.report.warnings.push_back("the front given for \"" + scene.objects[i].name +
+                                        "\" points up or down; it is judged by its shape");
+    }
 }
 
 /// From one draft a node to one draft an object.
@@ -79,6 +91,26 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
     const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);
     noteMerges(merges, drafts, report);
+}
+
+/// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
+void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportReport& report) {
+    constexpr double kFar_m = 1000.0;
+    Eigen::AlignedBox3d box;
+    for (const MeshPart& part : raw.parts) {
+        if (!part.triangles.empty()) box.extend(part.bounds.cast<double>());
+    }
+    if (box.isEmpty()) return;
+    const Eigen::Vector3d center = world_from_source * box.center();
+    // A large thing, a sky, is no scene that lies far away.
+    const double reach = 0.5 * (world_from_source.linear() * box.sizes()).norm();
+    if (center.norm() - reach < kFar_m) return;
+    const Eigen::Vector3d moved = -center.array().round();
+    world_from_source.pretranslate(moved);
+    report.notes.push_back(
+        fmt::format("the scene lies {:.0f} m from the origin and was moved by "
+                    "({:.0f}, {:.0f}, {:.0f}) m",
+                    center.norm(), moved.x(), moved.y(), moved.z()));
 }
 
 Status checkOptions(const ImportOptions& options) {
@@ -143,7 +175,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
     noteFarAway(raw, frame.unit_m, scene.report);
-    const Eigen::Affine3d world_from_source = frame.worldFromSource();
+    Eigen::Affine3d world_from_source = frame.worldFromSource();
+    moveNear(raw, world_from_source, scene.report);
     scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
     if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
@@ -164,6 +197,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
 
     scene.materials = std::move(raw.materials);
     assembleObjects(raw.parts, drafts, scene);
+    noteUprightFronts(drafts, scene);
     std::vector<std::string> left_out;
     scene.room_bounds = findRoomBounds(scene.objects, &left_out);
     for (const std::string& name : left_out) {

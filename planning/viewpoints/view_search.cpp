@@ -25,6 +25,8 @@ constexpr int kRandomPlaces = 160;
 constexpr double kLeastRandomFill = 0.08;
 // What reaches beyond the image may still show enough of itself: a wardrobe in a narrow room.
 constexpr double kMostRandomFill = 2.0;
+constexpr int kCeilingDirections = 12;
+constexpr double kCeilingHalfAngle = 0.35;  // rad
 constexpr int kHardDirections = 200;
 constexpr int kEnoughGood = 12;
 // Where sampling found nothing, places breed: the best few, and others beside them.
@@ -75,6 +77,7 @@ class Search {
                 looked_.sampled_within_m =
                     furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
                 tryRandomPlaces(kLeastRandomFill, kMostRandomFill, kRandomPlaces);
+                tryFromTheCeiling();
                 if (!refineBest()) searchHard();
             }
         }
@@ -129,6 +132,26 @@ class Search {
                                    judge_.subject(), least_fill, most_fill, count, random_),
                       Look::Coarse)) {
             take(std::move(judged));
+        }
+    }
+
+    /// What stands between tall things shows from straight above alone, and what is low itself
+    /// would be as large as wished from beyond the ceiling.
+    void tryFromTheCeiling() {
+        const Eigen::Vector3d& center = judge_.subject().center;
+        double above = 0.0;
+        for (const Eigen::Vector3d& p : judge_.subject().points) {
+            above = std::max(above, (p - center).norm());
+        }
+        const double reach = around_.sphere.radius() + SweptSphere::kMargin;
+        for (const Eigen::Vector3d& up :
+             directionsInCone(Eigen::Vector3d::UnitZ(), kCeilingHalfAngle, kCeilingDirections)) {
+            const RayHit ceiling = around_.views.rays().cast(center + up * above, up);
+            if (ceiling.object_id == 0) continue;
+            for (const double share : {1.0, 0.6}) {
+                const double distance = above + share * (ceiling.distance - reach / up.z());
+                take(judge_.judge(center + up * distance, Look::Coarse));
+            }
         }
     }
 

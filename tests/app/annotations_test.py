@@ -164,6 +164,27 @@ class Annotations(FolderCase):
         self.assertEqual(objects["mug"]["relations"],
                          [{"kind": "on", "id": objects["table"]["id"]}])
 
+    def test_what_is_not_understood_is_said(self):
+        path = self.scene({"format": "dollytrack-objects", "version": 1, "objects": [
+            {"name": "a", "nodes": ["table"], "clas": "desk"},
+            {"name": "b", "nodes": ["table"]},
+            {"name": "c", "nodes": ["mug"], "class": "flurbl"},
+            {"name": "d", "nodes": ["sofa"], "front": [0, 1, 0], "my_note": 3},
+        ]})
+        said = self.info(path)
+        warnings = "\n".join(said["warnings"])
+        self.assertIn('nothing reads "clas" of "a"; did you mean "class"?', warnings)
+        self.assertIn('nothing is left for "b"', warnings)
+        self.assertIn('"flurbl", the class of "c", is in no table', warnings)
+        self.assertIn('the front given for "d" points up or down', warnings)
+        self.assertNotIn("my_note", warnings)
+        # Without a class the words of what it is made of count, as they did before.
+        self.assertEqual({o["name"]: o["class"] for o in said["objects"]}["a"], "table")
+        plain = self.info(self.scene(self.said(objects=[
+            {"name": "d", "nodes": ["sofa"], "front": [0, 0, 1], "class": "sofa"}]), "plain"))
+        self.assertFalse([line for line in plain["warnings"] if "annotations" in line
+                          or "front" in line])
+
     def test_slips_are_said_with_file_and_place(self):
         name = "room.obj.objects.json"
         for said, words in [

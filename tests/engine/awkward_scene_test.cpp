@@ -121,7 +121,13 @@ TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
     const Result<Scene> near = read(1e3);  // numbers are 0.1 mm apart
     ASSERT_TRUE(near) << describe(near.error());
     EXPECT_TRUE(near->report.warnings.empty());
-    const Result<Scene> far = read(2e5);  // 16 mm
+    EXPECT_LT(near->room_bounds.center().head<2>().norm(), 1.5);  // moved to where maps reach
+    const Eigen::Vector3d back = near->source_from_world * near->room_bounds.center();
+    EXPECT_NEAR(back.head<2>().norm(), std::hypot(1002.5, 1002.0), 2.0);
+    const Result<Scene> nearer = read(300.0);
+    ASSERT_TRUE(nearer) << describe(nearer.error());
+    EXPECT_GT(nearer->room_bounds.center().x(), 300.0);  // left where it is
+    const Result<Scene> far = read(2e5);                 // 16 mm
     ASSERT_TRUE(far) << describe(far.error());
     EXPECT_EQ(countTargets(*far), 4);
     EXPECT_TRUE(says(far->report.warnings, "from the origin"));

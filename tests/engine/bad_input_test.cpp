@@ -27,7 +27,9 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
 
 TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     const TempFolder folder;
-    expectRefused(folder.write("room.abc", "x"), "scenes are .obj, .fbx");
+    expectRefused(folder.write("room.docx", "x"), "scenes are .obj, .fbx");
+    expectRefused(folder.write("room.usdz", "x"), "open it in Blender and export glTF");
+    expectRefused(folder.write("room.world", "x"), "name the mesh");
     expectRefused(folder.write("room", "x"), "no extension");
     expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
@@ -51,11 +53,22 @@ TEST(BadInput, WrongFirstBytes) {
     expectRefused(folder.write("room.dae", "{}"), "wrong extension");
 }
 
+TEST(BadInput, ScenesOfMitsubaAreNamed) {
+    const TempFolder folder;
+    expectRefused(folder.write("scene.xml", "<?xml version=\"1.0\"?>\n<scene version=\"0.5.0\">"),
+                  "Mitsuba");
+    expectRefused(folder.write("other.xml", "<?xml version=\"1.0\"?>\n<html>"),
+                  "does not begin like a home's Home.xml");
+}
+
 TEST(BadInput, NothingThatCanBeDrawn) {
     const TempFolder folder;
     expectRefused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "");
     expectRefused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "area");
-    expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "triangle");
+    expectRefused(folder.write("far.obj", "v 1e30 0 0\nv 1e30 1 0\nv 1e30 0 1\nf 1 2 3\n"),
+                  "further than 1e9 units");
+    expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                  "no finite number");
 }
 
 TEST(BadInput, GltfWithoutItsBuffer) {

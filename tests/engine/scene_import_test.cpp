@@ -226,6 +226,22 @@ TEST(SceneImport, DropsWhatIsBrokenAndSaysSo) {
     EXPECT_TRUE(says(scene.report.notes, "without area"));
 }
 
+TEST(SceneImport, DropsWhatReachesBeyondAllReach) {
+    const TempFolder folder;
+    for (const char* far : {"2e9", "1e20", "-1e38"}) {
+        const std::string text = bedroom(1.0, true) + "o far\nv " + far +
+                                 " 0 0\nv 0 1 1\nv 1 0 1\n" + "v 1 1 1\nf -4 -3 -2\nf -3 -2 -1\n";
+        const Scene scene = imported(folder.write("room.obj", text));
+        ASSERT_NE(find(scene, "far"), nullptr) << far;
+        EXPECT_EQ(find(scene, "far")->triangle_count, 1U) << far;
+        EXPECT_TRUE(std::any_of(
+            scene.report.warnings.begin(), scene.report.warnings.end(),
+            [](const std::string& line) { return line.find("1e9 units") != std::string::npos; }))
+            << far;
+        for (const auto& p : scene.positions) EXPECT_LE(p.cwiseAbs().maxCoeff(), 1e9F) << far;
+    }
+}
+
 TEST(SceneImport, IgnoresFarThingsGroundsAndSkiesForTheRoomsSize) {
     const TempFolder folder;
     std::string text = bedroom(1.0, true);

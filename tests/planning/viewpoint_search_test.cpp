@@ -96,6 +96,30 @@ TEST(ViewpointSearch, FindsTheNarrowConeFromWhichAThingInANicheShows) {
     }
 }
 
+// From straight above alone it shows, and the place that would show it as large as wished for is
+// too narrow for the camera.
+TEST(ViewpointSearch, LooksDownFromTheCeilingIntoAShaft) {
+    constexpr double kInside = 0.18;
+    constexpr double kWall = 0.05;
+    constexpr double kBeside = 0.5 * (kInside + kWall);
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {5, 5, 2.6});
+    builder.object("shaft", {kNyuOtherProp, Role::Excluded, {0.5F, 0.5F, 0.5F}})
+        .box({2.5 + kBeside, 2.5, 1.15}, {kWall, kInside + 2 * kWall, 2.3})
+        .box({2.5 - kBeside, 2.5, 1.15}, {kWall, kInside + 2 * kWall, 2.3})
+        .box({2.5, 2.5 + kBeside, 1.15}, {kInside, kWall, 2.3})
+        .box({2.5, 2.5 - kBeside, 1.15}, {kInside, kWall, 2.3});
+    builder.object("thing").box({2.5, 2.5, 1.92}, {0.16, 0.16, 0.16});
+    const Fixture fixture(builder.build());
+    const int thing = fixture.idOf("thing");
+    for (int seed = 1; seed <= 5; ++seed) {
+        const FoundView found = fixture.search(thing, seed);
+        ASSERT_TRUE(found.best) << seed;
+        EXPECT_EQ(found.best->well_captured, std::vector<int>{thing}) << seed;
+        EXPECT_GT(found.best->pose.position.z(), 2.3) << seed;
+    }
+}
+
 // An area is wished for: what is slender spans more of the image than what is as high as wide.
 TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
     test::SceneBuilder builder;

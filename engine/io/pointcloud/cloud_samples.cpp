@@ -1,5 +1,6 @@
 #include "engine/io/pointcloud/cloud_samples.h"
 
+#include "engine/io/pointcloud/cloud_scatter.h"
 #include "engine/io/pointcloud/point_grid.h"
 #include "engine/jobs/parallel.h"
 
@@ -46,6 +47,10 @@ Thinned thin(const PointCloud& cloud, double voxel) {
     return result;
 }
 
+constexpr double kSparse = 1.5;  // voxels; points that lie further apart need larger ones
+constexpr double kVoxelsOfScatter = 1.5;
+constexpr double kRough = 0.25;  // of the voxel asked for: less scatter is left as it is
+
 /// Of the plane through the neighbours; without direction where there are too few.
 Eigen::Vector3d normalAt(const PointGrid& grid, const std::vector<Eigen::Vector3d>& points,
                          std::size_t i, double radius) {
@@ -79,6 +84,21 @@ CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
         voxel *= std::max(1.05, std::sqrt(ratio));
         thinned = thin(cloud_m, voxel);
     }
+    CloudSamples samples;
+    if (const double spacing = spacingOf(thinned.points, voxel); spacing > kSparse * voxel) {
+        samples.spacing_m = voxel = spacing;
+        thinned = thin(cloud_m, voxel);
+    }
+    if (const Scatter scatter = scatterOf(thinned.points, kNear * voxel);
+        scatter.sigma_m > kRough * params.voxel_m) {
+        samples.scatter_m = scatter.sigma_m;
+        if (kVoxelsOfScatter * scatter.sigma_m > voxel) {
+            voxel = kVoxelsOfScatter * scatter.sigma_m;
+            thinned = thin(cloud_m, voxel);
+        }
+        samples.smoothed_m = std::max(scatter.radius_m, kNear * voxel);
+        smoothScatter(thinned.points, samples.smoothed_m, job);
+    }
     job.report(0.5);
     const PointGrid grid(thinned.points, kNear * voxel);
     const Eigen::Vector3d middle = box.center();
@@ -93,7 +113,6 @@ CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
         if (n.dot(towards) < 0.0) n = -n;
         normals[i] = n;
     });
-    CloudSamples samples;
     samples.voxel_m = voxel;
     for (std::size_t i = 0; i < normals.size(); ++i) {
         if (normals[i].isZero(0.0)) continue;

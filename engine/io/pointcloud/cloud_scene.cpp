@@ -21,6 +21,7 @@ namespace dollytrack::io {
 namespace {
 
 constexpr double kFarAway = 5'000.0;          // file units from the origin; floats get coarse
+constexpr double kMuchScatter = 0.015;        // m; people should look at what became of it
 constexpr std::size_t kFewest = 50;           // samples that may be a surface
 constexpr std::size_t kMostJudged = 100'000;  // points whose distance to the surface is measured
 
@@ -294,6 +295,19 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         raw.notes.push_back(fmt::format(
             "depths come in steps ({:.0f} mm at 4 m); points were smoothed along their rays",
             16.0e3 * step));
+    }
+    if (samples.spacing_m > 0.0) {
+        raw.warnings.push_back(fmt::format(
+            "the points lie {:.0f} mm apart, and what is smaller than a few times that is lost; "
+            "scan it again from nearer, or look whether the objects are right",
+            samples.spacing_m * 1e3));
+    }
+    if (samples.smoothed_m > 0.0) {
+        auto& told = samples.scatter_m > kMuchScatter ? raw.warnings : raw.notes;
+        told.push_back(fmt::format(
+            "the points scatter by {:.0f} mm about their surfaces; they were moved onto planes "
+            "through what lies within {:.0f} mm, which rounds edges off",
+            samples.scatter_m * 1e3, samples.smoothed_m * 1e3));
     }
     raw.notes.push_back(
         "a level floor was put under the scan, \"floor_unseen\": scans show none behind furniture "

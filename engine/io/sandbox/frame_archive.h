@@ -64,7 +64,11 @@ class FrameReader {
   public:
     static constexpr bool kReads = true;
 
-    explicit FrameReader(std::span<const std::uint8_t> from) : from_(from) {}
+    /// `most_bytes` are what the entries of all its lists may take in memory: an entry can be ten
+    /// times as large as the bytes that it is read from.
+    explicit FrameReader(std::span<const std::uint8_t> from,
+                         std::size_t most_bytes = std::size_t{1} << 30U)
+        : from_(from), most_bytes_(most_bytes) {}
 
     template <class T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
@@ -86,8 +90,13 @@ class FrameReader {
     /// `least_bytes`: that each entry takes at least.
     template <class T, class Members>
     void list(std::vector<T>& values, std::size_t least_bytes, Members members) {
-        const std::size_t count = takeCount(least_bytes);
+        std::size_t count = takeCount(least_bytes);
         values.clear();
+        if (count > most_bytes_ / sizeof(T)) {
+            refuse();
+            count = 0;
+        }
+        most_bytes_ -= count * sizeof(T);
         // Growing would copy, but nothing large is made for entries that may be empty.
         values.reserve(std::min<std::size_t>(count, 1U << 16U));
         for (std::size_t i = 0; i < count && good_; ++i) members(*this, values.emplace_back());
@@ -132,6 +141,7 @@ class FrameReader {
     }
 
     std::span<const std::uint8_t> from_;
+    std::size_t most_bytes_;
     bool good_ = true;
 };
 

@@ -7,6 +7,7 @@
 #include "engine/io/sandbox/input_list.h"
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/isolation.h"
+#include "engine/io/sandbox/read_scene.h"
 #include "engine/io/sandbox/scene_frame.h"
 #include "engine/io/scene_format.h"
 #include "engine/jobs/parallel.h"
@@ -81,20 +82,20 @@ void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
     notes.push_back("the scene names files outside its folder, which were not opened: " + names);
 }
 
-Result<ReadScene> readScene(const Task& task, const InputRecord& record, const JobContext& job) {
+Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const JobContext& job) {
     const std::string where = task.scene.string();
     try {
         const Result<const SceneFormat*> format = checkSceneFile(task.scene);
         if (!format) return tl::unexpected(format.error());
-        Result<RawScene> raw =
-            (*format)->read(task.scene, task.options, job.stage(0.0, 0.7, "reading"));
-        if (!raw) return tl::unexpected(raw.error());
-        ReadScene scene{std::move(*raw), {}};
-        if (task.options.read_textures) {
-            scene.textures = loadTextures(task.scene, scene.raw.textures, job);
+        Result<ReadScene> scene = readScene(**format, task.scene, task.options, job);
+        std::vector<std::string> refused;
+        noteRefused(record, refused);
+        if (!scene) {
+            for (const std::string& note : refused) scene.error().message += "; " + note;
+            return scene;
         }
-        noteRefused(record, scene.raw.notes);
-        for (TextureRequest& request : scene.raw.textures) request.embedded = {};
+        scene->raw.notes.insert(scene->raw.notes.end(), refused.begin(), refused.end());
+        for (TextureRequest& request : scene->raw.textures) request.embedded = {};
         job.report(1.0);
         return scene;
     } catch (const std::bad_alloc&) {
@@ -109,7 +110,8 @@ Result<ReadScene> readScene(const Task& task, const InputRecord& record, const J
     }
 }
 
-/// The frame, and behind it the list of what was read, into the memory that the parent has made.
+/// The frame, and behind it the list of what was read, into the memory that the parent has
+/// made.
 bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& uses) {
     struct stat status {};
     if (::fstat(kFrameDescriptor, &status) != 0) return false;
@@ -142,7 +144,7 @@ int runImporter(int count, char** arguments) {
         tell(ImporterMessage::Progress,
              static_cast<std::uint64_t>(std::clamp(fraction, 0.0, 1.0) * 1e6));
     });
-    Result<ReadScene> outcome = readScene(*task, record, job);
+    Result<ReadScene> outcome = readGuarded(*task, record, job);
     constexpr std::uint64_t kRoomForList = std::uint64_t{256} << 20U;
     if (outcome && frameSize(outcome) > kMostFrameBytes - kRoomForList) {
         outcome =

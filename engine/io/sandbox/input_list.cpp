@@ -2,12 +2,14 @@
 
 #include "engine/io/sandbox/frame_archive.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dollytrack::io {
 namespace {
 
 constexpr std::size_t kMostUses = 100'000;
+constexpr std::ptrdiff_t kMostListings = 1000;  // each is walked by whoever believes the list
 
 template <class Archive, class T>
 void useMembers(Archive& archive, T& use) {
@@ -36,6 +38,8 @@ std::optional<std::vector<InputUse>> parseInputList(std::string_view text) {
     std::optional<std::vector<InputUse>> uses =
         parseListText<InputUse>(text, 52, [](auto& from, InputUse& use) { useMembers(from, use); });
     if (!uses || uses->size() > kMostUses) return std::nullopt;
+    const auto listings = std::ranges::count(*uses, InputUse::Listing, &InputUse::kind);
+    if (listings > kMostListings) return std::nullopt;
     for (const InputUse& use : *uses) {
         const bool known = use.kind <= InputUse::Refused;
         if (!known || use.path.native().find('\0') != std::string::npos) return std::nullopt;

@@ -47,6 +47,11 @@ bool soundPart(const MeshPart& part, const RawScene& raw) {
                        [](const Eigen::Vector3f& normal) { return normal.squaredNorm() < 1.1F; });
 }
 
+bool withinReach(const Eigen::AlignedBox3f& box) {
+    return box.isEmpty() ||
+           (box.min().minCoeff() >= -kFarthest && box.max().maxCoeff() <= kFarthest);
+}
+
 bool within(float value, float most) {
     return value >= 0.0F && value <= most;  // false for what is no number
 }
@@ -96,14 +101,15 @@ Status checkParts(RawScene& raw) {
     if (vertices > kMost || triangles > kMost) return wrong("there are too many triangles");
     parallelFor(raw.parts.size(), [&](std::size_t i) {
         MeshPart& part = raw.parts[i];
-        if (!soundPart(part, raw)) {
+        const bool sound = soundPart(part, raw);
+        if (sound) measurePart(part);
+        if (!sound || !withinReach(part.bounds)) {
             std::size_t first = bad;
             while (i < first && !bad.compare_exchange_weak(first, i)) {
             }
             return;
         }
         part.name = cleanText(part.name);
-        measurePart(part);
     });
     if (bad != kNone) return wrong("mesh " + std::to_string(bad) + " is not whole");
     return {};

@@ -94,10 +94,10 @@ void textureMembers(Archive& archive, T& texture) {
 
 template <class Archive, class T>
 void repairMembers(Archive& archive, T& repairs) {
-    auto& [bad_numbers, bad_indices, no_area, approximate, polygons, lines, made_normals,
+    auto& [bad_numbers, too_far, bad_indices, no_area, approximate, polygons, lines, made_normals,
            mirrored] = repairs;
-    for (auto* count : {&bad_numbers, &bad_indices, &no_area, &approximate, &polygons, &lines,
-                        &made_normals, &mirrored}) {
+    for (auto* count : {&bad_numbers, &too_far, &bad_indices, &no_area, &approximate, &polygons,
+                        &lines, &made_normals, &mirrored}) {
         archive.number(*count);
     }
 }

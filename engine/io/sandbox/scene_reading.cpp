@@ -1,6 +1,7 @@
 #include "engine/io/sandbox/scene_reading.h"
 
 #include "engine/io/sandbox/importer_process.h"
+#include "engine/io/sandbox/read_scene.h"
 #include "engine/io/sandbox/scene_cache.h"
 #include "engine/io/sandbox/scene_check.h"
 #include "engine/io/sha256.h"
@@ -18,14 +19,10 @@ namespace {
 
 Result<ReadScene> readHere(const SceneFormat& format, const std::filesystem::path& path,
                            const ImportOptions& options, const JobContext& job) {
-    Result<RawScene> raw = format.read(path, options, job.stage(0.0, 0.7, "reading"));
-    if (!raw) return tl::unexpected(raw.error());
-    ReadScene scene{std::move(*raw), {}};
-    if (options.read_textures) {
-        scene.textures = loadTextures(path, scene.raw.textures, job);
-    }
+    Result<ReadScene> scene = readScene(format, path, options, job);
+    if (!scene) return scene;
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
-    if (Status sound = checkScene(scene); !sound) {
+    if (Status sound = checkScene(*scene); !sound) {
         return fail(ErrorCode::BadInput, sound.error().message, path.string());
     }
     return scene;

@@ -25,7 +25,8 @@ using Map = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 /// 2.5 cm with 1 mm of noise.
 class RoomScan {
   public:
-    explicit RoomScan(Map file_from_room) : file_from_room_(std::move(file_from_room)) {
+    explicit RoomScan(Map file_from_room, double noise_m = 0.001, double step_m = 0.025)
+        : file_from_room_(std::move(file_from_room)), noise_m_(noise_m), step_m_(step_m) {
         rectangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0}, kFloor);
         rectangle({0, 0, 0}, {3, 0, 0}, {0, 0, 2.5}, kWall);
         rectangle({0, 0, 0}, {0, 4, 0}, {0, 0, 2.5}, kWall);
@@ -53,15 +54,15 @@ class RoomScan {
   private:
     void rectangle(const Eigen::Vector3d& corner, const Eigen::Vector3d& along,
                    const Eigen::Vector3d& across, const Color& color) {
-        const auto steps = [](const Eigen::Vector3d& v) {
-            return static_cast<int>(std::round(v.norm() / 0.025));
+        const auto steps = [this](const Eigen::Vector3d& v) {
+            return static_cast<int>(std::round(v.norm() / step_m_));
         };
         const Eigen::Vector3d normal = along.cross(across).normalized();
         for (int i = 0; i <= steps(along); ++i) {
             for (int j = 0; j <= steps(across); ++j) {
                 const Eigen::Vector3d p =
                     file_from_room_(corner + along * i / steps(along) + across * j / steps(across) +
-                                    0.001 * random_.normal() * normal);
+                                    noise_m_ * random_.normal() * normal);
                 text_ += fmt::format("{:.5f} {:.5f} {:.5f} {} {} {}\n", p.x(), p.y(), p.z(),
                                      color[0], color[1], color[2]);
             }
@@ -69,6 +70,8 @@ class RoomScan {
     }
 
     Map file_from_room_;
+    double noise_m_;
+    double step_m_;
     Random random_{3};
     std::string text_;
 };
@@ -141,6 +144,47 @@ TEST(CloudRoom, IsARoomWithThingsInIt) {
     EXPECT_EQ(scene->report.up_axis, "z");
     EXPECT_DOUBLE_EQ(scene->report.unit_m, 1.0);
     expectTheRoom(*scene, 0.05);
+}
+
+/// Share of an object's surface that is level or upright, by 20 degrees.
+double evenShare(const Scene& scene, const Object& object) {
+    double even = 0.0;
+    double all = 0.0;
+    for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
+        const Triangle& triangle = scene.triangles[object.first_triangle + t];
+        const Eigen::Vector3f& a = scene.positions[triangle[0]];
+        const Eigen::Vector3f across =
+            (scene.positions[triangle[1]] - a).cross(scene.positions[triangle[2]] - a);
+        const double rise = std::abs(across.normalized().z());
+        all += across.norm();
+        if (rise > std::cos(0.35) || rise < std::sin(0.35)) even += across.norm();
+    }
+    return even / all;
+}
+
+// Without being smoothed a floor of such points is a heap of shards, two fifths of it even.
+TEST(CloudRoom, NoisyScansKeepTheirFloorsAndSaySo) {
+    const test::TempFolder folder;
+    const auto scene = importScene(folder.write("room.xyz", RoomScan(asItIs, 0.02, 0.0125).text()));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    const auto floor = std::find_if(scene->objects.begin(), scene->objects.end(),
+                                    [](const Object& o) { return o.nyu40 == kNyuFloor; });
+    ASSERT_NE(floor, scene->objects.end());
+    EXPECT_GT(evenShare(*scene, *floor), 0.9);
+    EXPECT_EQ(targetsOf(*scene).size(), 2U);
+    EXPECT_TRUE(std::any_of(
+        scene->report.warnings.begin(), scene->report.warnings.end(),
+        [](const std::string& line) { return line.find("scatter by") != std::string::npos; }));
+}
+
+TEST(CloudRoom, SparseScansGetLargerCubesAndSaySo) {
+    const test::TempFolder folder;
+    const auto scene = importScene(folder.write("room.xyz", RoomScan(asItIs, 0.001, 0.07).text()));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(targetsOf(*scene).size(), 2U);
+    EXPECT_TRUE(std::any_of(
+        scene->report.warnings.begin(), scene->report.warnings.end(),
+        [](const std::string& line) { return line.find("mm apart") != std::string::npos; }));
 }
 
 // The same room in a camera's tilted axes comes out level: the way back to the file's axes says how

@@ -99,6 +99,15 @@ TEST(ConfinedFolder, ForgetsNamesThatNoFileCanHave) {
     EXPECT_TRUE(io::parseInputList(io::inputListText(record.uses())));
 }
 
+// Whoever believes such a list walks each of the folders.
+TEST(ConfinedFolder, NoReadingListsThousandsOfFolders) {
+    std::vector<io::InputUse> uses(1000);
+    for (io::InputUse& use : uses) use.kind = io::InputUse::Listing;
+    EXPECT_TRUE(io::parseInputList(io::inputListText(uses)));
+    uses.push_back(uses.front());
+    EXPECT_FALSE(io::parseInputList(io::inputListText(uses)));
+}
+
 TEST(ConfinedFolder, ListsFilesButNoLinks) {
     const Folders folders;
     fs::create_symlink("/etc", folders.scene / "etc");

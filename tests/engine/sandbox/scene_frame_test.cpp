@@ -1,5 +1,6 @@
 #include "engine/io/sandbox/scene_frame.h"
 #include "engine/core/clean_text.h"
+#include "engine/io/sandbox/frame_archive.h"
 #include "tests/engine/sandbox/frames.h"
 
 #include <gtest/gtest.h>
@@ -160,6 +161,20 @@ TEST(SceneFrame, CountsAreNotBelieved) {
     }
 }
 
+TEST(SceneFrame, EntriesLargerThanTheirBytesAreBounded) {
+    const std::vector<std::string> texts(1000);  // of 8 bytes each
+    const std::string written =
+        io::listText(texts, [](auto& to, const std::string& text) { to.text(text); });
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(written.data()), written.size());
+    for (const std::size_t allowed : {1000 * sizeof(std::string), 999 * sizeof(std::string)}) {
+        io::FrameReader reader(bytes, allowed);
+        std::vector<std::string> read;
+        reader.list(read, 8, [](auto& from, std::string& text) { from.text(text); });
+        EXPECT_EQ(reader.finished(), allowed == 1000 * sizeof(std::string));
+        EXPECT_EQ(read.size(), reader.good() ? 1000U : 0U);
+    }
+}
+
 /// Something wrong with a scene, which a taken-over importer could hand back.
 using Spoil = void (*)(ReadScene&);
 
@@ -167,6 +182,7 @@ TEST(SceneFrame, RefusesScenesThatAreNotSound) {
     const std::vector<std::pair<const char*, Spoil>> cases = {
         {"index", [](ReadScene& s) { s.raw.parts[0].triangles[0][1] = 4; }},
         {"nan", [](ReadScene& s) { s.raw.parts[0].positions[0].x() = NAN; }},
+        {"beyond reach", [](ReadScene& s) { s.raw.parts[0].positions[0].x() = 2e9F; }},
         {"infinite uv", [](ReadScene& s) { s.raw.parts[0].uvs[0].y() = INFINITY; }},
         {"long normal", [](ReadScene& s) { s.raw.parts[0].normals[0] *= 2.0F; }},
         {"fewer normals", [](ReadScene& s) { s.raw.parts[0].normals.pop_back(); }},
