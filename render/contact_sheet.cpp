@@ -88,7 +88,7 @@ cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
         return bgr;
     }
     if (image.type() == CV_16UC1) {
-        if (modality == "depth" || modality == "depth_right") return depthPicture(image);
+        if (modality.starts_with("depth")) return depthPicture(image);
         if (modality == "disparity") return disparityPicture(image);
         return labelPicture<std::uint16_t>(image, idColor);
     }

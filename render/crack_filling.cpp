@@ -1,5 +1,7 @@
 #include "render/crack_filling.h"
 
+#include "render/seen_normal.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -31,30 +33,6 @@ Neighbours neighboursOf(int x, int y, int width, int height,
         }
     }
     return found;
-}
-
-/// The shading normal where the ray meets the triangle, on the camera's side.
-Eigen::Vector3f normalAt(const Scene& scene, const std::vector<Eigen::Isometry3d>& to_rest,
-                         const RayHit& hit, const ViewRay& ray) {
-    Eigen::Vector3d point = ray.origin + hit.distance * ray.direction;
-    Eigen::Isometry3d rest_from_now = Eigen::Isometry3d::Identity();
-    if (!to_rest.empty()) rest_from_now = to_rest[static_cast<std::size_t>(hit.object_id)];
-    point = rest_from_now * point;
-
-    const Triangle& corners = scene.triangles[hit.triangle];
-    const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
-    const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;
-    const Eigen::Vector3d ac = scene.positions[corners[2]].cast<double>() - a;
-    const Eigen::Vector3d across = ab.cross(ac);
-    const double v = (point - a).cross(ac).dot(across) / across.squaredNorm();
-    const double w = ab.cross(point - a).dot(across) / across.squaredNorm();
-    Eigen::Vector3d normal = (1.0 - v - w) * scene.normals[corners[0]].cast<double>() +
-                             v * scene.normals[corners[1]].cast<double>() +
-                             w * scene.normals[corners[2]].cast<double>();
-    if (!(normal.norm() > 1e-6)) normal = across;
-    normal = rest_from_now.linear().transpose() * normal.normalized();
-    if (normal.dot(ray.direction) > 0.0) normal = -normal;
-    return normal.cast<float>();
 }
 
 /// Whether no neighbour has about the same depth.
@@ -119,8 +97,13 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
         const ViewRay ray = view.rayThrough(static_cast<double>(crack.pixel % width) + 0.5,
                                             static_cast<double>(crack.pixel / width) + 0.5);
         record.normals_in_world[crack.pixel] =
-            normalAt(context.contents.scene, to_rest, crack.hit, ray);
+            seenNormal(context.contents.scene, to_rest, crack.hit, ray.origin, ray.direction)
+                .cast<float>();
     }
+}
+
+void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb) {
+    for (const CrackPixel& crack : cracks) copyColour(rgb, crack);
 }
 
 void mendDepths(const View& view, std::span<const std::uint16_t> labels, const RayCaster& rays,

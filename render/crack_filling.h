@@ -30,6 +30,9 @@ struct CrackPixel {
 void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
                 FrameRecord& record);
 
+/// The same in a picture alone, 3 bytes a pixel.
+void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb);
+
 /// Depth of pixels that stand alone with theirs, asked of rays again: along the rim of what is seen
 /// along itself, drawing carries a plane's depth on beyond its end. `labels` say which object the
 /// ray has to meet; empty where any will do.

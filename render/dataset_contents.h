@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
+#include "engine/camera/rig.h"
+#include "engine/camera/sensor_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
@@ -42,13 +44,17 @@ struct DatasetContents {
     double stereo_baseline_m = 0.1;
     std::vector<ObjectMotion> motions = {};  // of the objects that move
     FoldSettings folds = {};
+    SensorParams sensor = {};
+    Rig rig = {};                       // further cameras, that ride on the planned one
     std::filesystem::path folder = {};  // where the images are, for what is made from them
 
-    /// What other files show or refer to: the colour pictures, else the first there are, else the
-    /// first of what is no picture.
+    /// What other files show or refer to: the colour pictures, else the sensor's, else the first
+    /// there are, else the first of what is no picture.
     [[nodiscard]] const Modality& pictureModality() const {
-        for (const Modality* modality : modalities) {
-            if (std::string_view(modality->name) == "rgb") return *modality;
+        for (const std::string_view first : {std::string_view("rgb"), kRgbSensor}) {
+            for (const Modality* modality : modalities) {
+                if (first == modality->name) return *modality;
+            }
         }
         for (const Modality* modality : modalities) {
             if (modality->is_picture) return *modality;
@@ -56,7 +62,9 @@ struct DatasetContents {
         return *modalities.front();
     }
     [[nodiscard]] std::string pictureFile(int index) const {
-        return frameFile(pictureModality().name, index);
+        const Modality& picture = pictureModality();
+        const bool of_sensor = std::string_view(picture.name) == kRgbSensor;
+        return frameFile(picture.name, index, of_sensor ? pictureEnding(sensor) : ".png");
     }
 };
 

@@ -4,6 +4,7 @@
 #include "render/formats/dataset_card.h"
 #include "render/formats/fold_files.h"
 #include "render/formats/formats.h"
+#include "render/rig_files.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -80,6 +81,17 @@ std::vector<std::string> namesIn(const fs::path& folder, std::error_code& error)
     return names;
 }
 
+/// Those that the cameras of any rig have.
+std::set<std::string> rigFoldersIn(const fs::path& folder, std::error_code& error) {
+    std::set<std::string> folders;
+    for (const std::string& name : namesIn(folder / kRigModality, error)) {
+        std::error_code unknown;
+        if (!fs::is_directory(folder / kRigModality / name, unknown)) continue;
+        for (const std::string& one : rigFoldersOf(name)) folders.insert(one);
+    }
+    return folders;
+}
+
 /// Relative paths of all files of a dataset and of what a killed run left of them, in the order in
 /// which they are to be removed.
 std::vector<std::string> datasetFiles(const fs::path& folder, std::error_code& error) {
@@ -97,7 +109,9 @@ std::vector<std::string> datasetFiles(const fs::path& folder, std::error_code& e
     for (const std::string& name : namesIn(folder / kFoldFolder, error)) {
         if (isFoldFile(name)) files.push_back(std::string(kFoldFolder) + "/" + name);
     }
-    for (const std::string& subfolder : allFrameFolders()) {
+    std::set<std::string> subfolders = allFrameFolders();
+    subfolders.merge(rigFoldersIn(folder, error));
+    for (const std::string& subfolder : subfolders) {
         if (error) break;
         for (const std::string& name : namesIn(folder / subfolder, error)) {
             if (isFrameFile(name)) files.push_back(subfolder + "/" + name);
@@ -269,7 +283,8 @@ Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string
 }
 
 Status DatasetFolder::begin(const ModalitySet& modalities, const FormatSet& formats,
-                            const std::set<std::string>& keep) {
+                            const std::set<std::string>& keep,
+                            const std::vector<std::string>& more) {
     made_ = false;
     marked_ = false;
     std::error_code error;
@@ -280,9 +295,13 @@ Status DatasetFolder::begin(const ModalitySet& modalities, const FormatSet& form
     }
     if (error) return tl::unexpected<Error>(asError(error, folder_));
     std::set<std::string> wanted = frameFolders(modalities, formats);
+    wanted.insert(more.begin(), more.end());
+    std::set<std::string> subfolders = allFrameFolders();
+    subfolders.merge(rigFoldersIn(folder_, error));
+    if (error) return tl::unexpected<Error>(asError(error, folder_));
     // Only empty ones go, the innermost first; the formats' files make theirs.
     for (const fs::path& subfolder : fixedFolders()) ::rmdir((folder_ / subfolder).c_str());
-    for (const std::string& subfolder : allFrameFolders()) {
+    for (const std::string& subfolder : subfolders) {
         if (wanted.contains(subfolder)) continue;
         for (fs::path at = subfolder; !at.empty(); at = at.parent_path()) {
             ::rmdir((folder_ / at).c_str());

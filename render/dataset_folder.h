@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace dollytrack::render {
 
@@ -43,9 +44,11 @@ class DatasetFolder {
 
     /// From here on the folder belongs to the new dataset: removes what an earlier one left,
     /// dataset.json first, but for the frames' files in `keep` (relative paths), and makes the
-    /// subfolders. Only files named like a dataset's are removed.
+    /// subfolders, `more` (relative paths) among them. Only files named like a dataset's are
+    /// removed.
     [[nodiscard]] Status begin(const ModalitySet& modalities, const FormatSet& formats,
-                               const std::set<std::string>& keep);
+                               const std::set<std::string>& keep,
+                               const std::vector<std::string>& more = {});
 
     /// Removes the journal: the dataset is complete. Call last.
     [[nodiscard]] Status release();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace dollytrack::render {
 namespace {
@@ -84,6 +85,14 @@ std::string pictureText(const PictureParams& picture) {
                : fmt::format("light {} reference {}", kLight, picture.reference_samples);
 }
 
+std::string sensorText(const DatasetContents& contents, SensorParams params) {
+    const bool pictures = contains(contents.modalities, kRgbSensor);
+    if (!pictures && !contains(contents.modalities, "depth_sensor")) return "none";
+    std::string result;
+    for (const Field& field : listSensorFields(params)) result += field.valueText() + " ";
+    return result;
+}
+
 }  // namespace
 
 DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
@@ -106,10 +115,12 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
          fmt::format("{}", fmt::join(settings.flow_distances, " "))},
         {"the stereo baseline", fmt::format("{:a}", settings.stereo_baseline_m)},
         {"the way pictures are made", pictureText(settings.picture)},
+        {"the sensors", sensorText(contents, settings.sensor)},
         {"the motions of objects", hash(motionsText(contents))},
         {"the weights of the image score", toText(settings.score)},
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},
+        {"the cameras of the rig", rigJson(contents.rig).dump()},
         {"the folds", fmt::format("{} {}", settings.folds.count, settings.folds.seed)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
         {"the edits", hash(origin.edits_json)},

@@ -8,7 +8,11 @@
 #include "render/frame_ledger.h"
 #include "render/frame_pipeline.h"
 #include "render/frame_writer.h"
+#include "render/rig_clearance.h"
+#include "render/rig_files.h"
 #include "render/size_estimate.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <cstdio>
@@ -38,6 +42,27 @@ void warnOfTouching(const DatasetContents& contents) {
                             "; plan with them elsewhere (--time), or export with --still");
 }
 
+void warnOfBlackCorners(const SensorLens& lens, const CameraParams& camera) {
+    if (lens.blackCount() == 0) return;
+    const double share =
+        static_cast<double>(lens.blackCount()) / camera.width_px / camera.height_px;
+    log::warn("export", fmt::format("the lens of --sensor shows nothing in {:.1f} % of its "
+                                    "picture, which stays black; weaker k1, k2, k3 or a smaller "
+                                    "hfov_deg fill it",
+                                    100.0 * share));
+}
+
+/// Paths are traced through things as they are at a frame's time.
+void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origin) {
+    const bool lasts = settings.sensor.shutter_s > 0.0 || settings.sensor.readout_s > 0.0;
+    if (settings.picture.render_mode != RenderMode::Reference || origin.motions.empty() || !lasts) {
+        return;
+    }
+    log::warn("export",
+              "path traced sensor pictures show things that move where they are at the frame's "
+              "time, blurred by the camera's motion alone; render_mode=fast blurs both");
+}
+
 }  // namespace
 
 struct DatasetJob::Impl {
@@ -49,6 +74,8 @@ struct DatasetJob::Impl {
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
     std::optional<MovingObjects> moving;
+    std::optional<SensorMotion> sensor_motion;
+    std::optional<SensorLens> sensor_lens;
     std::optional<FrameContext> frame_context;
     std::optional<FramePipeline> pipeline;
     std::optional<FrameLedger> ledger;
@@ -87,8 +114,11 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
     const std::uint64_t bytes =
         estimateBytes(contents, order.card.formats, pipeline->missingCount());
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
-    if (Status status = folder->begin(contents.modalities, order.card.formats, keep); !status)
+    if (Status status =
+            folder->begin(contents.modalities, order.card.formats, keep, rigFolders(contents.rig));
+        !status) {
         return status;
+    }
     Result<DatasetJournal> journal =
         earlier.identity ? DatasetJournal::resume(folder->journal(), earlier)
                          : DatasetJournal::begin(folder->journal(), identity, gl::rendererName());
@@ -185,19 +215,31 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     DatasetContents& contents = impl->order.contents;
     const MovingObjects& moving = impl->moving.emplace(contents.scene, rays, contents.motions);
     impl->frame_context.emplace(FrameContext{contents, moving});
+    if (contains(contents.modalities, kRgbSensor)) {
+        impl->sensor_motion.emplace(
+            SensorMotion{CameraMotion(trajectory), ObjectPaths(scene, trajectory, origin.motions)});
+        impl->frame_context->sensor_lens =
+            &impl->sensor_lens.emplace(contents.camera, contents.sensor);
+        warnOfBlackCorners(*impl->sensor_lens, contents.camera);
+        warnOfUnblurred(impl->settings, origin);
+    }
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         DatasetFrame& frame = contents.frames[i];
         frame.clearance_m =
             clearanceAt(*moving.raysAt(static_cast<int>(i)), frame.camera.pose.position);
     }
     if (moving.any()) warnOfTouching(contents);
+    for (const std::string& warning : rigWarnings(*impl->frame_context))
+        log::warn("export", warning);
     std::map<int, std::vector<ObjectView>> restored;
     for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;
     FramePipeline& pipeline =
         impl->pipeline.emplace(*impl->frame_context, impl->settings.rules,
                                needsOf(contents.modalities, impl->order.card.formats),
                                impl->settings.picture, std::move(restored));
-    Status status = pipeline.prepare(rays, origin.rooms, job.stage(0.3, 1.0, "light"));
+    Status status =
+        pipeline.prepare(rays, origin.rooms, impl->sensor_motion ? &*impl->sensor_motion : nullptr,
+                         job.stage(0.3, 1.0, "light"));
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());
     return DatasetJob(std::move(impl));
@@ -238,8 +280,9 @@ bool DatasetJob::folderIsThere() const {
 }
 
 Status checkSettings(const DatasetSettings& settings) {
-    const auto modalities = chooseModalities(settings.modalities);
+    const auto modalities = chooseModalities(settings.modalities, !settings.rig.empty());
     if (!modalities) return tl::unexpected(modalities.error());
+    if (Status status = validate(settings.rig); !status) return status;
     const auto formats = chooseFormats(settings.formats);
     if (!formats) return tl::unexpected(formats.error());
     if (Status status = checkNeeds(*formats, *modalities); !status) return status;

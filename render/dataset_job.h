@@ -2,6 +2,8 @@
 
 #include "engine/camera/camera_params.h"
 #include "engine/camera/picture_params.h"
+#include "engine/camera/rig.h"
+#include "engine/camera/sensor_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
@@ -37,8 +39,10 @@ struct DatasetSettings {
     std::vector<int> flow_distances = {1};  // in frames of the dataset
     double stereo_baseline_m = 0.1;
     PictureParams picture;
-    ScoreWeights score;  // of the scores in frames.csv
-    FoldSettings folds;  // for cross-validation
+    SensorParams sensor;  // of rgb_sensor and depth_sensor
+    ScoreWeights score;   // of the scores in frames.csv
+    FoldSettings folds;   // for cross-validation
+    Rig rig;              // further cameras; with any, the modality `cameras` is written
 };
 
 /// Whether an export with these settings could begin, as far as can be said without the scene:

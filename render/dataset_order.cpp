@@ -53,7 +53,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
                         std::to_string(trajectory.frames.size()) + " frames",
                     "--range");
     }
-    Result<ModalitySet> modalities = chooseModalities(settings.modalities);
+    Result<ModalitySet> modalities = chooseModalities(settings.modalities, !settings.rig.empty());
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
     order.contents.imu_rate_hz = settings.imu_rate_hz;
@@ -77,9 +77,12 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.flow_distances = settings.flow_distances;
     order.contents.stereo_baseline_m = settings.stereo_baseline_m;
     order.contents.motions = motionsOf(order.contents.frames, origin.motions);
+    order.contents.sensor = settings.sensor;
     order.contents.score = settings.score;
     order.contents.folder = settings.folder;
     order.contents.folds = settings.folds;
+    if (Status status = validate(settings.rig); !status) return tl::unexpected(status.error());
+    order.contents.rig = settings.rig;
     const auto folds = splitFrames(order.contents.frames, settings.folds);
     if (!folds) return tl::unexpected(folds.error());
     DatasetCard& card = order.card;

@@ -2,6 +2,7 @@
 
 #include "render/dataset_contents.h"
 #include "render/moving_objects.h"
+#include "render/sensors/sensor_lens.h"
 
 namespace dollytrack::render {
 
@@ -10,6 +11,7 @@ namespace dollytrack::render {
 struct FrameContext {
     const DatasetContents& contents;
     const MovingObjects& moving;
+    const SensorLens* sensor_lens = nullptr;  // where rgb_sensor is wanted
 };
 
 }  // namespace dollytrack::render

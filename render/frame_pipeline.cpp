@@ -24,7 +24,7 @@ FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& ru
 }
 
 Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::AlignedBox3d>& rooms,
-                              const JobContext& job) {
+                              const SensorMotion* motion, const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
     const LightRig rig = makeLightRig(scene, rays, rooms);
@@ -49,12 +49,18 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         right_.emplace(std::move(*created));
     }
+    if (needs(kNeedsSensorLight)) {
+        Result<SensorPictures> created = SensorPictures::create(context_, *motion);
+        if (!created) return tl::unexpected(created.error());
+        sensor_.emplace(std::move(*created));
+    }
     if (needs(kNeedsSurfaces)) {
         Result<SurfaceTarget> created =
             SurfaceTarget::create(contents_.camera.width_px, contents_.camera.height_px);
         if (!created) return tl::unexpected(created.error());
         surfaces_.emplace(std::move(*created));
     }
+    if (needs(kNeedsRig)) rig_.emplace(contents_.camera.near_m, antialias());
     return {};
 }
 
@@ -83,6 +89,19 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
                 return status;
             }
         }
+    }
+    return needs(kNeedsRig) ? drawRig(record) : Status();
+}
+
+Status FramePipeline::drawRig(FrameRecord& record) {
+    for (const RigCamera& camera : contents_.rig) {
+        const LensModel lens(camera);
+        const Pose pose = poseOnRig(camera, record.pose);
+        std::vector<std::uint8_t>& rgb = record.rig_rgb.emplace_back();
+        Status status = reference_ ? reference_->take(lens, pose, record.index, rgb)
+                                   : rig_->draw(lens, pose, *renderer_,
+                                                *context_.moving.raysAt(record.index), rgb);
+        if (!status) return status;
     }
     return {};
 }
@@ -167,7 +186,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         silhouettes_of_ = record.index;
     }
     if (needs(kNeedsRgb)) target.readRgb(record.rgb);
-    if (needs(kNeedsDepth)) target.readDepth(record.depth_m);
+    if (needs(kNeedsDepth | kNeedsSensorLight)) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, context_, view, record);
     if (reference_ && needs(kNeedsRgb)) {
@@ -176,6 +195,13 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         }
     }
     mendDepths(view, record.instance, *context_.moving.raysAt(record.index), record.depth_m);
+    if (needs(kNeedsSensorLight)) {
+        Status status = sensor_->take(record, *renderer_, reference_ ? &*reference_ : nullptr,
+                                      record.sensor_light);
+        if (!status) return status;
+        // What follows may draw this frame again, or go on with others in their own time.
+        placeObjects(record.index);
+    }
     ++drawn_;
     return writer.write(std::move(record));
 }

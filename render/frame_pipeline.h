@@ -10,7 +10,9 @@
 #include "render/frame_ledger.h"
 #include "render/frame_writer.h"
 #include "render/reference_pictures.h"
+#include "render/rig_pictures.h"
 #include "render/scene_renderer.h"
+#include "render/sensors/sensor_pictures.h"
 #include "render/surface_target.h"
 
 #include <array>
@@ -31,9 +33,10 @@ class FramePipeline {
 
     /// Computes the light and loads the scene, where there is anything to draw. The job can cancel
     /// frames, too.
+    /// `motion` is needed where the sensor's light is, and outlives this.
     [[nodiscard]] Status prepare(const RayCaster& rays,
                                  const std::vector<Eigen::AlignedBox3d>& rooms,
-                                 const JobContext& job);
+                                 const SensorMotion* motion, const JobContext& job);
 
     [[nodiscard]] int frameCount() const { return static_cast<int>(contents_.frames.size()); }
     [[nodiscard]] int missingCount() const { return static_cast<int>(missing_.size()); }
@@ -61,6 +64,7 @@ class FramePipeline {
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
     [[nodiscard]] Status drawInstances(const View& view, FrameRecord& record,
                                        const std::vector<int>& wanted);
+    [[nodiscard]] Status drawRig(FrameRecord& record);
     [[nodiscard]] bool needs(unsigned what) const { return (needs_ & what) != 0; }
 
     const FrameContext& context_;
@@ -71,8 +75,10 @@ class FramePipeline {
     std::array<std::optional<RenderTarget>, 2> targets_;
     std::optional<RenderTarget> right_;
     std::optional<SurfaceTarget> surfaces_;
+    std::optional<LensPictures> rig_;
     PictureParams picture_;
     std::optional<ReferencePictures> reference_;  // where they are wanted
+    std::optional<SensorPictures> sensor_;        // likewise
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
     std::vector<int> missing_;  // indices of frames

@@ -28,8 +28,11 @@ struct FrameRecord {
     std::vector<std::uint8_t> albedo;               // 3 bytes a pixel, sRGB
     std::vector<std::uint8_t> rgb_right;            // of the stereo pair
     std::vector<float> depth_right_m;
+    std::vector<float> sensor_light;      // 3 a pixel, through SensorLens::drawn()
     std::vector<WholeMask> whole;         // of the things seen, by rising id
     std::vector<std::uint64_t> whole_px;  // of the same, also beyond the image's borders
+
+    std::vector<std::vector<std::uint8_t>> rig_rgb;  // of each camera of the rig, as `rgb`
 
     /// Fills `semantic` from `instance`.
     void labelClasses(const Scene& scene);

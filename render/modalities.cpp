@@ -5,13 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace dollytrack::render {
 namespace {
 
 // Bytes a pixel: measured over real rooms at 640 x 480, see README.md.
-constexpr std::array<Modality, 15> kModalities = {{
+constexpr std::array<Modality, 18> kModalities = {{
     {"rgb", "8-bit colour pictures", 1.2, true, kNeedsRgb, encodeRgb, rgbConvention},
     {"depth", "16-bit depth along the viewing axis, in millimetres", 0.3, true, kNeedsDepth,
      encodeDepth, depthConvention},
@@ -40,6 +41,12 @@ constexpr std::array<Modality, 15> kModalities = {{
      encodeDisparity, disparityConvention},
     {"amodal", "masks of whole objects, hidden parts included (JSON of run lengths)", 0.1, false,
      kNeedsWhole, encodeAmodal, amodalConvention, false},
+    {"rgb_sensor", "what a real camera makes of it: blur, lens, noise, see --sensor", 2.6, false,
+     kNeedsSensorLight, encodeRgbSensor, rgbSensorConvention},
+    {"depth_sensor", "16-bit depth in millimetres as a depth camera delivers it, see --sensor", 1.6,
+     false, kNeedsDepth | kNeedsSurfaces, encodeDepthSensor, depthSensorConvention},
+    {kRigModality, "colour, depth, ids, classes and normals of every camera of --rig", 2.6, false,
+     kNeedsRig, encodeCameras, camerasConvention, false},
 }};
 
 }  // namespace
@@ -50,6 +57,26 @@ std::span<const Modality> modalities() {
 
 Result<ModalitySet> chooseModalities(const std::vector<std::string>& names) {
     return chooseRows(modalities(), names, "modality", "--modalities");
+}
+
+Result<ModalitySet> chooseModalities(const std::vector<std::string>& names, bool has_rig) {
+    Result<ModalitySet> chosen = chooseModalities(names);
+    if (!chosen) return chosen;
+    const auto of_rig = std::find_if(modalities().begin(), modalities().end(), [](const auto& row) {
+        return std::string_view(row.name) == kRigModality;
+    });
+    std::erase(*chosen, &*of_rig);
+    if (has_rig) {
+        const auto later = std::find_if(chosen->begin(), chosen->end(),
+                                        [&](const Modality* one) { return one > &*of_rig; });
+        chosen->insert(later, &*of_rig);
+    } else if (std::find(names.begin(), names.end(), kRigModality) != names.end()) {
+        return fail(ErrorCode::Usage,
+                    "The modality 'cameras' needs cameras: name a file of them with --rig, or one "
+                    "with --camera.",
+                    "--modalities");
+    }
+    return chosen;
 }
 
 bool contains(const ModalitySet& set, std::string_view name) {

@@ -37,11 +37,22 @@ struct Modality {
 /// All there are; the order is that of the files.
 [[nodiscard]] std::span<const Modality> modalities();
 
+/// The modality whose files may be JPEG, see pictureEnding().
+inline constexpr std::string_view kRgbSensor = "rgb_sensor";
+
 /// Some of the table's rows, in its order.
 using ModalitySet = std::vector<const Modality*>;
 
 /// Those named, all for "all", the standard ones when none is. Error: Usage, with the closest name.
 [[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names);
+
+/// The modality that the cameras of a rig are written as.
+inline constexpr const char* kRigModality = "cameras";
+
+/// The same for a dataset with a rig or without: a rig brings its modality, "all" does not bring it
+/// without one. Error: Usage, also where it is named without a rig.
+[[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names,
+                                                   bool has_rig);
 
 [[nodiscard]] bool contains(const ModalitySet& set, std::string_view name);
 

@@ -11,7 +11,7 @@ namespace dollytrack::render {
 /// A scene renderer with a windowless context and images of its own. Belongs to one thread.
 class OffscreenRenderer {
   public:
-    /// `context` is current and loaded, as createOsMesaContext() returns it.
+    /// `context` is current and loaded, as createHeadlessContext() returns it.
     [[nodiscard]] static Result<OffscreenRenderer> create(std::unique_ptr<gl::Context> context,
                                                           const Scene& scene,
                                                           const LightVolume& light, int width,

@@ -1,6 +1,10 @@
 #include "render/reference_pictures.h"
 
+#include "render/rig_pictures.h"
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -50,6 +54,37 @@ Status ReferencePictures::take(const View& view, int frame, std::vector<std::uin
     if (Status status = tracerAt(frame).add(view, samples_, image, job_); !status) return status;
     rgb = developed(image, exposure_);
     return {};
+}
+
+Status ReferencePictures::takePart(const View& view, int frame, int number, int parts,
+                                   std::vector<Eigen::Vector3f>& light) {
+    const int samples = (samples_ + parts - 1) / parts;
+    RadianceImage image;
+    image.samples = number * samples;
+    if (Status status = tracerAt(frame).add(view, samples, image, job_); !status) return status;
+    light = std::move(image.sum);
+    const float scale = exposure_ * std::numbers::pi_v<float> / static_cast<float>(samples);
+    for (Eigen::Vector3f& one : light) one *= scale;
+    return {};
+}
+
+Status ReferencePictures::take(const LensModel& lens, const Pose& pose, int frame,
+                               std::vector<std::uint8_t>& rgb) {
+    const double near_m = context_.contents.camera.near_m;
+    if (!lens.measuresRange()) return take(viewThrough(lens, pose, near_m), frame, rgb);
+    const auto rayThrough = [&](double x, double y) -> std::optional<ViewRay> {
+        // A pixel belongs to the picture when its centre does, and then all of it has light.
+        const auto centre = lens.ray(std::floor(x) + 0.5, std::floor(y) + 0.5);
+        if (!centre) return std::nullopt;
+        const LensRay ray = lens.ray(x, y).value_or(*centre);
+        return ViewRay{pose.toWorld(ray.origin), pose.rotation * ray.direction};
+    };
+    RadianceImage image;
+    image.width = lens.width();
+    image.height = lens.height();
+    Status status = tracerAt(frame).add(rayThrough, near_m, samples_, image, job_);
+    if (status) rgb = developed(image, exposure_);
+    return status;
 }
 
 }  // namespace dollytrack::render

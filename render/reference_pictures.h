@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/camera/lens_model.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
 #include "render/frame_context.h"
@@ -23,6 +24,14 @@ class ReferencePictures {
 
     /// The view with things where they are in the frame, 3 bytes a pixel, sRGB. Error: Cancelled.
     [[nodiscard]] Status take(const View& view, int frame, std::vector<std::uint8_t>& rgb);
+
+    /// One of several looks that together have the samples of a picture (one each at least): the
+    /// light before the tone curve, 1 is white. Each number has random numbers of its own.
+    [[nodiscard]] Status takePart(const View& view, int frame, int number, int parts,
+                                  std::vector<Eigen::Vector3f>& light);
+    /// The same through any lens; black outside of its image circle.
+    [[nodiscard]] Status take(const LensModel& lens, const Pose& pose, int frame,
+                              std::vector<std::uint8_t>& rgb);
 
   private:
     struct Still;  // a scene at one time, ready to be traced

@@ -123,6 +123,21 @@ void RenderTarget::readIds(std::vector<std::uint16_t>& ids) const {
                       static_cast<GLsizei>(ids.size() * sizeof(std::uint16_t)), ids.data());
 }
 
+void RenderTarget::readLight(std::vector<float>& light) const {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    thread_local std::vector<float> sums;
+    sums.resize(4 * pixels);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(sum_.get(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(sums.size() * sizeof(float)), sums.data());
+    light.resize(3 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float weight = sums[4 * i + 3];
+        const float scale = weight > 0.0F ? 1.0F / weight : 0.0F;
+        for (std::size_t c = 0; c < 3; ++c) light[3 * i + c] = scale * sums[4 * i + c];
+    }
+}
+
 RenderTarget::Pixel RenderTarget::readPixel(int x, int y) const {
     Pixel pixel;
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return pixel;

@@ -23,6 +23,10 @@ class RenderTarget {
     /// Object ids, 0 where nothing was hit.
     void readIds(std::vector<std::uint16_t>& ids) const;
 
+    /// The mean of SceneRenderer's sum of looks: linear light before the tone curve, 3 values a
+    /// pixel; 0 where no look was added.
+    void readLight(std::vector<float>& light) const;
+
     /// The finished picture as an OpenGL texture, to be shown in a window.
     [[nodiscard]] unsigned picture() const { return picture_.get(); }
     /// What readDepth() gives, as an OpenGL texture of 32-bit floats.

@@ -208,6 +208,46 @@ struct SceneRenderer::Impl {
         glBindTextureUnit(3, target.soft_occlusion_.get());
     }
 
+    /// How the looks of a sensor are weighed, see light.frag.
+    void setSum(const LightSum& sum) const {
+        const unsigned name = lighting.get();
+        const auto set = [&](int location, double a, double b, double c, double d) {
+            glProgramUniform4f(name, location, static_cast<float>(a), static_cast<float>(b),
+                               static_cast<float>(c), static_cast<float>(d));
+        };
+        const Intrinsics& lens = sum.lens;
+        set(13, 1.0 / lens.fx, 1.0 / lens.fy, -lens.cx / lens.fx, -lens.cy / lens.fy);
+        set(14, sum.distortion.k1, sum.distortion.k2, sum.distortion.p1, sum.distortion.p2);
+        glProgramUniform1f(name, 15, static_cast<float>(sum.distortion.k3));
+        // In units of a look's and a row's time together: small numbers.
+        const double both_s = sum.half_look_s + sum.half_row_s;
+        const double most_s = 2.0 * std::min(sum.half_look_s, sum.half_row_s);
+        if (sum.s_per_bent > 0.0) {
+            set(16, sum.s_per_bent / both_s, -sum.after_s / both_s, 1.0, most_s / both_s);
+        } else {
+            set(16, 0.0, 0.0, 1.0, 1.0);
+        }
+    }
+
+    void addLight(const View& view, const LightSum& sum, RenderTarget& target) {
+        if (sum.first_row >= sum.last_row) return;
+        // What darkens corners looks so far beyond the rows.
+        constexpr int kBeyond = 160;
+        const int first = std::max(sum.first_row - kBeyond, 0);
+        const int count = sum.last_row - first + kBeyond;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, first, target.width(), count);
+        drawSurfaces(view, target);
+        glScissor(0, first / 2, target.width(), count / 2 + 1);
+        drawOcclusion(view, target);
+        glScissor(0, sum.first_row, target.width(), sum.last_row - sum.first_row);
+        setSum(sum);
+        glProgramUniform1i(lighting.get(), 12, 1);
+        drawLight(view, target, 1.0F);
+        glProgramUniform1i(lighting.get(), 12, 0);
+        glDisable(GL_SCISSOR_TEST);
+    }
+
     /// The light of one look, added to the others of the pixel when it has a share of them.
     void drawLight(const View& view, RenderTarget& target, float share) {
         const unsigned name = lighting.get();
@@ -328,6 +368,24 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target) {
         impl_->finish(target.lit_, impl_->edges, target);
     }
     return gl::checkErrors("drawing");
+}
+
+Status SceneRenderer::beginLight(RenderTarget& target) {
+    const std::array<float, 4> zero{};
+    target.makeSum();
+    glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
+    // Looks at some rows see what is around these: nothing of frames before.
+    glClearNamedFramebufferfv(target.surfaces_frame_.get(), GL_COLOR, 1, zero.data());
+    glClearNamedFramebufferfv(target.surfaces_frame_.get(), GL_COLOR, 2, zero.data());
+    glClearNamedFramebufferfv(target.occlusion_frame_.get(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferfv(target.soft_frame_.get(), GL_COLOR, 0, zero.data());
+    return gl::checkErrors("preparing to add light");
+}
+
+Status SceneRenderer::addLight(const View& view, const LightSum& sum, RenderTarget& target) {
+    glDisable(GL_CULL_FACE);
+    impl_->addLight(view, sum, target);
+    return gl::checkErrors("adding light");
 }
 
 Status SceneRenderer::drawSurfaces(const View& view, SurfaceTarget& target) {

@@ -1,3 +1,4 @@
+#include "app/cli/backend_option.h"
 #include "app/cli/command_line.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/object_motions.h"
@@ -9,10 +10,10 @@
 #include "engine/document/edits_json.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/io/annotation_file.h"
+#include "engine/io/rig_file.h"
 #include "engine/plan/plan_json.h"
 #include "render/dataset_job.h"
 #include "render/formats/formats.h"
-#include "render/gl/osmesa_context.h"
 #include "render/modalities.h"
 
 #include <fmt/format.h>
@@ -32,11 +33,15 @@ struct ExportArguments {
     std::vector<std::string> formats;
     std::string planner = "dollytrack";
     render::FoldSettings folds;
+    std::string rig;                    // a file
+    std::vector<std::string> cameras;   // more of the rig, NAME:field=value,...
     std::vector<std::string> pictures;  // settings of PictureParams, name=value
+    std::vector<std::string> sensors;   // settings of SensorParams, name=value
     bool overwrite = false;
     bool resume = false;
     bool still = false;
     std::vector<int> flow_distances = {1};
+    BackendOption backend;
     bool as_json = false;
 };
 
@@ -131,13 +136,58 @@ Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
     return io::findAnnotations(opened.imported->source, given);
 }
 
+std::string fieldsText(const FieldList& fields) {
+    std::string all;
+    for (const Field& field : fields) {
+        all += fmt::format("{}{}={} ({})", all.empty() ? "" : "; ", field.name, field.valueText(),
+                           field.rangeText());
+    }
+    return all;
+}
+
 /// What --picture can set.
 std::string pictureFields() {
     PictureParams standard;
+    return fieldsText(listPictureFields(standard));
+}
+
+/// What --sensor can set.
+std::string sensorFields() {
+    SensorParams standard;
+    return fieldsText(listSensorFields(standard));
+}
+
+bool wantsSensor(const render::DatasetSettings& settings) {
+    const auto modalities = render::chooseModalities(settings.modalities);
+    return modalities && (render::contains(*modalities, render::kRgbSensor) ||
+                          render::contains(*modalities, "depth_sensor"));
+}
+
+/// The cameras of --rig, then those of --camera.
+Result<Rig> rigOf(const ExportArguments& arguments) {
+    Rig rig;
+    if (!arguments.rig.empty()) {
+        Result<Rig> read = io::readRig(arguments.rig);
+        if (!read) return read;
+        rig = std::move(*read);
+    }
+    for (const std::string& text : arguments.cameras) {
+        Result<RigCamera> camera = io::parseRigCamera(text);
+        if (!camera) return tl::unexpected<Error>(std::move(camera.error()));
+        rig.push_back(std::move(*camera));
+    }
+    if (Status status = validate(rig); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    return rig;
+}
+
+/// What --camera can set.
+std::string cameraFields() {
+    RigCamera standard;
     std::string all;
-    for (const Field& field : listPictureFields(standard)) {
-        all += fmt::format("{}{}={} ({})", all.empty() ? "" : "; ", field.name, field.valueText(),
-                           field.rangeText());
+    for (const Field& field : listRigCameraFields(standard)) {
+        all += fmt::format("{}{} ({})", all.empty() ? "" : "; ", field.name, field.rangeText());
     }
     return all;
 }
@@ -158,6 +208,7 @@ Result<render::DatasetSummary> renderTrajectory(
     origin.edits_json = jsonText(editsJson(opened.edits));
     nlohmann::json parameters = toJson(planning::listFields(params));
     parameters.update(toJson(listPictureFields(settings.picture)));
+    if (wantsSensor(settings)) parameters.update(toJson(listSensorFields(settings.sensor)));
     origin.parameters_json = parameters.dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
     origin.rooms = planned.rooms;
@@ -183,9 +234,22 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.formats = arguments.formats;
     settings.flow_distances = arguments.flow_distances;
     settings.folds = arguments.folds;
+    Result<Rig> rig = rigOf(arguments);
+    if (!rig) return tl::unexpected<Error>(std::move(rig.error()));
+    settings.rig = std::move(*rig);
     for (const std::string& assignment : arguments.pictures) {
         Status status = setField(listPictureFields(settings.picture), assignment);
         if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
+    for (const std::string& assignment : arguments.sensors) {
+        Status status = setSensorField(settings.sensor, assignment);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (!arguments.sensors.empty() && !wantsSensor(settings)) {
+        return fail(ErrorCode::Usage,
+                    "A sensor makes the modalities rgb_sensor and depth_sensor; name one of them "
+                    "in --modalities.",
+                    "--sensor");
     }
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
@@ -204,7 +268,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
     // A context early: a machine that cannot draw should say so before minutes of planning.
-    Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
+    Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const JobContext planning = job.stage(0.03, 0.06, "planning");
     const Result<PlannedScene> planned =
@@ -227,7 +291,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const RayCaster rays(*planned->scene);
     const auto render = [&](const Trajectory& trajectory, const std::string& folder,
                             const JobContext& part) -> Result<render::DatasetSummary> {
-        if (!*context) context = gl::createOsMesaContext();  // the dataset before took it
+        if (!*context) context = arguments.backend.createContext();  // the dataset before took it
         if (!context) return tl::unexpected<Error>(std::move(context.error()));
         return renderTrajectory(trajectory, std::move(*context), rays, folder, settings,
                                 arguments.still, *opened, *planned, part);
@@ -321,6 +385,24 @@ void addExportCommand(CLI::App& app, Session& session) {
                      "How colour pictures are made: " + pictureFields())
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    command
+        ->add_option("--sensor", arguments->sensors,
+                     "What a real camera makes of pictures, for rgb_sensor and depth_sensor: " +
+                         sensorFields())
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        ->add_option(
+            "--rig", arguments->rig,
+            "Further cameras that ride on the planned one, a JSON file (see README); their "
+            "images go to cameras/")
+        ->type_name("FILE");
+    command
+        ->add_option("--camera", arguments->cameras,
+                     "One more of them, as often as wanted: left:lens=fisheye,yaw_deg=-90; " +
+                         cameraFields())
+        ->type_name("NAME:FIELD=VALUE,...")
+        ->allow_extra_args(false);
     command->add_flag("--still", arguments->still,
                       "Things that have a track stay where the plan has them");
     command
@@ -335,6 +417,7 @@ void addExportCommand(CLI::App& app, Session& session) {
                       "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,
                       "Replace a complete dataset; write among other files, which stay");
+    addBackendOption(*command, arguments->backend);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
         "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"

@@ -1,3 +1,4 @@
+#include "app/cli/backend_option.h"
 #include "app/cli/command_line.h"
 #include "app/cli/coverage_output.h"
 #include "app/cli/ledger_table.h"
@@ -21,7 +22,6 @@
 #include "planning/metrics/remedies.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
-#include "render/gl/osmesa_context.h"
 #include "render/overlays/plan_overlay.h"
 #include "render/overview.h"
 
@@ -39,6 +39,7 @@ struct PlanArguments {
     SceneArguments scene;
     std::string out;
     std::string picture;
+    BackendOption backend;  // of the picture
     std::vector<std::string> coverage;
     std::vector<std::string> requirements;
     std::string planner = "dollytrack";
@@ -79,8 +80,8 @@ Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& 
 }
 
 Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
-                   const std::string& path) {
-    Result<std::unique_ptr<gl::Context>> context = gl::createOsMesaContext();
+                   const std::string& path, const BackendOption& backend) {
+    Result<std::unique_ptr<gl::Context>> context = backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const auto picture = render::renderOverview(
         std::move(*context), *opened.scene, *pipeline.rays(),
@@ -213,7 +214,8 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         }
     }
     if (!arguments.picture.empty()) {
-        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments.picture);
+        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments.picture,
+                                        arguments.backend);
             !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
@@ -258,6 +260,7 @@ void addPlanCommand(CLI::App& app, Session& session) {
         ->add_option("--picture", arguments->picture,
                      "Write a picture of the planned room, seen from above")
         ->type_name("FILE.png");
+    addBackendOption(*command, arguments->backend);
     command
         ->add_option("--coverage", arguments->coverage,
                      "Also plan within rising budgets of frames and of length, and write what they "

@@ -3,6 +3,7 @@
 #include "app/editor/export_program.h"
 #include "engine/core/log.h"
 #include "render/formats/formats.h"
+#include "render/frame_needs.h"
 #include "render/modalities.h"
 #include "render/size_estimate.h"
 #include "ui/widgets/path_line.h"
@@ -18,6 +19,7 @@ namespace {
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
+        if ((one.needs & render::kNeedsRig) != 0) continue;  // rigs are given on the command line
         const bool colour =
             (one.needs & render::kNeedsRgb) != 0 || one.name == std::string_view("rgb_right");
         choices.push_back({one.name, one.text, one.standard, colour});

@@ -15,6 +15,12 @@ layout(location = 9) uniform int orthographic;
 layout(location = 10) uniform float glow;        // of emission, for one unit
 layout(location = 11) uniform float share;       // of one of several looks; 0: the picture itself
 
+layout(location = 12) uniform int sensor;        // 1: light before the tone curve is added up
+layout(location = 13) uniform vec4 sum_lens;     // as unproject, of the sum
+layout(location = 14) uniform vec4 distortion;   // k1 k2 p1 p2
+layout(location = 15) uniform float distortion_k3;
+layout(location = 16) uniform vec4 row_time;     // slope, offset, reach, most; see weightOfRow
+
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
@@ -40,6 +46,22 @@ vec3 decode(vec3 srgb) {
     return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
 }
 
+// What the tone curve makes this of; of full white something very bright.
+vec3 beforeToneCurve(vec3 shown) {
+    vec3 high = min(max(shown - 0.55, 0.0) / 0.45, 0.999);
+    return min(shown, 0.55) + 0.45 * high / (1.0 - high);
+}
+
+// How much of the look's time the sensor's row has that looks here through its lens.
+float weightOfRow() {
+    vec2 at = gl_FragCoord.xy * sum_lens.xy + sum_lens.zw;
+    float r2 = dot(at, at);
+    float radial = 1.0 + r2 * (distortion.x + r2 * (distortion.y + r2 * distortion_k3));
+    float bent = at.y * radial + distortion.z * (r2 + 2.0 * at.y * at.y) +
+                 2.0 * distortion.w * at.x * at.y;
+    return clamp(row_time.z - abs(row_time.x * bent + row_time.y), 0.0, row_time.w);
+}
+
 // The picture itself is encoded; of several looks the mean is taken of light.
 vec4 shown(vec3 linear) {
     return vec4(share > 0.0 ? share * linear : encode(linear), 1.0);
@@ -54,7 +76,12 @@ void main() {
         float rise = normalize(ray).z;
         vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
         sky = mix(sky, vec3(0.64, 0.63, 0.61), smoothstep(0.0, 0.12, -rise));
-        out_rgb = shown(decode(backdrop.a > 0.0 ? backdrop.rgb : sky));
+        vec3 plain = decode(backdrop.a > 0.0 ? backdrop.rgb : sky);
+        if (sensor != 0) {
+            out_rgb = weightOfRow() * vec4(beforeToneCurve(plain), 1.0);
+        } else {
+            out_rgb = shown(plain);
+        }
         return;
     }
     vec4 color = texelFetch(colors, pixel, 0);
@@ -100,5 +127,10 @@ void main() {
     vec3 shiny = fresnel * (room * open + lamp_color * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
 
-    out_rgb = shown(toneCurve(exposure * (lit + shiny) + glow * emission * albedo));
+    vec3 light = exposure * (lit + shiny) + glow * emission * albedo;
+    if (sensor != 0) {
+        out_rgb = weightOfRow() * vec4(light, 1.0);
+    } else {
+        out_rgb = shown(toneCurve(light));
+    }
 }

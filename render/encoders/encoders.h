@@ -49,4 +49,11 @@ nlohmann::ordered_json disparityConvention(const DatasetContents& contents);
 FrameFiles encodeAmodal(const FrameContext& context, const FrameRecord& frame);
 nlohmann::ordered_json amodalConvention(const DatasetContents& contents);
 
+FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json rgbSensorConvention(const DatasetContents& contents);
+nlohmann::ordered_json depthSensorConvention(const DatasetContents& contents);
+FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json camerasConvention(const DatasetContents& contents);
+
 }  // namespace dollytrack::render

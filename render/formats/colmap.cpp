@@ -2,6 +2,7 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"
+#include "render/formats/calibration.h"
 #include "render/formats/frame_text.h"
 #include "render/formats/surface_sample.h"
 
@@ -17,7 +18,14 @@ constexpr std::array<const char*, 3> kFiles = {"sparse/0/cameras.txt", "sparse/0
                                                "sparse/0/points3D.txt"};
 constexpr int kPoints = 50'000;  // what structure from motion finds in some hundred pictures
 
-std::string cameras(const Intrinsics& lens) {
+std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
+    if (!bent.none()) {
+        return fmt::format(
+            "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n1 FULL_OPENCV {} {} {:.9f} {:.9f} {:.9f} "
+            "{:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} 0 0 0\n",
+            lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy, bent.k1, bent.k2, bent.p1,
+            bent.p2, bent.k3);
+    }
     return fmt::format(
         "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n1 PINHOLE {} {} {:.9f} {:.9f} {:.9f} {:.9f}\n",
         lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy);
@@ -93,7 +101,7 @@ std::string points(const DatasetContents& contents, const Intrinsics& lens) {
 
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
-    return std::vector<DatasetFile>{{kFiles[0], cameras(lens)},
+    return std::vector<DatasetFile>{{kFiles[0], cameras(lens, pictureDistortion(contents))},
                                     {kFiles[1], images(contents)},
                                     {kFiles[2], points(contents, lens)}};
 }

@@ -8,6 +8,7 @@
 #include "engine/scene/scene_report.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/fold_files.h"
+#include "render/formats/rig_card.h"
 
 namespace dollytrack::render {
 namespace {
@@ -176,6 +177,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["objects"] = objectTable(scene, card.relations);
     root["classes"] = classTable();
     root["frames"] = frames;
+    if (!contents.rig.empty()) root["cameras"] = rigCard(contents);
     root["files"] = card.sha256s;
     return root;
 }

@@ -2,6 +2,7 @@
 
 #include "render/choice.h"
 #include "render/formats/bop.h"
+#include "render/formats/calibration.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/coco.h"
 #include "render/formats/colmap.h"
@@ -202,6 +203,7 @@ const std::vector<Format>& table() {
         kHdf5FramesFormat,
         kGltfFormat,
         kVideoFormat,
+        kCalibrationFormat,
     };
     return rows;
 }

@@ -1,5 +1,6 @@
 #include "render/formats/instant_ngp.h"
 
+#include "render/formats/calibration.h"
 #include "render/formats/transforms.h"
 
 #include <nlohmann/json.hpp>
@@ -36,7 +37,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     root.update(lens);
     root.update(Json{
         {"aabb_scale", 1}, {"scale", scale}, {"offset", {offset.x(), offset.y(), offset.z()}}});
-    if (contains(contents.modalities, "depth")) {
+    if (contains(contents.modalities, "depth") && pictureDistortion(contents).none()) {
         root["enable_depth_loading"] = true;
         root["integer_depth_scale"] = 0.001;  // metres a step; `scale` is applied on top
     }

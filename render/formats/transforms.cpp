@@ -1,6 +1,7 @@
 #include "render/formats/transforms.h"
 
 #include "engine/camera/intrinsics.h"
+#include "render/formats/calibration.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,8 @@ Json transformRows(const Pose& pose) {
 }
 
 Json transformFrames(const DatasetContents& contents, const char* depth_key) {
-    const bool depth = contains(contents.modalities, "depth");
+    // Depth is straight, and readers would bend it back with the pictures.
+    const bool depth = contains(contents.modalities, "depth") && pictureDistortion(contents).none();
     Json frames = Json::array();
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const int index = static_cast<int>(i);
@@ -35,9 +37,12 @@ Json transformFrames(const DatasetContents& contents, const char* depth_key) {
 
 Json transformsLens(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
-    return {{"fl_x", lens.fx}, {"fl_y", lens.fy},  {"cx", lens.cx}, {"cy", lens.cy},
-            {"w", lens.width}, {"h", lens.height}, {"k1", 0.0},     {"k2", 0.0},
-            {"p1", 0.0},       {"p2", 0.0}};
+    const LensDistortion bent = pictureDistortion(contents);
+    Json result = {{"fl_x", lens.fx}, {"fl_y", lens.fy},  {"cx", lens.cx}, {"cy", lens.cy},
+                   {"w", lens.width}, {"h", lens.height}, {"k1", bent.k1}, {"k2", bent.k2},
+                   {"p1", bent.p1},   {"p2", bent.p2}};
+    if (bent.k3 != 0.0) result["k3"] = bent.k3;
+    return result;
 }
 
 }  // namespace dollytrack::render

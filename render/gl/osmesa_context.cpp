@@ -1,5 +1,7 @@
 #include "render/gl/osmesa_context.h"
 
+#include "render/gl/function_source.h"
+
 #include <GL/glew.h>
 
 // GLEW has undefined what Mesa's header expects from GL/gl.h.
@@ -10,13 +12,6 @@
 #include <GL/osmesa.h>
 
 #include <array>
-
-// Debian's GLEW asks this function for every entry point. The program's own definition wins over
-// libGL's, which would hand out functions that need an X server.
-extern "C" void (*glXGetProcAddressARB(const GLubyte* name))(void);
-extern "C" void (*glXGetProcAddressARB(const GLubyte* name))(void) {
-    return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));
-}
 
 namespace dollytrack::gl {
 namespace {
@@ -66,6 +61,7 @@ Result<std::unique_ptr<Context>> createOsMesaContext() {
     }
     auto context = std::make_unique<OsMesaContext>(raw);
     if (Status status = context->makeCurrent(); !status) return tl::unexpected(status.error());
+    takeFunctionsFrom(&OSMesaGetProcAddress);
     if (Status status = loadFunctions(); !status) return tl::unexpected(status.error());
     return context;
 }

@@ -72,6 +72,10 @@ struct PathTracer::Impl {
           surface(of, moved),
           lights(of, surface, rig) {}
 
+    Status add(const RayThrough& ray_through, double near_m,
+               const std::optional<Eigen::Vector3f>& backdrop, int samples, RadianceImage& image,
+               const JobContext& job) const;
+
     /// The share of light that gets through between a point and `free` metres along the way.
     [[nodiscard]] double transmitted(Eigen::Vector3d from, const Eigen::Vector3d& way,
                                      double free) const {
@@ -234,32 +238,46 @@ PathTracer::~PathTracer() = default;
 
 Status PathTracer::add(const View& view, int samples, RadianceImage& image,
                        const JobContext& job) const {
-    const int width = view.intrinsics.width;
-    const int height = view.intrinsics.height;
+    image.width = view.intrinsics.width;
+    image.height = view.intrinsics.height;
+    const auto rayThrough = [&](double x, double y) { return view.rayThrough(x, y); };
+    return impl_->add(rayThrough, view.near_m, view.backdrop, samples, image, job);
+}
+
+Status PathTracer::add(const RayThrough& ray_through, double near_m, int samples,
+                       RadianceImage& image, const JobContext& job) const {
+    return impl_->add(ray_through, near_m, std::nullopt, samples, image, job);
+}
+
+Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
+                             const std::optional<Eigen::Vector3f>& backdrop, int samples,
+                             RadianceImage& image, const JobContext& job) const {
+    const int width = image.width;
+    const int height = image.height;
     if (image.sum.empty()) {
-        image.width = width;
-        image.height = height;
         image.sum.assign(static_cast<std::size_t>(width) * height, Eigen::Vector3f::Zero());
     }
     std::vector<Eigen::Vector3f> sum = image.sum;
-    const float radiance_shown = impl_->params.exposure * std::numbers::pi_v<float>;
+    const float radiance_shown = params.exposure * std::numbers::pi_v<float>;
     parallelRanges(static_cast<std::size_t>(height), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t y = begin; y < end; ++y) {
             for (int x = 0; x < width && !job.cancelled(); ++x) {
                 const std::size_t pixel = y * static_cast<std::size_t>(width) + x;
                 for (int k = 0; k < samples; ++k) {
-                    SampleSequence chance(impl_->params.seed, static_cast<std::uint32_t>(pixel),
+                    SampleSequence chance(params.seed, static_cast<std::uint32_t>(pixel),
                                           static_cast<std::uint32_t>(image.samples + k));
                     const auto [right, down] = chance.nextPair();
-                    const ViewRay ray = view.rayThrough(x + right, static_cast<double>(y) + down);
-                    const double length = ray.direction.norm();
-                    const Eigen::Vector3d way = ray.direction / length;
+                    const std::optional<ViewRay> ray =
+                        ray_through(x + right, static_cast<double>(y) + down);
+                    if (!ray) continue;
+                    const double length = ray->direction.norm();
+                    const Eigen::Vector3d way = ray->direction / length;
                     const Eigen::Vector3f shown =
-                        view.backdrop ? *view.backdrop : skyBackdrop(static_cast<float>(way.z()));
+                        backdrop ? *backdrop : skyBackdrop(static_cast<float>(way.z()));
                     const Eigen::Vector3f linear =
                         shown.unaryExpr([](float c) { return linearFromSrgb(c); });
-                    sum[pixel] += impl_->follow(ray.origin, way, view.near_m * length,
-                                                inverseToneCurve(linear) / radiance_shown, chance);
+                    sum[pixel] += follow(ray->origin, way, near_m * length,
+                                         inverseToneCurve(linear) / radiance_shown, chance);
                 }
             }
         }

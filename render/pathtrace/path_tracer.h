@@ -11,7 +11,9 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::render {
@@ -55,6 +57,12 @@ class PathTracer {
     /// it was.
     [[nodiscard]] Status add(const View& view, int samples, RadianceImage& image,
                              const JobContext& job = {}) const;
+
+    /// The same for rays of any lens through image positions; nothing where it has no picture. The
+    /// image has its size.
+    using RayThrough = std::function<std::optional<ViewRay>(double x, double y)>;
+    [[nodiscard]] Status add(const RayThrough& ray_through, double near_m, int samples,
+                             RadianceImage& image, const JobContext& job = {}) const;
 
     /// Radiance that comes to a point along -way, by one path.
     [[nodiscard]] Eigen::Vector3f radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,

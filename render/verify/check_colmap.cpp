@@ -2,6 +2,7 @@
 #include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
+#include "render/verify/sensor_files.h"
 
 #include <fmt/format.h>
 
@@ -62,12 +63,18 @@ void checkCameras(const StoredDataset& dataset, Findings& findings) {
     const auto lines = wordLines(text);
     if (lines.size() != 1) return wrong(fmt::format("{} cameras", lines.size()), "1");
     const auto& words = lines.front().second;
-    if (words.size() != 8 || words[0] != "1" || words[1] != "PINHOLE") {
-        return wrong("another camera", "1 PINHOLE and six numbers");
-    }
     const Intrinsics& lens = dataset.lens;
-    const std::array<double, 6> expected = {
+    const StoredDistortion bent = distortionOfPictures(dataset);
+    std::vector<double> expected = {
         double(lens.width), double(lens.height), lens.fx, lens.fy, lens.cx, lens.cy};
+    std::string_view model = "PINHOLE";
+    if (!bent.none()) {
+        model = "FULL_OPENCV";
+        expected.insert(expected.end(), {bent.k1, bent.k2, bent.p1, bent.p2, bent.k3, 0, 0, 0});
+    }
+    if (words.size() != expected.size() + 2 || words[0] != "1" || words[1] != model) {
+        return wrong("another camera", fmt::format("1 {} and {} numbers", model, expected.size()));
+    }
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto found = io::parseNumber(words[i + 2], kCameras, lines.front().first);
         if (!found) return wrong(found.error().message, "a number");

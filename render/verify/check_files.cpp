@@ -3,6 +3,8 @@
 #include "render/verify/amodal_masks.h"
 #include "render/verify/check_list.h"
 #include "render/verify/flow_files.h"
+#include "render/verify/sensor_files.h"
+#include "render/verify/stored_rig.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +22,7 @@ std::set<std::string> neededFiles(const StoredDataset& dataset) {
     for (const ImageKind& kind : imageKinds()) {
         if (!dataset.has(kind.modality)) continue;
         for (int frame = 0; frame < static_cast<int>(dataset.frames.size()); ++frame) {
-            names.insert(imageFile(kind, frame));
+            names.insert(storedFile(dataset, kind, frame));
             if (kind.mask) names.insert(fmt::format("{}/{:06}{}", kind.modality, frame, kind.mask));
         }
     }
@@ -31,6 +33,7 @@ std::set<std::string> neededFiles(const StoredDataset& dataset) {
             names.insert(file.stem + "_mask.png");
         }
     }
+    for (const std::string& name : rigImageFiles(dataset)) names.insert(name);
     for (const std::string& format : dataset.formats) {
         const auto convention = dataset.convention(format);
         if (!convention.is_object()) continue;

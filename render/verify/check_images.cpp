@@ -1,4 +1,5 @@
 #include "render/verify/check_list.h"
+#include "render/verify/sensor_files.h"
 
 namespace dollytrack::verify {
 
@@ -7,7 +8,7 @@ CheckWork beginImages(const Subject& subject, Findings& /*findings*/) {
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
         for (const ImageKind& kind : imageKinds()) {
             if (!dataset.has(kind.modality)) continue;
-            const std::string file = imageFile(kind, images.frame());
+            const std::string file = storedFile(dataset, kind, images.frame());
             const std::string problem = images.problem(kind.modality);
             if (!problem.empty()) findings.add({file, images.frame(), {}, problem, {}});
             if (!kind.mask) continue;

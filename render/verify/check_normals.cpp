@@ -1,4 +1,5 @@
 #include "render/verify/check_list.h"
+#include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
 
 #include <fmt/format.h>
@@ -59,28 +60,6 @@ std::optional<Eigen::Vector3d> flatNormal(const StoredDataset& dataset,
         }
     }
     return -plane.normalized();  // towards the camera
-}
-
-/// The normal that the scene's corners have where a ray along a unit vector meets it, in the world,
-/// on the side that is seen; zero of a triangle without area. Of a smoothed face it may look a
-/// little past the outline, where it is laid along it.
-Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place,
-                              const Eigen::Vector3d& along) {
-    const Triangle& corners = scene.triangles[hit.triangle];
-    const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
-    const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;
-    const Eigen::Vector3d ac = scene.positions[corners[2]].cast<double>() - a;
-    const Eigen::Vector3d face = ab.cross(ac);
-    const double area = face.squaredNorm();
-    if (area <= 0.0) return Eigen::Vector3d::Zero();
-    const double b = (place - a).cross(ac).dot(face) / area;
-    const double c = ab.cross(place - a).dot(face) / area;
-    Eigen::Vector3d normal = ((1.0 - b - c) * scene.normals[corners[0]].cast<double>() +
-                              b * scene.normals[corners[1]].cast<double>() +
-                              c * scene.normals[corners[2]].cast<double>())
-                                 .normalized();
-    if (normal.dot(face) * along.dot(face) > 0.0) normal = -normal;
-    return (normal - std::max(normal.dot(along), 0.0) * along).normalized();
 }
 
 /// One frame's normals.

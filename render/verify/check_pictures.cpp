@@ -1,4 +1,5 @@
 #include "render/verify/check_list.h"
+#include "render/verify/picture_edges.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,8 @@ struct Change {
 
 /// The change of colour at the borders of what the ids show, looked up so far aside; a pixel beyond
 /// either side of a border, as those along it are smoothed.
-Change changeAtBorders(const Image8& picture, const Image16& ids, int aside_x, int aside_y) {
+Change changeAtBorders(const Image8& picture, const Image16& ids, bool of_things_alone, int aside_x,
+                       int aside_y) {
     std::map<std::pair<int, int>, Border> borders;
     std::size_t count = 0;
     for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1)}) {
@@ -58,7 +60,7 @@ Change changeAtBorders(const Image8& picture, const Image16& ids, int aside_x, i
             for (int x = dx; x + 2 * dx < ids.width; ++x) {
                 const int a = ids.at(x, y);
                 const int b = ids.at(x + dx, y + dy);
-                if (a == b) continue;
+                if (a == b || (of_things_alone && (a == 0 || b == 0))) continue;
                 const int from_x = x - dx + aside_x, from_y = y - dy + aside_y;
                 const int to_x = x + 2 * dx + aside_x, to_y = y + 2 * dy + aside_y;
                 if (!picture.holds(from_x, from_y) || !picture.holds(to_x, to_y)) continue;
@@ -92,26 +94,34 @@ void checkPicture(FrameImages& images, Findings& findings) {
     const Image8* picture = images.image8("rgb");
     const Image16* ids = images.image16("instance");
     if (!picture || !ids) return;
-    const Change here = changeAtBorders(*picture, *ids, 0, 0);
-    if (here.count < kFewest) return;
-    double aside = 0.0;
-    for (const int x : {-kAside, kAside}) {
-        for (const int y : {-kAside, kAside}) {
-            aside = std::max(aside, changeAtBorders(*picture, *ids, x, y).mean);
-        }
-    }
-    const bool proves = std::max(here.mean, aside) >= kLeastChange || isBlank(*picture);
-    if (!proves || here.mean > kLeastRatio * aside) return;
+    const std::string wrong = wrongEdges(*picture, *ids, false, kLeastRatio);
+    if (wrong.empty()) return;
     findings.add({imageFile("rgb", images.frame()),
                   images.frame(),
                   {},
-                  fmt::format("where objects meet in instance/{:06}.png colours change by {:.1f} "
-                              "of 255, {} px beside by {:.1f}",
-                              images.frame(), here.mean, kAside, aside),
+                  wrong,
                   "edges where the objects of this frame meet"});
 }
 
 }  // namespace
+
+std::string wrongEdges(const Image8& picture, const Image16& ids, bool of_things_alone,
+                       double least_ratio) {
+    const Change here = changeAtBorders(picture, ids, of_things_alone, 0, 0);
+    if (here.count < kFewest) return {};
+    double aside = 0.0;
+    for (const int x : {-kAside, kAside}) {
+        for (const int y : {-kAside, kAside}) {
+            aside = std::max(aside, changeAtBorders(picture, ids, of_things_alone, x, y).mean);
+        }
+    }
+    const bool proves = std::max(here.mean, aside) >= kLeastChange || isBlank(picture);
+    if (!proves || here.mean > least_ratio * aside) return {};
+    return fmt::format(
+        "where objects meet in the frame's instance image colours change by {:.1f} "
+        "of 255, {} px beside by {:.1f}",
+        here.mean, kAside, aside);
+}
 
 CheckWork beginPictures(const Subject& /*subject*/, Findings& /*findings*/) {
     return {checkPicture, {}};

@@ -1,6 +1,7 @@
 // transforms.json of two programs, beside its poses: lens, names, and where the room is put.
 #include "render/verify/check_list.h"
 #include "render/verify/json_file.h"
+#include "render/verify/sensor_files.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,11 @@ constexpr std::array kFiles = {
 class FileCheck {
   public:
     FileCheck(const Subject& subject, const TransformsFile& file, Findings& findings)
-        : subject_(subject), dataset_(subject.dataset), file_(file), findings_(findings) {}
+        : subject_(subject),
+          dataset_(subject.dataset),
+          bent_(distortionOfPictures(subject.dataset)),
+          file_(file),
+          findings_(findings) {}
 
     void run() {
         const Result<Json> read = readJson(dataset_.folder / file_.file);
@@ -49,6 +54,9 @@ class FileCheck {
     }
 
   private:
+    /// Depth is straight: it is not named beside pictures that are not.
+    [[nodiscard]] bool depthIsNamed() const { return dataset_.has("depth") && bent_.none(); }
+
     void add(std::optional<int> frame, std::string found, std::string expected) {
         findings_.add({file_.file, frame, {}, std::move(found), std::move(expected)});
     }
@@ -67,7 +75,11 @@ class FileCheck {
         compare(root, "cy", lens.cy);
         compare(root, "w", lens.width);
         compare(root, "h", lens.height);
-        for (const char* const distortion : {"k1", "k2", "p1", "p2"}) compare(root, distortion, 0);
+        compare(root, "k1", bent_.k1);
+        compare(root, "k2", bent_.k2);
+        compare(root, "p1", bent_.p1);
+        compare(root, "p2", bent_.p2);
+        if (bent_.k3 != 0.0) compare(root, "k3", bent_.k3);
         if (!file_.in_unit_cube) {
             const auto model = root.at("camera_model").get<std::string>();
             if (model != "OPENCV") add({}, "camera_model " + model, "OPENCV");
@@ -75,7 +87,7 @@ class FileCheck {
         }
         compare(root, "camera_angle_x", 2.0 * std::atan(0.5 * lens.width / lens.fx));
         compare(root, "camera_angle_y", 2.0 * std::atan(0.5 * lens.height / lens.fy));
-        if (dataset_.has("depth")) compare(root, "integer_depth_scale", 0.001);
+        if (depthIsNamed()) compare(root, "integer_depth_scale", 0.001);
     }
 
     void checkNames(int frame, const Json& one) {
@@ -84,7 +96,7 @@ class FileCheck {
         if (!numbered || !dataset_.sha256s.contains(picture)) {
             add(frame, "file_path " + picture, fmt::format("a picture of frame {}", frame));
         }
-        if (!dataset_.has("depth")) return;
+        if (!depthIsNamed()) return;
         const auto depth = one.at(file_.depth_key).get<std::string>();
         if (depth == imageFile("depth", frame)) return;
         add(frame, fmt::format("{} {}", file_.depth_key, depth), imageFile("depth", frame));
@@ -116,6 +128,7 @@ class FileCheck {
 
     const Subject& subject_;
     const StoredDataset& dataset_;
+    StoredDistortion bent_;
     const TransformsFile& file_;
     Findings& findings_;
 };

@@ -1,3 +1,4 @@
+#include "render/verify/check_cameras.h"
 #include "render/verify/check_list.h"
 
 #include <array>
@@ -34,6 +35,9 @@ constexpr std::array kHdf5 = {"hdf5"};
 constexpr std::array kPolygons = {"coco_polygons", "instance"};
 constexpr std::array kFolds = {"folds"};
 constexpr std::array kVideo = {"video", "rgb"};
+constexpr std::array kRgbSensor = {"rgb_sensor"};
+constexpr std::array kDepthSensor = {"depth_sensor"};
+constexpr std::array kCameras = {"cameras"};
 constexpr std::array kAlbedo = {"albedo", "instance"};
 
 constexpr std::array kChecks = {
@@ -110,6 +114,13 @@ constexpr std::array kChecks = {
     Check{"video", "the preview shows every picture, in order", kVideo, Names{}, false, beginVideo},
     Check{"albedo", "base colours are those of the materials seen", kAlbedo, Names{}, true,
           beginAlbedo},
+    Check{"rgb_sensor", "the sensor's pictures show their frames, by the lens and times said",
+          kRgbSensor, Names{}, false, beginRgbSensor},
+    Check{"depth_sensor", "the depth camera's depth is the depth within its noise, and its holes",
+          kDepthSensor, kAnyDepth, false, beginDepthSensor},
+    Check{"cameras",
+          "the rig's cameras show what the rays of their lenses meet, from where they ride",
+          kCameras, Names{}, false, beginCameras},
 };
 
 }  // namespace

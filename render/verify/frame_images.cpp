@@ -1,5 +1,7 @@
 #include "render/verify/frame_images.h"
 
+#include "render/verify/sensor_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,6 +26,8 @@ constexpr std::array kKinds = {
     ImageKind{"rgb_right", ".png", Type::Bits8, 3, nullptr},
     ImageKind{"depth_right", ".png", Type::Bits16, 1, nullptr},
     ImageKind{"disparity", ".png", Type::Bits16, 1, "_mask.png"},
+    ImageKind{"rgb_sensor", ".png", Type::Bits8, 3, nullptr},
+    ImageKind{"depth_sensor", ".png", Type::Bits16, 1, nullptr},
 };
 
 template <class T>
@@ -87,7 +91,7 @@ const FrameImages::Entry& FrameImages::load(std::string_view modality) {
         entry.problem = "the dataset has none";
         return entry;
     }
-    const std::filesystem::path path = dataset_.folder / imageFile(*kind, frame_);
+    const std::filesystem::path path = dataset_.folder / storedFile(dataset_, *kind, frame_);
     const Intrinsics& lens = dataset_.lens;
     switch (kind->type) {
         case Type::Bits8:

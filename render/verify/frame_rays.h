@@ -34,6 +34,10 @@ class FrameRays {
     /// From the camera's centre to the nearest surface, m.
     [[nodiscard]] double clearance() const { return rays_.closest(pose_.position).distance; }
 
+    /// The triangles as they are in the frame.
+    [[nodiscard]] const RayCaster& rays() const { return rays_; }
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+
     static constexpr double kFarthest = 65.5355;  // what a depth image can hold, m
     static constexpr double kDrawing = 5e-5;      // single precision, a metre
 

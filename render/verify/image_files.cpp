@@ -84,11 +84,21 @@ Image<T> imageFrom(const cv::Mat& picture) {
     return image;
 }
 
+/// A JPEG that ends early is decoded, too, grey where it ends.
+Status endsAsJpeg(const std::string& bytes) {
+    if (!bytes.starts_with("\xff\xd8")) return unreadable("it is no JPEG");
+    if (!bytes.ends_with("\xff\xd9")) {
+        return unreadable("its end is missing, or something follows it");
+    }
+    return {};
+}
+
 template <class T>
-Result<Image<T>> readPng(const fs::path& path, int depth, int channels) {
+Result<Image<T>> readPicture(const fs::path& path, int depth, int channels) {
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
-    if (Status whole = endsAsPng(*bytes); !whole) return tl::unexpected<Error>(whole.error());
+    const Status whole = path.extension() == ".jpg" ? endsAsJpeg(*bytes) : endsAsPng(*bytes);
+    if (!whole) return tl::unexpected<Error>(whole.error());
     const Result<cv::Mat> picture = decode(*bytes, depth, channels);
     if (!picture) return tl::unexpected<Error>(picture.error());
     return imageFrom<T>(*picture);
@@ -105,11 +115,11 @@ T numberAt(const std::string& bytes, std::size_t place) {
 }  // namespace
 
 Result<Image8> readImage8(const fs::path& path, int channels) {
-    return readPng<std::uint8_t>(path, CV_8U, channels);
+    return readPicture<std::uint8_t>(path, CV_8U, channels);
 }
 
 Result<Image16> readImage16(const fs::path& path, int channels) {
-    return readPng<std::uint16_t>(path, CV_16U, channels);
+    return readPicture<std::uint16_t>(path, CV_16U, channels);
 }
 
 Result<ImageF> readImageF(const fs::path& path, int channels) {

@@ -310,7 +310,7 @@ class Export(FolderCase):
         files = {mode: hashes(folder) for mode, folder in out.items()}
         differ = {name for name in files["fast"] if files["fast"][name] != files["reference"][name]}
         self.assertEqual({name.split("/")[0] for name in differ},
-                         {"rgb", "rgb_right", "contact_sheet.jpg", "dataset.json"})
+                         {"rgb", "rgb_right", "rgb_sensor", "contact_sheet.jpg", "dataset.json"})
         self.assertTrue(all(name in differ for name in files["fast"] if name.startswith("rgb")))
         card = json.loads((out["reference"] / "dataset.json").read_text())
         self.assertEqual(card["parameters"]["picture"],
@@ -328,7 +328,8 @@ class Export(FolderCase):
             differ = {name for name in files[one] if files[one][name] != files[other][name]}
             self.assertEqual({name.split("/")[0] for name in differ},
                              {"rgb", "rgb_right", "contact_sheet.jpg", "dataset.json"})
-            self.assertTrue(all(name in differ for name in files[one] if name.startswith("rgb")))
+            self.assertTrue(all(name in differ for name in files[one]
+                                if name.startswith(("rgb/", "rgb_right/"))))
 
     def test_path_traced_pictures_are_the_same_on_one_thread_and_continued(self):
         whole, parts = self.new_folder(), self.new_folder()

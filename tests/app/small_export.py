@@ -5,7 +5,8 @@ import tiny_room
 from program import run
 
 SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
-EVERYTHING = ["--modalities", "all", "--formats", "all", "--flow-distances", "1,2"]
+EVERYTHING = ["--modalities", "all", "--formats", "all", "--flow-distances", "1,2",
+              "--camera", "wide:lens=fisheye,width_px=32,height_px=32"]
 TRACK = {"op": "object_track", "object": "mug", "keys": [
     {"time_s": 0}, {"time_s": 20, "offset": [0.2, 0.1, 0], "turn_deg": 90}]}
 

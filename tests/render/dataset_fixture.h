@@ -57,6 +57,7 @@ class DatasetGlTest : public GlTest {
         DatasetOrigin origin;
         origin.product_version = "test";
         origin.parameters_json = parameters_;
+        origin.motions = motions_;
         return exportDataset(std::move(context_), scene_, rays_, trajectory, smallCamera(),
                              std::move(settings), origin, job);
     }
@@ -84,6 +85,7 @@ class DatasetGlTest : public GlTest {
     }
 
     std::string parameters_ = R"({"camera": {"width_px": 160}})";
+    std::vector<ObjectMotion> motions_;
     Scene scene_ = dollytrack::test::furnishedRoom();
     RayCaster rays_{scene_};
     fs::path folder_;

@@ -104,7 +104,6 @@ class TruthGl : public test::DatasetGlTest {
     }
 
     Trajectory trajectory_;
-    std::vector<ObjectMotion> motions_;
 };
 
 /// Follows what rays meet, not what was drawn.

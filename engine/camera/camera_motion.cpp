@@ -1,0 +1,35 @@
+#include "engine/camera/camera_motion.h"
+
+#include <algorithm>
+#include <span>
+
+namespace dollytrack {
+
+CameraMotion::CameraMotion(const Trajectory& trajectory) {
+    const std::vector<TrajectoryFrame>& frames = trajectory.frames;
+    for (std::size_t begin = 0; begin < frames.size();) {
+        std::size_t end = begin + 1;
+        while (end < frames.size() && frames[end].path == frames[begin].path &&
+               frames[end].time_s > frames[end - 1].time_s) {
+            ++end;
+        }
+        const bool moves = end - begin > 1;
+        if (moves) paths_.emplace_back(std::span(frames).subspan(begin, end - begin));
+        for (; begin < end; ++begin) {
+            frames_.push_back({frames[begin], moves ? static_cast<int>(paths_.size()) - 1 : -1});
+        }
+    }
+}
+
+Pose CameraMotion::poseAt(std::size_t frame, double after_s) const {
+    const Frame& from = frames_[frame];
+    if (from.path < 0 || after_s == 0.0) return from.given.pose;
+    const PoseSpline& path = paths_[static_cast<std::size_t>(from.path)];
+    const double time = from.given.time_s + after_s;
+    const double within = std::clamp(time, path.begin(), path.end());
+    const PoseSpline::Point point = path.at(within);
+    const PoseSpline::Vector7 value = point.value + (time - within) * point.velocity;
+    return {value.head<3>(), Eigen::Quaterniond(Eigen::Vector4d(value.tail<4>())).normalized()};
+}
+
+}  // namespace dollytrack

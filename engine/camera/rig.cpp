@@ -1,0 +1,147 @@
+#include "engine/camera/rig.h"
+
+#include "engine/camera/lens_model.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr std::size_t kLongestName = 40;
+constexpr double kWidestPinhole = 150.0;  // deg, as the planned camera's
+
+bool isFolderName(const std::string& name) {
+    if (name.empty() || name.size() > kLongestName || name.front() == '-') return false;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '_' || c == '-';
+        if (!plain) return false;
+    }
+    return true;
+}
+
+/// Heading alone: x as it is but horizontal, y down.
+Eigen::Quaterniond levelled(const Eigen::Quaterniond& rotation) {
+    Eigen::Vector3d right = rotation * Eigen::Vector3d::UnitX();
+    right.z() = 0.0;
+    if (right.norm() < 1e-6) {  // rolled onto its side: forward has the heading then
+        const Eigen::Vector3d forward = rotation * Eigen::Vector3d::UnitZ();
+        right = {forward.y(), -forward.x(), 0.0};
+    }
+    if (right.norm() < 1e-6) right = Eigen::Vector3d::UnitX();
+    right.normalize();
+    const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+    Eigen::Matrix3d axes;
+    axes << right, down, right.cross(down);
+    return Eigen::Quaterniond(axes);
+}
+
+Status refuse(const RigCamera& camera, std::string message) {
+    return fail(ErrorCode::Usage, std::move(message), fmt::format("camera '{}'", camera.name));
+}
+
+Status validateLens(const RigCamera& camera) {
+    if (camera.lens == Lens::Pinhole && camera.fov_deg > kWidestPinhole) {
+        return refuse(camera, fmt::format("A pinhole cannot see {:g} degrees; up to {:g} can be, "
+                                          "or lens=fisheye.",
+                                          camera.fov_deg, kWidestPinhole));
+    }
+    if (camera.lens == Lens::Fisheye && !risesEverywhere(camera)) {
+        return refuse(camera,
+                      "With these k1 .. k4 two directions fall on one pixel within "
+                      "fov_deg; lower fov_deg, or check their signs.");
+    }
+    return {};
+}
+
+}  // namespace
+
+FieldList listRigCameraFields(RigCamera& camera) {
+    FieldCollector collector;
+    collector.beginSection("camera");
+    visitRigCamera(camera, collector);
+    return collector.take();
+}
+
+RigCamera standardCamera(Lens lens) {
+    RigCamera camera;
+    camera.lens = lens;
+    if (lens == Lens::Fisheye) {
+        camera.width_px = camera.height_px = 640;
+        camera.fov_deg = 180.0;
+    } else if (lens == Lens::Equirectangular) {
+        camera.width_px = 1024;
+        camera.height_px = 512;
+    }
+    return camera;
+}
+
+bool usesField(Lens lens, std::string_view field) {
+    if (field == "fov_deg") return lens == Lens::Pinhole || lens == Lens::Fisheye;
+    if (field == "k1" || field == "k2" || field == "k3" || field == "k4") {
+        return lens == Lens::Fisheye;
+    }
+    if (field == "px_per_m") return lens == Lens::Orthographic;
+    return true;
+}
+
+std::string_view lensName(Lens lens) {
+    constexpr std::array<std::string_view, 4> kNames = {"pinhole", "fisheye", "equirectangular",
+                                                        "orthographic"};
+    return kNames[static_cast<std::size_t>(lens)];
+}
+
+Status validate(const Rig& rig) {
+    std::set<std::string> names;
+    for (const RigCamera& camera : rig) {
+        if (!isFolderName(camera.name)) {
+            return refuse(camera,
+                          "A camera's name becomes a folder: up to 40 letters a to z, "
+                          "digits, _ and -, not beginning with -.");
+        }
+        if (!names.insert(camera.name).second) {
+            return refuse(camera, "Two cameras of the rig have the same name.");
+        }
+        if (Status status = validateLens(camera); !status) return status;
+    }
+    return {};
+}
+
+Pose carrierFromCamera(const RigCamera& camera) {
+    using Eigen::AngleAxisd;
+    using Eigen::Vector3d;
+    return {{camera.right_m, camera.down_m, camera.forward_m},
+            AngleAxisd(camera.yaw_deg * kDegree, Vector3d::UnitY()) *
+                AngleAxisd(camera.pitch_deg * kDegree, Vector3d::UnitX()) *
+                AngleAxisd(camera.roll_deg * kDegree, Vector3d::UnitZ())};
+}
+
+Pose poseOnRig(const RigCamera& camera, const Pose& planned) {
+    const Pose place = carrierFromCamera(camera);
+    const Pose carrier{planned.position,
+                       camera.level ? levelled(planned.rotation) : planned.rotation};
+    if (place == Pose{}) return carrier;  // to the last bit
+    return {carrier.toWorld(place.position), (carrier.rotation * place.rotation).normalized()};
+}
+
+nlohmann::json rigJson(const Rig& rig) {
+    nlohmann::json list = nlohmann::json::array();
+    for (RigCamera camera : rig) {
+        const nlohmann::json sections = toJson(listRigCameraFields(camera));
+        nlohmann::json& entry = list.emplace_back(nlohmann::json{{"name", camera.name}});
+        for (const auto& [name, value] : sections["camera"].items()) {
+            if (usesField(camera.lens, name)) entry[name] = value;
+        }
+    }
+    return list;
+}
+
+}  // namespace dollytrack

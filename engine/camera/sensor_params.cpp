@@ -1,0 +1,65 @@
+#include "engine/camera/sensor_params.h"
+
+namespace dollytrack {
+
+SensorParams sensorPreset(SensorPreset preset) {
+    SensorParams params;
+    params.preset = preset;
+    if (preset == SensorPreset::Phone) return params;
+    params.shutter_s = params.readout_s = 0.0;
+    params.k1 = params.k2 = params.vignetting = 0.0;
+    params.white_e = params.read_noise_e = 0.0;
+    switch (preset) {
+        case SensorPreset::Ideal:
+        case SensorPreset::Phone:
+            break;
+        case SensorPreset::Webcam:
+            params.shutter_s = 1.0 / 30.0;
+            params.readout_s = 0.028;
+            params.k1 = -0.08;
+            params.k2 = 0.03;
+            params.vignetting = 0.6;
+            params.white_e = 1500.0;
+            params.read_noise_e = 6.0;
+            params.jpeg_quality = 75;
+            break;
+        case SensorPreset::ActionCamera:
+            params.shutter_s = 1.0 / 120.0;
+            params.readout_s = 0.012;
+            params.k1 = -0.26;
+            params.k2 = 0.09;
+            params.k3 = -0.015;
+            params.vignetting = 0.8;
+            params.white_e = 4000.0;
+            params.read_noise_e = 4.0;
+            params.jpeg_quality = 90;
+            break;
+        case SensorPreset::MachineVision:  // global shutter, a lens of 6 mm at f/2
+            params.shutter_s = 0.005;
+            params.aperture_mm = 3.0;
+            params.k1 = -0.10;
+            params.k2 = 0.08;
+            params.p1 = 0.0004;
+            params.p2 = -0.0003;
+            params.vignetting = 0.3;
+            params.white_e = 10000.0;
+            params.read_noise_e = 7.0;
+            break;
+    }
+    return params;
+}
+
+Status setSensorField(SensorParams& params, std::string_view assignment) {
+    if (Status status = setField(listSensorFields(params), assignment); !status) return status;
+    if (!assignment.starts_with("preset=")) return {};
+    SensorParams chosen = sensorPreset(params.preset);
+    chosen.depth_noise = params.depth_noise;
+    chosen.depth_noise_strength = params.depth_noise_strength;
+    chosen.looks = params.looks;
+    chosen.focus_m = params.focus_m;
+    chosen.seed = params.seed;
+    params = chosen;
+    return {};
+}
+
+}  // namespace dollytrack

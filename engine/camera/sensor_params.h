@@ -1,0 +1,105 @@
+#pragma once
+
+#include "engine/core/field_list.h"
+
+namespace dollytrack {
+
+/// Sets of settings that belong together. Typical of the kind, measured on no single camera.
+enum class SensorPreset { Ideal, Phone, Webcam, ActionCamera, MachineVision };
+
+/// How the depth camera errs; the models and their sources are in render/sensors/depth_noise.h.
+enum class DepthNoise { None, KinectAzure, Redwood };
+
+/// What a real camera would make of the clean picture: of the modalities rgb_sensor and
+/// depth_sensor; all other files are the same. The values here are those of a phone.
+struct SensorParams {
+    SensorPreset preset = SensorPreset::Phone;
+    double shutter_s = 1.0 / 60.0;
+    double readout_s = 0.015;
+    int looks = 16;
+    double aperture_mm = 0.0;
+    double focus_m = 0.0;
+    double k1 = 0.05;
+    double k2 = -0.08;
+    double p1 = 0.0;
+    double p2 = 0.0;
+    double k3 = 0.0;
+    double vignetting = 0.4;
+    double white_e = 6000.0;
+    double read_noise_e = 4.0;
+    int jpeg_quality = 100;
+    DepthNoise depth_noise = DepthNoise::KinectAzure;
+    double depth_noise_strength = 1.0;
+    int seed = 1;
+
+    bool operator==(const SensorParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitSensorParams(Params& p, Visitor&& visit) {
+    visit("preset", p.preset,
+          ChoiceInfo{{"ideal", "phone", "webcam", "action_camera", "machine_vision"},
+                     "Sets shutter, lens, noise and quality of the colour camera; what is named "
+                     "after it changes single ones"});
+    visit("shutter_s", p.shutter_s,
+          FieldInfo{0, 1, "s", "How long each row is exposed; motion in it is blurred"});
+    visit("readout_s", p.readout_s,
+          FieldInfo{0, 1, "s",
+                    "Rolling shutter: from the first row's exposure to the last's; the frame's "
+                    "time is the middle of all"});
+    visit("looks", p.looks,
+          FieldInfo{1, 1024, "",
+                    "Pictures that each row is the mean of, over shutter and aperture; a blur "
+                    "longer than so many px shows steps"});
+    visit("aperture_mm", p.aperture_mm,
+          FieldInfo{0, 100, "mm",
+                    "Diameter of the lens's opening (focal length / f-number); 0 is a pinhole, "
+                    "sharp everywhere"});
+    visit("focus_m", p.focus_m,
+          FieldInfo{0, 1000, "m",
+                    "Depth that is sharp; 0 focuses on the things in the middle of each frame"});
+    visit("k1", p.k1, FieldInfo{-2, 2, "", "Radial distortion of OpenCV's model, r^2"});
+    visit("k2", p.k2, FieldInfo{-2, 2, "", "Radial distortion, r^4"});
+    visit("p1", p.p1, FieldInfo{-0.5, 0.5, "", "Tangential distortion"});
+    visit("p2", p.p2, FieldInfo{-0.5, 0.5, "", "Tangential distortion"});
+    visit("k3", p.k3, FieldInfo{-2, 2, "", "Radial distortion, r^6"});
+    visit("vignetting", p.vignetting,
+          FieldInfo{0, 1, "", "Darker corners: 1 is a simple lens's cos^4 of the angle off axis"});
+    visit("white_e", p.white_e,
+          FieldInfo{0, 1e6, "e-",
+                    "Electrons of a white surface: their shot noise; fewer is a higher ISO; 0 "
+                    "turns off shot and read noise"});
+    visit("read_noise_e", p.read_noise_e,
+          FieldInfo{0, 1000, "e-", "Deviation of the electronics' noise"});
+    visit("jpeg_quality", p.jpeg_quality,
+          FieldInfo{1, 100, "", "100 writes PNG, less JPEG of this quality"});
+    visit("depth_noise", p.depth_noise,
+          ChoiceInfo{{"none", "kinect_azure", "redwood"},
+                     "How the depth camera errs: not at all, as time of flight does, or as "
+                     "structured light does"});
+    visit("depth_noise_strength", p.depth_noise_strength,
+          FieldInfo{0, 10, "", "Times the model's deviation and jitter; holes stay"});
+    visit("seed", p.seed, FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
+}
+
+/// Of the sensor's picture files.
+[[nodiscard]] inline const char* pictureEnding(const SensorParams& params) {
+    return params.jpeg_quality < 100 ? ".jpg" : ".png";
+}
+
+/// The values of a preset; what it does not set (looks, focus, depth camera, seed) is as by
+/// default.
+[[nodiscard]] SensorParams sensorPreset(SensorPreset preset);
+
+/// Sets one field from "name=value"; a preset sets those that belong to it. Errors as setField().
+Status setSensorField(SensorParams& params, std::string_view assignment);
+
+/// The fields, for the command line and for files. Points into `params`.
+inline FieldList listSensorFields(SensorParams& params) {
+    FieldCollector collector;
+    collector.beginSection("sensor");
+    visitSensorParams(params, collector);
+    return collector.take();
+}
+
+}  // namespace dollytrack

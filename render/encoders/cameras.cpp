@@ -1,0 +1,81 @@
+#include "engine/io/png_writer.h"
+#include "render/encoders/encoders.h"
+#include "render/encoders/pack.h"
+#include "render/formats/rig_card.h"
+#include "render/rig_files.h"
+#include "render/rig_labels.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::render {
+namespace {
+
+using io::PngFormat;
+
+std::vector<std::uint16_t> normalSteps(const std::vector<Eigen::Vector3f>& normals) {
+    std::vector<std::uint16_t> image(3 * normals.size(), 0);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        if (normals[i].isZero(0.0F)) continue;
+        const Eigen::Vector3d normal = normals[i].cast<double>().normalized();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double share = std::clamp(0.5 * (normal[axis] + 1.0), 0.0, 1.0);
+            image[3 * i + static_cast<std::size_t>(axis)] =
+                static_cast<std::uint16_t>(std::lround(65535.0 * share));
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) {
+    const DatasetContents& contents = context.contents;
+    std::vector<FrameFile> files;
+    for (std::size_t i = 0; i < contents.rig.size(); ++i) {
+        const RigCamera& camera = contents.rig[i];
+        const LensModel lens(camera);
+        const LensImages seen = castLens(lens, poseOnRig(camera, frame.pose), context, frame.index);
+        const auto add = [&](const char* image, PngFormat format,
+                             std::span<const std::uint8_t> bytes) -> Status {
+            Result<std::vector<std::uint8_t>> png =
+                io::encodePng(camera.width_px, camera.height_px, format, bytes);
+            if (!png) return tl::unexpected<Error>(std::move(png.error()));
+            files.push_back(
+                {frameFile(rigFolder(camera.name, image), frame.index), std::move(*png)});
+            return {};
+        };
+        Status status = add("rgb", PngFormat::Rgb8, frame.rig_rgb[i]);
+        if (status) {
+            const auto depth = depthInMillimetres(seen.depth_m);
+            status = add("depth", PngFormat::Gray16, bytesOf(depth));
+        }
+        if (status) status = add("instance", PngFormat::Gray16, bytesOf(seen.instance));
+        if (status) {
+            const auto classes = classesOf(contents.scene, seen.instance);
+            status = add("semantic", PngFormat::Gray8, classes);
+        }
+        if (status) {
+            const auto normals = normalSteps(seen.normals_in_world);
+            status = add("normal_world", PngFormat::Rgb16, bytesOf(normals));
+        }
+        if (!status) return tl::unexpected<Error>(status.error());
+    }
+    return files;
+}
+
+nlohmann::ordered_json camerasConvention(const DatasetContents& /*contents*/) {
+    return {
+        {"folder", kRigModality},
+        {"images", kRigImages},
+        {"meaning",
+         "cameras/NAME/IMAGE/NNNNNN.png of every camera under \"cameras\", which says its lens and "
+         "poses; types and units as of the images of the same name of the planned camera, but "
+         "depth along the axis or along the ray as each camera says; ids, classes, depth and "
+         "normals are those of the exact rays of the lens through pixel centres, 0 where there is "
+         "nothing and outside of a fisheye's image circle"}};
+}
+
+}  // namespace dollytrack::render

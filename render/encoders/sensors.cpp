@@ -1,0 +1,128 @@
+#include "engine/io/png_writer.h"
+#include "render/encoders/encoders.h"
+#include "render/encoders/pack.h"
+#include "render/modalities.h"
+#include "render/sensors/depth_noise.h"
+#include "render/sensors/picture_noise.h"
+#include "render/sensors/sensor_lens.h"
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
+                                             const std::vector<std::uint8_t>& rgb) {
+    std::vector<std::uint8_t> bytes;
+    try {
+        const cv::Mat given(height, width, CV_8UC3, const_cast<std::uint8_t*>(rgb.data()));
+        cv::Mat bgr;
+        cv::cvtColor(given, bgr, cv::COLOR_RGB2BGR);
+        if (!cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, quality})) {
+            return fail(ErrorCode::Failed, "a JPEG picture could not be encoded");
+        }
+    } catch (const cv::Exception& problem) {
+        return fail(ErrorCode::Failed, std::string("a JPEG picture: ") + problem.what());
+    }
+    return bytes;
+}
+
+}  // namespace
+
+FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame) {
+    const SensorParams& params = context.contents.sensor;
+    std::vector<float> light = context.sensor_lens->take(frame.sensor_light);
+    addPictureNoise(params, frame.index, light);
+    const std::vector<std::uint8_t> rgb = developedBytes(light);
+    return oneFile(frameFile("rgb_sensor", frame.index, pictureEnding(params)),
+                   params.jpeg_quality < 100
+                       ? encodeJpeg(frame.width, frame.height, params.jpeg_quality, rgb)
+                       : io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, rgb));
+}
+
+FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
+    const DepthScene scene = {frame.index,
+                              makeIntrinsics(context.contents.camera),
+                              frame.pose.rotation,
+                              frame.depth_m,
+                              frame.normals_in_world,
+                              frame.albedo};
+    return oneFile(
+        frameFile("depth_sensor", frame.index),
+        io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
+                      bytesOf(depthInMillimetres(noisyDepth(context.contents.sensor, scene)))));
+}
+
+Json rgbSensorConvention(const DatasetContents& contents) {
+    const SensorParams& params = contents.sensor;
+    return {
+        {"folder", "rgb_sensor"},
+        {"ending", pictureEnding(params)},
+        {"type", "uint8 x 3"},
+        {"encoding", "sRGB after the clean pictures' tone curve"},
+        {"meaning",
+         "what a real camera makes of it; pose, depth and labels of the frame are sharp and "
+         "undistorted, at its time_s"},
+        {"distortion",
+         {{"model", "opencv"},
+          {"k1", params.k1},
+          {"k2", params.k2},
+          {"p1", params.p1},
+          {"p2", params.p2},
+          {"k3", params.k3},
+          {"intrinsics",
+           "fx fy cx cy as above; for OpenCV, whose pixel centres are whole, "
+           "subtract 0.5 from cx and cy"}}},
+        {"exposure",
+         {{"shutter_s", params.shutter_s},
+          {"readout_s", params.readout_s},
+          {"looks", params.looks},
+          {"row_time",
+           "time_s + readout_s * (row / (height - 1) - 0.5), the middle of that row's exposure"},
+          {"motion",
+           "twice continuously differentiable spline through the trajectory's poses; "
+           "things that move go straight on and turn evenly between frames"}}},
+        {"lens",
+         {{"aperture_mm", params.aperture_mm},
+          {"focus_m", params.focus_m},
+          {"focus",
+           "0: median depth of the targets in the middle half of the frame, else of all there"},
+          {"vignetting", params.vignetting},
+          {"vignetting_law", "1 - vignetting * (1 - cos^4 of the angle off axis)"}}},
+        {"noise",
+         {{"white_e", params.white_e},
+          {"read_noise_e", params.read_noise_e},
+          {"law",
+           "in linear light, white 1: variance light / white_e + (read_noise_e / "
+           "white_e)^2; 0 is none"},
+          {"seed", params.seed}}},
+        {"jpeg_quality", params.jpeg_quality}};
+}
+
+Json depthSensorConvention(const DatasetContents& contents) {
+    SensorParams params = contents.sensor;
+    std::string model;
+    for (const Field& field : listSensorFields(params)) {
+        if (field.name == "depth_noise") model = field.valueText();
+    }
+    const DepthLimits limits = depthLimits(params.depth_noise);
+    return {{"folder", "depth_sensor"},
+            {"type", "uint16"},
+            {"kind", "planar"},
+            {"scale_m", 0.001},
+            {"invalid", 0},
+            {"meaning",
+             "distance along the viewing axis as a depth camera delivers it; undistorted, all at "
+             "the frame's time"},
+            {"model", model},
+            {"strength", params.depth_noise_strength},
+            {"nearest_m", limits.nearest_m},
+            {"farthest_m", limits.farthest_m},
+            {"seed", params.seed}};
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/camera/lens_distortion.h"
+#include "render/formats/formats.h"
+
+namespace dollytrack::render {
+
+/// calibration.yaml: the camera as OpenCV's FileStorage and ROS's camera_info files have it.
+extern const Format kCalibrationFormat;
+
+/// Of the pictures that formats name, see DatasetContents::pictureModality().
+[[nodiscard]] LensDistortion pictureDistortion(const DatasetContents& contents);
+
+}  // namespace dollytrack::render

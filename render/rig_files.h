@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/camera/rig.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// The images of each rig camera: folders within cameras/NAME.
+inline constexpr std::array<const char*, 5> kRigImages = {"rgb", "depth", "instance", "semantic",
+                                                          "normal_world"};
+
+/// "cameras/left/depth"
+[[nodiscard]] std::string rigFolder(const std::string& camera, const std::string& image);
+
+/// All folders of a camera's images, outer ones first.
+[[nodiscard]] std::vector<std::string> rigFoldersOf(const std::string& camera);
+[[nodiscard]] std::vector<std::string> rigFolders(const Rig& rig);
+
+}  // namespace dollytrack::render

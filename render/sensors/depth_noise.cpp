@@ -1,0 +1,158 @@
+#include "render/sensors/depth_noise.h"
+
+#include "engine/scene/srgb.h"
+#include "render/sensors/pixel_random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kJitter_px = 0.25;
+constexpr double kDisparity = 35.130;  // times metres, of Redwood's unit
+constexpr double kDisparitySteps = 8.0;
+constexpr double kDisparityDeviation = 0.027778;
+
+/// Whether depth makes a step at the pixel, or something with nothing beside it ends there. Along a
+/// plane inverse depth is linear in the image, however steep it is.
+bool isEdge(const DepthScene& scene, const DepthLimits& limits, int x, int y) {
+    const auto depthAt = [&](int at_x, int at_y) -> double {
+        return scene.depth_m[static_cast<std::size_t>(at_y) * scene.lens.width + at_x];
+    };
+    const double here = depthAt(x, y);
+    for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}}) {
+        if (x < dx || x + dx >= scene.lens.width) continue;
+        if (y < std::abs(dy) || y + std::abs(dy) >= scene.lens.height) continue;
+        const double before = depthAt(x - dx, y - dy);
+        const double after = depthAt(x + dx, y + dy);
+        if (!(before > 0.0 && after > 0.0)) return true;
+        const double nearest = std::min({before, here, after});
+        const double step = std::abs(1.0 / before + 1.0 / after - 2.0 / here) * nearest *
+                            std::max({before, here, after});
+        if (step > std::max(limits.edge_m, limits.edge_share * nearest)) return true;
+    }
+    return false;
+}
+
+/// One depth camera's picture of one scene.
+class DepthCamera {
+  public:
+    DepthCamera(const SensorParams& params, const DepthScene& scene)
+        : params_(params), scene_(scene), limits_(depthLimits(params.depth_noise)) {}
+
+    [[nodiscard]] float see(int x, int y) const {
+        const std::size_t here = pixel(x, y);
+        if (params_.depth_noise == DepthNoise::None) return scene_.depth_m[here];
+        const double true_m = scene_.depth_m[here];
+        if (true_m < limits_.nearest_m || true_m > limits_.farthest_m) return 0.0F;
+        if (isEdge(scene_, limits_, x, y)) return 0.0F;
+        const PixelRandom random(static_cast<std::uint32_t>(params_.seed), scene_.frame,
+                                 kDepth + here);
+        const double strength = params_.depth_noise_strength;
+        const bool redwood = params_.depth_noise == DepthNoise::Redwood;
+        const int from_x = redwood ? x - x % 2 : x, from_y = redwood ? y - y % 2 : y;
+        const double depth = depthAround(from_x + strength * kJitter_px * random.normal(0),
+                                         from_y + strength * kJitter_px * random.normal(2), here);
+        const double seen = redwood ? byDisparity(depth, strength * random.normal(4))
+                                    : byTimeOfFlight(depth, strength * random.normal(4), here);
+        return seen >= limits_.nearest_m && seen <= limits_.farthest_m ? static_cast<float>(seen)
+                                                                       : 0.0F;
+    }
+
+  private:
+    static constexpr std::uint64_t kDepth = 2ULL << 40U;
+
+    [[nodiscard]] std::size_t pixel(int x, int y) const {
+        return static_cast<std::size_t>(y) * scene_.lens.width + static_cast<std::size_t>(x);
+    }
+
+    /// The depth of the pixel nearest to there; of what is beyond a step, the pixel's own.
+    [[nodiscard]] double depthAround(double x, double y, std::size_t here) const {
+        const double own = scene_.depth_m[here];
+        const int at_x = std::clamp(static_cast<int>(std::lround(x)), 0, scene_.lens.width - 1);
+        const int at_y = std::clamp(static_cast<int>(std::lround(y)), 0, scene_.lens.height - 1);
+        const double there = scene_.depth_m[pixel(at_x, at_y)];
+        const double step = std::max(limits_.edge_m, limits_.edge_share * own);
+        return there > 0.0 && std::abs(there - own) <= step ? there : own;
+    }
+
+    [[nodiscard]] static double byDisparity(double depth, double normal) {
+        const double steps =
+            std::round(kDisparitySteps * (kDisparity / depth + kDisparityDeviation * normal));
+        return steps > 0.0 ? kDisparitySteps * kDisparity / steps : 0.0;
+    }
+
+    [[nodiscard]] double byTimeOfFlight(double depth, double normal, std::size_t here) const {
+        const int x = static_cast<int>(here % static_cast<std::size_t>(scene_.lens.width));
+        const int y = static_cast<int>(here / static_cast<std::size_t>(scene_.lens.width));
+        const Eigen::Vector3d ray = scene_.lens.unproject(x + 0.5, y + 0.5);
+        const Eigen::Vector3d normal_in_camera =
+            scene_.world_from_camera.conjugate() * scene_.normals_in_world[here].cast<double>();
+        const double cosine = std::abs(ray.normalized().dot(normal_in_camera));
+        const std::uint8_t* color = &scene_.albedo[3 * here];
+        double reflectance = 0.0;
+        for (int c = 0; c < 3; ++c) {
+            reflectance += linearFromSrgb(static_cast<float>(color[c]) / 255.0F) / 3.0;
+        }
+        const double way = depth * ray.norm();
+        if (reflectance * cosine / (way * way) < kLeastLight) return 0.0;
+        return depth + normal * depthDeviation(DepthNoise::KinectAzure, depth) *
+                           dimness(reflectance, cosine);
+    }
+
+    // Gives a depth still: a surface that throws back 5 %, at the far end of the range.
+    static constexpr double kLeastLight = 0.05 / (5.46 * 5.46);
+
+    const SensorParams& params_;
+    const DepthScene& scene_;
+    DepthLimits limits_;
+};
+
+}  // namespace
+
+DepthLimits depthLimits(DepthNoise model) {
+    switch (model) {
+        case DepthNoise::None:
+            break;
+        case DepthNoise::KinectAzure:
+            return {0.5, 5.46, 0.1, 0.05};
+        case DepthNoise::Redwood:
+            return {0.4, 10.0, 0.1, 0.05};
+    }
+    return {};
+}
+
+double depthDeviation(DepthNoise model, double depth_m) {
+    switch (model) {
+        case DepthNoise::None:
+            break;
+        case DepthNoise::KinectAzure:
+            return 0.0005 + 0.001 * std::max(depth_m - 0.5, 0.0);
+        case DepthNoise::Redwood: {
+            // That of the disparity, and of its steps: evenly spread over one.
+            const double steps =
+                std::hypot(kDisparityDeviation, 1.0 / kDisparitySteps / std::sqrt(12.0));
+            return depth_m * depth_m / kDisparity * steps;
+        }
+    }
+    return 0.0;
+}
+
+double dimness(double reflectance, double cos_to_normal) {
+    const double light = std::max(reflectance * cos_to_normal, 1e-6);
+    return std::clamp(std::sqrt(0.5 / light), 0.5, kMostDim);
+}
+
+std::vector<float> noisyDepth(const SensorParams& params, const DepthScene& scene) {
+    const DepthCamera camera(params, scene);
+    std::vector<float> seen(scene.depth_m.size());
+    std::size_t i = 0;
+    for (int y = 0; y < scene.lens.height; ++y) {
+        for (int x = 0; x < scene.lens.width; ++x) seen[i++] = camera.see(x, y);
+    }
+    return seen;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,132 @@
+#include "render/sensors/sensor_lens.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr int kKernel = 2;  // pixels on either side that a look between them takes
+
+/// Weights of the four pixels around a place between the middle two (Catmull and Rom, 1974).
+std::array<float, 4> cubic(float t) {
+    return {0.5F * (-t + 2 * t * t - t * t * t), 0.5F * (2 - 5 * t * t + 3 * t * t * t),
+            0.5F * (t + 4 * t * t - 3 * t * t * t), 0.5F * (-t * t + t * t * t)};
+}
+
+}  // namespace
+
+LensDistortion distortionOf(const SensorParams& params) {
+    return {params.k1, params.k2, params.p1, params.p2, params.k3};
+}
+
+SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
+    : sensor_(makeIntrinsics(camera)), drawn_(sensor_) {
+    const LensDistortion lens = distortionOf(params);
+    straight_ = lens.none();
+    const auto pixels =
+        static_cast<std::size_t>(sensor_.width) * static_cast<std::size_t>(sensor_.height);
+    constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+    looks_.assign(pixels, {kNowhere, kNowhere});
+    brightness_.assign(pixels, 0.0F);
+    Eigen::AlignedBox2d reach(Eigen::Vector2d::Zero(),
+                              Eigen::Vector2d(sensor_.width, sensor_.height));
+    // A lens that looks ever further aside towards its corners would ask for any size.
+    const Eigen::Vector2d size = reach.max();
+    const Eigen::AlignedBox2d most(-size, 2.0 * size);
+    std::size_t pixel = 0;
+    for (int y = 0; y < sensor_.height; ++y) {
+        for (int x = 0; x < sensor_.width; ++x, ++pixel) {
+            const Eigen::Vector3d bent = sensor_.unproject(x + 0.5, y + 0.5);
+            const auto straight = lens.straighten(bent.head<2>());
+            if (!straight) continue;
+            const Eigen::Vector2d at = sensor_.project({straight->x(), straight->y(), 1.0});
+            if (!most.contains(at)) continue;
+            looks_[pixel] = at.cast<float>();
+            if (!straight_) reach.extend(at);
+            const double off_axis = 1.0 + straight->squaredNorm();  // 1 / cos^2
+            brightness_[pixel] =
+                static_cast<float>(1.0 - params.vignetting * (1.0 - 1.0 / (off_axis * off_axis)));
+        }
+    }
+    black_ = static_cast<std::size_t>(std::ranges::count_if(
+        looks_, [](const Eigen::Vector2f& at) { return std::isnan(at.x()); }));
+    if (!straight_) {
+        const auto border = [](double beyond) {
+            return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernel;
+        };
+        const int left = border(-reach.min().x()), top = border(-reach.min().y());
+        drawn_.width += left + border(reach.max().x() - size.x());
+        drawn_.height += top + border(reach.max().y() - size.y());
+        drawn_.cx += left;
+        drawn_.cy += top;
+        for (Eigen::Vector2f& at : looks_) at += Eigen::Vector2i(left, top).cast<float>();
+    }
+    for (int y = 0; y < sensor_.height; ++y) {
+        std::pair<float, float> row{1e9F, -1e9F};
+        for (int x = 0; x < sensor_.width; ++x) {
+            const float at = looks_[static_cast<std::size_t>(y) * sensor_.width + x].y();
+            if (std::isnan(at)) continue;
+            row = {std::min(row.first, at), std::max(row.second, at)};
+        }
+        reach_.push_back(row);
+    }
+}
+
+std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
+    const int begin = std::clamp(static_cast<int>(std::floor(first)) - 1, 0, sensor_.height);
+    const int end = std::clamp(static_cast<int>(std::ceil(last)) + 2, 0, sensor_.height);
+    float low = 1e9F;
+    float high = -1e9F;
+    for (int y = begin; y < end; ++y) {
+        const auto& [least, largest] = reach_[static_cast<std::size_t>(y)];
+        low = std::min(low, least);
+        high = std::max(high, largest);
+    }
+    if (low > high) return {0, 0};
+    return {std::clamp(static_cast<int>(std::floor(low)) - kKernel, 0, drawn_.height),
+            std::clamp(static_cast<int>(std::ceil(high)) + kKernel, 0, drawn_.height)};
+}
+
+std::vector<float> SensorLens::take(std::span<const float> drawn) const {
+    std::vector<float> seen(3 * looks_.size(), 0.0F);
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+        if (std::isnan(looks_[i].x())) continue;
+        if (straight_) {
+            for (std::size_t c = 0; c < 3; ++c) seen[3 * i + c] = brightness_[i] * drawn[3 * i + c];
+            continue;
+        }
+        const float x = looks_[i].x() - 0.5F, y = looks_[i].y() - 0.5F;
+        const float left = std::floor(x), top = std::floor(y);
+        const std::array<float, 4> across = cubic(x - left);
+        const std::array<float, 4> down = cubic(y - top);
+        std::array<float, 3> sum{};
+        std::array<float, 3> least{1e30F, 1e30F, 1e30F};
+        std::array<float, 3> most{};
+        for (int dy = 0; dy < 4; ++dy) {
+            const int row = std::clamp(static_cast<int>(top) + dy - 1, 0, drawn_.height - 1);
+            for (int dx = 0; dx < 4; ++dx) {
+                const int column = std::clamp(static_cast<int>(left) + dx - 1, 0, drawn_.width - 1);
+                const float* from = &drawn[3 * (static_cast<std::size_t>(row) * drawn_.width +
+                                                static_cast<std::size_t>(column))];
+                const bool near = dx % 3 != 0 && dy % 3 != 0;
+                const float weight =
+                    across[static_cast<std::size_t>(dx)] * down[static_cast<std::size_t>(dy)];
+                for (std::size_t c = 0; c < 3; ++c) {
+                    sum[c] += weight * from[c];
+                    if (!near) continue;
+                    least[c] = std::min(least[c], from[c]);
+                    most[c] = std::max(most[c], from[c]);
+                }
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            seen[3 * i + c] = brightness_[i] * std::clamp(sum[c], least[c], most[c]);
+        }
+    }
+    return seen;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/camera/camera_params.h"
+#include "engine/camera/intrinsics.h"
+#include "engine/camera/lens_distortion.h"
+#include "engine/camera/sensor_params.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// The distortion that the sensor's pictures have.
+[[nodiscard]] LensDistortion distortionOf(const SensorParams& params);
+
+/// How a sensor's pixels look through its lens at a picture that is drawn as by a pinhole, large
+/// enough for all that the lens shows. The focal length, and so the scale in the middle, is the
+/// clean picture's. Const, many threads.
+class SensorLens {
+  public:
+    SensorLens(const CameraParams& camera, const SensorParams& params);
+
+    /// Of the picture to draw: the clean camera with borders.
+    [[nodiscard]] const Intrinsics& drawn() const { return drawn_; }
+
+    /// Where in the drawn picture (px) the middle of a sensor's pixel looks; NaN where the lens
+    /// shows nothing: beyond what the model reaches, or more than a picture's size outside.
+    [[nodiscard]] const Eigen::Vector2f& lookOf(std::size_t pixel) const { return looks_[pixel]; }
+
+    /// The share of light that the lens leaves the pixel.
+    [[nodiscard]] float brightness(std::size_t pixel) const { return brightness_[pixel]; }
+
+    /// Pixels of the sensor that stay black.
+    [[nodiscard]] std::size_t blackCount() const { return black_; }
+
+    /// The sensor's picture of a drawn one, 3 values a pixel: cubic (Catmull-Rom) between pixels,
+    /// within the values around, and darkened.
+    [[nodiscard]] std::vector<float> take(std::span<const float> drawn) const;
+
+    /// Rows of the drawn picture that hold all that the sensor's rows from `first` to `last` look
+    /// at: begin and end. Both may be fractions.
+    [[nodiscard]] std::pair<int, int> drawnRows(double first, double last) const;
+
+  private:
+    Intrinsics sensor_;
+    Intrinsics drawn_;
+    std::vector<Eigen::Vector2f> looks_;
+    std::vector<float> brightness_;
+    std::vector<std::pair<float, float>> reach_;  // by sensor row: least and largest drawn y
+    std::size_t black_ = 0;
+    bool straight_ = false;  // drawn and seen pixels are the same
+};
+
+}  // namespace dollytrack::render

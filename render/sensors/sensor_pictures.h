@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/camera/camera_motion.h"
+#include "engine/camera/sensor_params.h"
+#include "engine/core/result.h"
+#include "render/frame_context.h"
+#include "render/frame_record.h"
+#include "render/reference_pictures.h"
+#include "render/scene_renderer.h"
+#include "render/sensors/exposure.h"
+#include "render/sensors/object_path.h"
+#include "render/sensors/sensor_lens.h"
+
+#include <optional>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// What moves while a picture is taken: the whole trajectory's, of which a dataset may hold a part.
+struct SensorMotion {
+    CameraMotion camera;
+    ObjectPaths objects;
+};
+
+/// The depth that a frame is focused on, m: as set, else the median of the targets in the middle
+/// half (by width and by height) of the frame, else of all that is there; `none` where that shows
+/// nothing.
+[[nodiscard]] std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
+                                            const FrameRecord& frame);
+
+/// Takes the light of a frame as it falls into the sensor's lens: the mean of looks over shutter
+/// and aperture. A lens point (x, y) sees what lies in focus at the same place, so the picture from
+/// there is shifted by focal length times (x, y) / focus: a thin lens, whose circle of confusion is
+/// aperture * focal length in px * |1 / depth - 1 / focus|.
+class SensorPictures {
+  public:
+    /// All but the renderer must outlive this.
+    static Result<SensorPictures> create(const FrameContext& context, const SensorMotion& motion);
+
+    /// Fills `light` with linear light through the pinhole SensorLens::drawn(), 3 values a pixel.
+    /// By `reference` where there is one. `frame` has depth and ids, if the focus depends on it.
+    /// Leaves things that move where they were last.
+    [[nodiscard]] Status take(const FrameRecord& frame, SceneRenderer& renderer,
+                              ReferencePictures* reference, std::vector<float>& light);
+
+  private:
+    SensorPictures(const FrameContext& context, const SensorMotion& motion)
+        : context_(context), motion_(motion) {}
+    [[nodiscard]] View viewOf(const ExposureLook& look, const FrameRecord& frame,
+                              std::optional<double> focus) const;
+    [[nodiscard]] Status trace(const FrameRecord& frame, const Exposure& exposure,
+                               std::optional<double> focus, ReferencePictures& reference,
+                               std::vector<float>& light) const;
+
+    const FrameContext& context_;
+    const SensorMotion& motion_;
+    std::optional<RenderTarget> target_;
+};
+
+}  // namespace dollytrack::render

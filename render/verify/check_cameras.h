@@ -1,0 +1,10 @@
+#pragma once
+
+#include "render/verify/check.h"
+
+namespace dollytrack::verify {
+
+/// The images and poses of a rig's cameras, see stored_rig.h.
+CheckWork beginCameras(const Subject& subject, Findings& findings);
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,177 @@
+"""Exports what a real camera would have taken: sensors_test.py PROGRAM."""
+import json
+import unittest
+
+import cv2
+import numpy as np
+
+import small_export
+from program import FolderCase, hashes, run, start, wait_for
+
+SENSORS = ["--modalities", "rgb,depth,rgb_sensor,depth_sensor", "--formats",
+           "calibration,colmap,nerfstudio"]
+
+
+class SensorsTest(FolderCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.project = small_export.plan(cls.folder, 6)
+        cls.count = 0
+
+    def export(self, *settings, modalities=SENSORS, more=()):
+        SensorsTest.count += 1
+        out = self.folder / f"out_{self.count}"
+        result = run("-q", "export", self.project, "--out", out, *modalities,
+                     *[word for one in settings for word in ("--sensor", one)], *more)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return out
+
+    def files(self, out, *folders):
+        return {name: value for name, value in hashes(out).items()
+                if name.split("/")[0] in folders}
+
+    def test_clean_files_stay_as_they_are(self):
+        clean = self.export(modalities=["--modalities", "rgb,depth", "--formats", "colmap"])
+        with_sensor = self.export("preset=webcam")
+        for folder in ("rgb", "depth"):
+            self.assertEqual(self.files(clean, folder), self.files(with_sensor, folder))
+        self.assertNotIn("sensor", json.loads((clean / "dataset.json").read_text())["parameters"])
+
+    def test_the_same_bytes_with_one_thread_with_two_and_continued(self):
+        rolling = ["readout_s=0.02", "looks=64"]
+        whole = self.export(*rolling, more=["--threads", "1"])
+        self.assertEqual(hashes(whole), hashes(self.export(*rolling, more=["--threads", "2"])))
+        begun = self.folder / "begun"
+        command = ["-q", "export", self.project, "--out", begun, *SENSORS, "--sensor", "looks=64"]
+        process = start(*command, "--sensor", "readout_s=0.02")
+        self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                 len(list(begun.glob("depth_sensor/*.png"))) > 1))
+        process.kill()
+        process.communicate()
+        self.assertFalse((begun / "dataset.json").exists())
+        self.assertFails(run(*command, "--sensor", "readout_s=0.03", "--resume"), 2, "the sensors")
+        result = run(*command, "--sensor", "readout_s=0.02", "--resume")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(hashes(begun), hashes(whole))
+
+    def test_another_seed_is_other_noise_of_the_same_amount(self):
+        out = [self.export(f"seed={seed}", "shutter_s=0", "readout_s=0", "white_e=500")
+               for seed in (1, 1, 2)]
+        one, again, other = (self.files(folder, "rgb_sensor", "depth_sensor") for folder in out)
+        self.assertEqual(one, again)
+        self.assertFalse(set(one.values()) & set(other.values()))
+        a, b, clean = (cv2.imread(str(folder / name / "000002.png")).astype(float) for folder, name
+                       in ((out[0], "rgb_sensor"), (out[2], "rgb_sensor"), (out[0], "rgb")))
+        self.assertAlmostEqual(np.std(a - clean) / np.std(b - clean), 1.0, delta=0.05)
+
+    def test_every_setting_changes_the_pictures_it_should(self):
+        # A camera that changes nothing, but for what is asked for.
+        base = ["preset=ideal", "depth_noise=none"]
+        ideal = self.export(*base)
+        rgb, depth = self.files(ideal, "rgb_sensor"), self.files(ideal, "depth_sensor")
+        self.assertEqual(sorted(depth.values()), sorted(self.files(ideal, "depth").values()),
+                         "a depth camera without noise delivers the depth")
+        for setting in ["shutter_s=0.05", "readout_s=0.05", "looks=8", "aperture_mm=30", "k1=0.1",
+                        "k2=0.1", "p1=0.01", "p2=0.01", "k3=0.1", "vignetting=1", "white_e=1000",
+                        "jpeg_quality=80"]:
+            with self.subTest(setting):
+                out = self.export(*base, setting)
+                found = self.files(out, "rgb_sensor")
+                self.assertGreater(len(set(found.values()) - set(rgb.values())), 3)
+                self.assertEqual(self.files(out, "depth_sensor"), depth)
+        noisy = {}
+        for setting in ["depth_noise=kinect_azure", "depth_noise=redwood"]:
+            out = self.export("preset=ideal", setting)
+            self.assertEqual(self.files(out, "rgb_sensor"), rgb)
+            noisy[setting] = self.files(out, "depth_sensor")
+        self.assertFalse(set(noisy["depth_noise=kinect_azure"].values())
+                         & set(noisy["depth_noise=redwood"].values()))
+        out = self.export("preset=ideal", "depth_noise=redwood", "depth_noise_strength=2")
+        self.assertNotEqual(self.files(out, "depth_sensor"), noisy["depth_noise=redwood"])
+
+    def test_opencv_reads_the_calibration_and_undistorts_with_it(self):
+        out = self.export("preset=ideal", "k1=-0.3", "k2=0.1", "p1=0.004")
+        storage = cv2.FileStorage(str(out / "calibration.yaml"), cv2.FILE_STORAGE_READ)
+        self.assertEqual(storage.getNode("image_width").real(), 64)
+        self.assertEqual(storage.getNode("distortion_model").string(), "plumb_bob")
+        matrix = storage.getNode("camera_matrix").mat()
+        distortion = storage.getNode("distortion_coefficients").mat()
+        self.assertEqual([round(one, 9) for one in distortion.ravel()], [-0.3, 0.1, 0.004, 0, 0])
+        lens = json.loads((out / "dataset.json").read_text())["conventions"]["intrinsics"]
+        self.assertAlmostEqual(matrix[0, 0], lens["fx"])
+        self.assertAlmostEqual(matrix[0, 2], lens["cx"] - 0.5)
+        maps = cv2.initUndistortRectifyMap(matrix, distortion, None, matrix, (64, 48), cv2.CV_32FC1)
+        apart, apart_untouched = 0.0, 0.0
+        for frame in range(6):
+            bent = cv2.imread(str(out / f"rgb_sensor/{frame:06d}.png")).astype(np.float32)
+            clean = cv2.imread(str(out / f"rgb/{frame:06d}.png")).astype(np.float32)
+            straight = cv2.remap(bent, *maps, cv2.INTER_LINEAR)
+            inside = np.s_[6:-6, 6:-6]
+            apart += np.abs(straight - clean)[inside].mean()
+            apart_untouched += np.abs(bent - clean)[inside].mean()
+        self.assertLess(apart, 0.6 * apart_untouched,
+                        "undistorted it is the clean picture but for its smaller details")
+
+    def test_formats_have_the_lens_of_the_pictures_they_name(self):
+        def lens(out):
+            camera = (out / "sparse/0/cameras.txt").read_text().splitlines()[-1].split()
+            transforms = json.loads((out / "transforms.json").read_text())
+            return camera, transforms
+        camera, transforms = lens(self.export("preset=action_camera"))
+        self.assertEqual((camera[1], transforms["k1"]), ("PINHOLE", 0.0))
+        out = self.export("preset=action_camera", modalities=[
+            "--modalities", "rgb_sensor,depth", *SENSORS[2:]])
+        camera, transforms = lens(out)
+        self.assertEqual(camera[1], "FULL_OPENCV")
+        self.assertEqual([float(one) for one in camera[8:]], [-0.26, 0.09, 0, 0, -0.015, 0, 0, 0])
+        self.assertEqual((transforms["k1"], transforms["k3"]), (-0.26, -0.015))
+        self.assertEqual(transforms["frames"][0]["file_path"], "rgb_sensor/000000.jpg")
+        self.assertNotIn("depth_file_path", transforms["frames"][0])
+        verified = run("-q", "verify", out)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+
+    def test_what_presets_write_is_sound(self):
+        for preset in ("ideal", "phone", "webcam", "action_camera", "machine_vision"):
+            for model in ("kinect_azure", "redwood"):
+                with self.subTest(preset=preset, model=model):
+                    out = self.export(f"preset={preset}", f"depth_noise={model}")
+                    verified = run("-q", "verify", out)
+                    self.assertEqual(verified.returncode, 0, verified.stdout)
+
+    def test_path_traced_pictures_go_through_the_same_lens(self):
+        traced = ["--picture", "render_mode=reference", "--picture", "reference_samples=16",
+                  "--range", "0:2"]
+        told = run("export", self.project, "--out", self.folder / "told", *SENSORS, *traced,
+                   "--sensor", "looks=1")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("things that move", told.stderr)
+        out = self.export("preset=ideal", "k1=-0.3", "shutter_s=0.05", "looks=4",
+                          more=[*traced, "--still"])
+        drawn = self.export("preset=ideal", "k1=-0.3", "shutter_s=0.05", more=["--still"])
+        a, b, clean = (cv2.imread(str(folder / name / "000001.png")).astype(float).ravel()
+                       for folder, name in ((out, "rgb_sensor"), (drawn, "rgb_sensor"),
+                                            (drawn, "rgb")))
+        self.assertGreater(np.corrcoef(a, b)[0, 1], 0.9)
+        self.assertGreater(np.corrcoef(a, b)[0, 1], np.corrcoef(a, clean)[0, 1])
+
+    def test_a_lens_that_shows_nothing_in_its_corners_is_told_of(self):
+        for k1, told in [(-1.0, True), (-0.05, False)]:
+            out = self.folder / f"corners_{told}"
+            result = run("export", self.project, "--out", out, *SENSORS, "--range", "0:1",
+                         "--sensor", "preset=ideal", "--sensor", f"k1={k1}", "--set", "hfov_deg=90")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual("stays black" in result.stderr, told, result.stderr)
+
+    def test_wrong_settings_are_refused_in_a_sentence(self):
+        for words, setting in [(("shutter_s",), "shutter=0.1"), (("looks", "1024"), "looks=0"),
+                               (("phone",), "preset=iphone"), (("k1", "number"), "k1=big")]:
+            self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",
+                                 *SENSORS, "--sensor", setting), 2, *words)
+        self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",
+                             "--modalities", "rgb", "--sensor", "looks=4"), 2, "rgb_sensor",
+                         "--modalities")
+
+
+if __name__ == "__main__":
+    unittest.main()
