@@ -4,7 +4,7 @@ namespace dollytrack {
 
 SensorParams sensorPreset(SensorPreset preset) {
     SensorParams params;
-    params.preset = preset;
+    params.sensor_preset = preset;
     if (preset == SensorPreset::Phone) return params;
     params.shutter_s = params.readout_s = 0.0;
     params.k1 = params.k2 = params.vignetting = 0.0;
@@ -51,13 +51,13 @@ SensorParams sensorPreset(SensorPreset preset) {
 
 Status setSensorField(SensorParams& params, std::string_view assignment) {
     if (Status status = setField(listSensorFields(params), assignment); !status) return status;
-    if (!assignment.starts_with("preset=")) return {};
-    SensorParams chosen = sensorPreset(params.preset);
+    if (!assignment.starts_with("sensor_preset=")) return {};
+    SensorParams chosen = sensorPreset(params.sensor_preset);
     chosen.depth_noise = params.depth_noise;
     chosen.depth_noise_strength = params.depth_noise_strength;
     chosen.looks = params.looks;
     chosen.focus_m = params.focus_m;
-    chosen.seed = params.seed;
+    chosen.sensor_seed = params.sensor_seed;
     params = chosen;
     return {};
 }

@@ -13,7 +13,7 @@ enum class DepthNoise { None, KinectAzure, Redwood };
 /// What a real camera would make of the clean picture: of the modalities rgb_sensor and
 /// depth_sensor; all other files are the same. The values here are those of a phone.
 struct SensorParams {
-    SensorPreset preset = SensorPreset::Phone;
+    SensorPreset sensor_preset = SensorPreset::Phone;
     double shutter_s = 1.0 / 60.0;
     double readout_s = 0.015;
     int looks = 16;
@@ -30,14 +30,14 @@ struct SensorParams {
     int jpeg_quality = 100;
     DepthNoise depth_noise = DepthNoise::KinectAzure;
     double depth_noise_strength = 1.0;
-    int seed = 1;
+    int sensor_seed = 1;
 
     bool operator==(const SensorParams&) const = default;
 };
 
 template <class Params, class Visitor>
 void visitSensorParams(Params& p, Visitor&& visit) {
-    visit("preset", p.preset,
+    visit("sensor_preset", p.sensor_preset,
           ChoiceInfo{{"ideal", "phone", "webcam", "action_camera", "machine_vision"},
                      "Sets shutter, lens, noise and quality of the colour camera; what is named "
                      "after it changes single ones"});
@@ -79,7 +79,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
                      "structured light does"});
     visit("depth_noise_strength", p.depth_noise_strength,
           FieldInfo{0, 10, "", "Times the model's deviation and jitter; holes stay"});
-    visit("seed", p.seed, FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
+    visit("sensor_seed", p.sensor_seed,
+          FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
 }
 
 /// Of the sensor's picture files.

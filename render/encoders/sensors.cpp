@@ -99,7 +99,7 @@ Json rgbSensorConvention(const DatasetContents& contents) {
           {"law",
            "in linear light, white 1: variance light / white_e + (read_noise_e / "
            "white_e)^2; 0 is none"},
-          {"seed", params.seed}}},
+          {"sensor_seed", params.sensor_seed}}},
         {"jpeg_quality", params.jpeg_quality}};
 }
 
@@ -122,7 +122,7 @@ Json depthSensorConvention(const DatasetContents& contents) {
             {"strength", params.depth_noise_strength},
             {"nearest_m", limits.nearest_m},
             {"farthest_m", limits.farthest_m},
-            {"seed", params.seed}};
+            {"sensor_seed", params.sensor_seed}};
 }
 
 }  // namespace dollytrack::render

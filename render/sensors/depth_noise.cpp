@@ -48,7 +48,7 @@ class DepthCamera {
         const double true_m = scene_.depth_m[here];
         if (true_m < limits_.nearest_m || true_m > limits_.farthest_m) return 0.0F;
         if (isEdge(scene_, limits_, x, y)) return 0.0F;
-        const PixelRandom random(static_cast<std::uint32_t>(params_.seed), scene_.frame,
+        const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), scene_.frame,
                                  kDepth + here);
         const double strength = params_.depth_noise_strength;
         const bool redwood = params_.depth_noise == DepthNoise::Redwood;

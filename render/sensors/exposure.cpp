@@ -39,7 +39,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame) : height_(
     // Additive recurrence in four dimensions: any stretch of it is even (Roberts, The Unreasonable
     // Effectiveness of Quasirandom Sequences, 2018).
     constexpr double kRoot = 1.1673039782614187;  // x^5 = x + 1
-    const PixelRandom random(static_cast<std::uint32_t>(params.seed), frame, 0);
+    const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame, 0);
     std::array<double, 4> start{};
     for (std::size_t d = 0; d < 4; ++d) start[d] = random.uniform(static_cast<std::uint32_t>(d));
     Eigen::Vector2d middle_lens = Eigen::Vector2d::Zero();

@@ -98,7 +98,7 @@ void checkParameters(const StoredDataset& dataset, Findings& findings) {
         {"distortion", {"k1", "k2", "p1", "p2", "k3"}},
         {"exposure", {"shutter_s", "readout_s", "looks"}},
         {"lens", {"aperture_mm", "focus_m", "vignetting"}},
-        {"noise", {"white_e", "read_noise_e", "seed"}},
+        {"noise", {"white_e", "read_noise_e", "sensor_seed"}},
         {"", {"jpeg_quality"}},
     }};
     for (const auto& [group, keys] : groups) {

@@ -75,4 +75,4 @@ def sensor_depth_of_another_model(copy):
 
 @found_by("depth_sensor")
 def sensor_depth_of_another_seed(copy):
-    copy.card["conventions"]["depth_sensor"]["seed"] += 1
+    copy.card["conventions"]["depth_sensor"]["sensor_seed"] += 1

@@ -33,7 +33,7 @@ class SensorsTest(FolderCase):
 
     def test_clean_files_stay_as_they_are(self):
         clean = self.export(modalities=["--modalities", "rgb,depth", "--formats", "colmap"])
-        with_sensor = self.export("preset=webcam")
+        with_sensor = self.export("sensor_preset=webcam")
         for folder in ("rgb", "depth"):
             self.assertEqual(self.files(clean, folder), self.files(with_sensor, folder))
         self.assertNotIn("sensor", json.loads((clean / "dataset.json").read_text())["parameters"])
@@ -56,7 +56,7 @@ class SensorsTest(FolderCase):
         self.assertEqual(hashes(begun), hashes(whole))
 
     def test_another_seed_is_other_noise_of_the_same_amount(self):
-        out = [self.export(f"seed={seed}", "shutter_s=0", "readout_s=0", "white_e=500")
+        out = [self.export(f"sensor_seed={seed}", "shutter_s=0", "readout_s=0", "white_e=500")
                for seed in (1, 1, 2)]
         one, again, other = (self.files(folder, "rgb_sensor", "depth_sensor") for folder in out)
         self.assertEqual(one, again)
@@ -67,7 +67,7 @@ class SensorsTest(FolderCase):
 
     def test_every_setting_changes_the_pictures_it_should(self):
         # A camera that changes nothing, but for what is asked for.
-        base = ["preset=ideal", "depth_noise=none"]
+        base = ["sensor_preset=ideal", "depth_noise=none"]
         ideal = self.export(*base)
         rgb, depth = self.files(ideal, "rgb_sensor"), self.files(ideal, "depth_sensor")
         self.assertEqual(sorted(depth.values()), sorted(self.files(ideal, "depth").values()),
@@ -82,16 +82,16 @@ class SensorsTest(FolderCase):
                 self.assertEqual(self.files(out, "depth_sensor"), depth)
         noisy = {}
         for setting in ["depth_noise=kinect_azure", "depth_noise=redwood"]:
-            out = self.export("preset=ideal", setting)
+            out = self.export("sensor_preset=ideal", setting)
             self.assertEqual(self.files(out, "rgb_sensor"), rgb)
             noisy[setting] = self.files(out, "depth_sensor")
         self.assertFalse(set(noisy["depth_noise=kinect_azure"].values())
                          & set(noisy["depth_noise=redwood"].values()))
-        out = self.export("preset=ideal", "depth_noise=redwood", "depth_noise_strength=2")
+        out = self.export("sensor_preset=ideal", "depth_noise=redwood", "depth_noise_strength=2")
         self.assertNotEqual(self.files(out, "depth_sensor"), noisy["depth_noise=redwood"])
 
     def test_opencv_reads_the_calibration_and_undistorts_with_it(self):
-        out = self.export("preset=ideal", "k1=-0.3", "k2=0.1", "p1=0.004")
+        out = self.export("sensor_preset=ideal", "k1=-0.3", "k2=0.1", "p1=0.004")
         storage = cv2.FileStorage(str(out / "calibration.yaml"), cv2.FILE_STORAGE_READ)
         self.assertEqual(storage.getNode("image_width").real(), 64)
         self.assertEqual(storage.getNode("distortion_model").string(), "plumb_bob")
@@ -118,9 +118,9 @@ class SensorsTest(FolderCase):
             camera = (out / "sparse/0/cameras.txt").read_text().splitlines()[-1].split()
             transforms = json.loads((out / "transforms.json").read_text())
             return camera, transforms
-        camera, transforms = lens(self.export("preset=action_camera"))
+        camera, transforms = lens(self.export("sensor_preset=action_camera"))
         self.assertEqual((camera[1], transforms["k1"]), ("PINHOLE", 0.0))
-        out = self.export("preset=action_camera", modalities=[
+        out = self.export("sensor_preset=action_camera", modalities=[
             "--modalities", "rgb_sensor,depth", *SENSORS[2:]])
         camera, transforms = lens(out)
         self.assertEqual(camera[1], "FULL_OPENCV")
@@ -135,7 +135,7 @@ class SensorsTest(FolderCase):
         for preset in ("ideal", "phone", "webcam", "action_camera", "machine_vision"):
             for model in ("kinect_azure", "redwood"):
                 with self.subTest(preset=preset, model=model):
-                    out = self.export(f"preset={preset}", f"depth_noise={model}")
+                    out = self.export(f"sensor_preset={preset}", f"depth_noise={model}")
                     verified = run("-q", "verify", out)
                     self.assertEqual(verified.returncode, 0, verified.stdout)
 
@@ -146,9 +146,9 @@ class SensorsTest(FolderCase):
                    "--sensor", "looks=1")
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertIn("things that move", told.stderr)
-        out = self.export("preset=ideal", "k1=-0.3", "shutter_s=0.05", "looks=4",
+        out = self.export("sensor_preset=ideal", "k1=-0.3", "shutter_s=0.05", "looks=4",
                           more=[*traced, "--still"])
-        drawn = self.export("preset=ideal", "k1=-0.3", "shutter_s=0.05", more=["--still"])
+        drawn = self.export("sensor_preset=ideal", "k1=-0.3", "shutter_s=0.05", more=["--still"])
         a, b, clean = (cv2.imread(str(folder / name / "000001.png")).astype(float).ravel()
                        for folder, name in ((out, "rgb_sensor"), (drawn, "rgb_sensor"),
                                             (drawn, "rgb")))
@@ -159,13 +159,14 @@ class SensorsTest(FolderCase):
         for k1, told in [(-1.0, True), (-0.05, False)]:
             out = self.folder / f"corners_{told}"
             result = run("export", self.project, "--out", out, *SENSORS, "--range", "0:1",
-                         "--sensor", "preset=ideal", "--sensor", f"k1={k1}", "--set", "hfov_deg=90")
+                         "--sensor", "sensor_preset=ideal", "--sensor", f"k1={k1}",
+                         "--set", "hfov_deg=90")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual("stays black" in result.stderr, told, result.stderr)
 
     def test_wrong_settings_are_refused_in_a_sentence(self):
         for words, setting in [(("shutter_s",), "shutter=0.1"), (("looks", "1024"), "looks=0"),
-                               (("phone",), "preset=iphone"), (("k1", "number"), "k1=big")]:
+                               (("phone",), "sensor_preset=iphone"), (("k1", "number"), "k1=big")]:
             self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",
                                  *SENSORS, "--sensor", setting), 2, *words)
         self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",

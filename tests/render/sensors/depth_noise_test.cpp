@@ -27,7 +27,7 @@ struct Wall {
         SensorParams params;
         params.depth_noise = model;
         params.depth_noise_strength = strength;
-        params.seed = seed;
+        params.sensor_seed = seed;
         return noisyDepth(params,
                           {frame, lens, Eigen::Quaterniond::Identity(), depth, normals, albedo});
     }

@@ -86,7 +86,7 @@ TEST(Exposure, LooksMeetInTheMiddleOfPixelAndAperture) {
     };
     EXPECT_NE(first(params, 7), first(params, 8));
     SensorParams other = params;
-    other.seed = 2;
+    other.sensor_seed = 2;
     EXPECT_NE(first(params, 7), first(other, 7));
     EXPECT_EQ(first(params, 7), Exposure(params, kHeight, 7).looks().front().lens);
 }
@@ -155,11 +155,11 @@ TEST(ObjectPaths, ThingsGoStraightOnAndTurnEvenly) {
 
 TEST(SensorParams, APresetSetsTheCameraAndWhatFollowsChangesIt) {
     SensorParams params;
-    params.seed = 9;
+    params.sensor_seed = 9;
     params.depth_noise = DepthNoise::Redwood;
-    ASSERT_TRUE(setSensorField(params, "preset=webcam"));
+    ASSERT_TRUE(setSensorField(params, "sensor_preset=webcam"));
     EXPECT_EQ(params.jpeg_quality, 75);
-    EXPECT_EQ(params.seed, 9);
+    EXPECT_EQ(params.sensor_seed, 9);
     EXPECT_EQ(params.depth_noise, DepthNoise::Redwood);
     ASSERT_TRUE(setSensorField(params, "jpeg_quality=60"));
     EXPECT_EQ(params.jpeg_quality, 60);
