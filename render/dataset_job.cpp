@@ -74,7 +74,7 @@ struct DatasetJob::Impl {
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
     std::optional<MovingObjects> moving;
-    std::optional<SensorMotion> sensor_motion;
+    std::optional<ObjectPaths> object_paths;  // where the sensor's pictures are wanted
     std::optional<SensorLens> sensor_lens;
     std::optional<FrameContext> frame_context;
     std::optional<FramePipeline> pipeline;
@@ -216,8 +216,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     const MovingObjects& moving = impl->moving.emplace(contents.scene, rays, contents.motions);
     impl->frame_context.emplace(FrameContext{contents, moving});
     if (contains(contents.modalities, kRgbSensor)) {
-        impl->sensor_motion.emplace(
-            SensorMotion{CameraMotion(trajectory), ObjectPaths(scene, trajectory, origin.motions)});
+        impl->object_paths.emplace(scene, trajectory, origin.motions);
         impl->frame_context->sensor_lens =
             &impl->sensor_lens.emplace(contents.camera, contents.sensor);
         warnOfBlackCorners(*impl->sensor_lens, contents.camera);
@@ -238,7 +237,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
                                needsOf(contents.modalities, impl->order.card.formats),
                                impl->settings.picture, std::move(restored));
     Status status =
-        pipeline.prepare(rays, origin.rooms, impl->sensor_motion ? &*impl->sensor_motion : nullptr,
+        pipeline.prepare(rays, origin.rooms, impl->object_paths ? &*impl->object_paths : nullptr,
                          job.stage(0.3, 1.0, "light"));
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());

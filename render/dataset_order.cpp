@@ -56,6 +56,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     Result<ModalitySet> modalities = chooseModalities(settings.modalities, !settings.rig.empty());
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
+    order.contents.camera_motion = CameraMotion(trajectory);
     order.contents.imu_rate_hz = settings.imu_rate_hz;
     for (const int distance : settings.flow_distances) {
         if (distance >= 1) continue;

@@ -36,7 +36,7 @@ Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
 FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame) {
     const SensorParams& params = context.contents.sensor;
     std::vector<float> light = context.sensor_lens->take(frame.sensor_light);
-    addPictureNoise(params, frame.index, light);
+    addPictureNoise(params, context.contents.sourceFrame(frame.index), light);
     const std::vector<std::uint8_t> rgb = developedBytes(light);
     return oneFile(frameFile("rgb_sensor", frame.index, pictureEnding(params)),
                    params.jpeg_quality < 100
@@ -45,7 +45,7 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
 }
 
 FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
-    const DepthScene scene = {frame.index,
+    const DepthScene scene = {context.contents.sourceFrame(frame.index),
                               makeIntrinsics(context.contents.camera),
                               frame.pose.rotation,
                               frame.depth_m,

@@ -113,8 +113,9 @@ Json imuConvention(const DatasetContents& /*contents*/) {
     return {{"file", kImuFiles[0]},
             {"format",
              "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2, at rest "
-             "9.80665 against gravity) in the camera's axes; free of noise and bias; the frames of "
-             "each continuous motion joined by a twice continuously differentiable spline"}};
+             "9.80665 against gravity) in the camera's axes; free of noise and bias; along "
+             "a twice continuously differentiable spline through all poses of each continuous "
+             "motion, of frames that are not exported, too"}};
 }
 
 Files writeInstances(const DatasetContents& contents) {

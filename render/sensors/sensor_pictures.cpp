@@ -29,8 +29,8 @@ std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
 }
 
 Result<SensorPictures> SensorPictures::create(const FrameContext& context,
-                                              const SensorMotion& motion) {
-    SensorPictures pictures(context, motion);
+                                              const ObjectPaths& objects) {
+    SensorPictures pictures(context, objects);
     const Intrinsics& drawn = context.sensor_lens->drawn();
     Result<RenderTarget> target = RenderTarget::create(drawn.width, drawn.height);
     if (!target) return tl::unexpected(target.error());
@@ -41,9 +41,8 @@ Result<SensorPictures> SensorPictures::create(const FrameContext& context,
 View SensorPictures::viewOf(const ExposureLook& look, const FrameRecord& frame,
                             std::optional<double> focus) const {
     const DatasetContents& contents = context_.contents;
-    const auto source = static_cast<std::size_t>(
-        contents.frames[static_cast<std::size_t>(frame.index)].source_frame);
-    View view = makeView(contents.camera, motion_.camera.poseAt(source, look.after_s));
+    const auto source = static_cast<std::size_t>(contents.sourceFrame(frame.index));
+    View view = makeView(contents.camera, contents.camera_motion.poseAt(source, look.after_s));
     view.intrinsics = context_.sensor_lens->drawn();
     if (contents.sensor.aperture_mm > 0.0 && focus) {
         const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * look.lens;
@@ -58,7 +57,8 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
                             ReferencePictures* reference, std::vector<float>& light) {
     const DatasetContents& contents = context_.contents;
     const SensorLens& lens = *context_.sensor_lens;
-    const Exposure exposure(contents.sensor, contents.camera.height_px, frame.index);
+    const Exposure exposure(contents.sensor, contents.camera.height_px,
+                            contents.sourceFrame(frame.index));
     const std::optional<double> focus = contents.sensor.aperture_mm > 0.0
                                             ? focusOf(contents.sensor, contents.scene, frame)
                                             : std::nullopt;
@@ -76,8 +76,8 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
         View view = viewOf(look, frame, focus);
         view.intrinsics.cx -= look.aside.x();
         view.intrinsics.cy -= look.aside.y();
-        if (motion_.objects.any()) {
-            for (const ObjectPaths::Placed& one : motion_.objects.at(frame.time_s + look.after_s)) {
+        if (objects_.any()) {
+            for (const ObjectPaths::Placed& one : objects_.at(frame.time_s + look.after_s)) {
                 renderer.place(one.object_id, one.motion);
             }
         }

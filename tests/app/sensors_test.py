@@ -55,6 +55,28 @@ class SensorsTest(FolderCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(hashes(begun), hashes(whole))
 
+    def test_a_part_of_the_frames_has_the_bytes_that_all_have(self):
+        settings = ["shutter_s=0.05", "readout_s=0.02", "aperture_mm=20", "white_e=500"]
+        formats = [*SENSORS[:3], "calibration,imu"]
+        whole = self.export(*settings, modalities=formats)
+        for part, of in ((slice(2, 5), "2:5"), (slice(1, 6, 2), "1::2")):
+            out = self.export(*settings, modalities=formats, more=["--range", of])
+            for i, source in enumerate(range(6)[part]):
+                for name in ("rgb_sensor", "depth_sensor", "rgb"):
+                    self.assertEqual((out / f"{name}/{i:06d}.png").read_bytes(),
+                                     (whole / f"{name}/{source:06d}.png").read_bytes(), name)
+            rows, all_rows = ((one / "imu.csv").read_text().splitlines()[1:]
+                              for one in (out, whole))
+            self.assertGreater(len(rows), 30)
+            self.assertIn("\n".join(rows), "\n".join(all_rows), "no row is another")
+            frames = json.loads((out / "dataset.json").read_text())["frames"]
+            first, last = (round(1e9 * frames[i]["time_s"]) for i in (0, -1))
+            self.assertLessEqual(int(rows[0].split(",")[0]), first)
+            # Where the path ends there is none beyond.
+            self.assertGreater(int(rows[-1].split(",")[0]), last - 5e6 if of == "1::2" else last)
+            verified = run("-q", "verify", out)
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+
     def test_another_seed_is_other_noise_of_the_same_amount(self):
         out = [self.export(f"sensor_seed={seed}", "shutter_s=0", "readout_s=0", "white_e=500")
                for seed in (1, 1, 2)]
