@@ -1,5 +1,6 @@
 #include "render/dataset_order.h"
 
+#include "render/motion_hash.h"
 #include "render/scene_hash.h"
 
 #include <algorithm>
@@ -107,6 +108,8 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     card.seed = origin.seed;
     card.geometry_sha256 = geometryHash(scene);
     card.appearance_sha256 = appearanceHash(scene);
+    card.whole_trajectory_sha256 = trajectoryHash(trajectory);
+    card.whole_motions_sha256 = motionsHash(origin.motions);
     return order;
 }
 

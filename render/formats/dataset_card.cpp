@@ -170,6 +170,8 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
                      {"source_from_world", toJson(scene.source_from_world)}};
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
+    root["whole_motion"] = {{"trajectory_sha256", card.whole_trajectory_sha256},
+                            {"objects_sha256", card.whole_motions_sha256}};
     root["seed"] = card.seed;
     root["parameters"] = card.parameters;
     if (!card.edits.empty()) root["edits"] = card.edits;
