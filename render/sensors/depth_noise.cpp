@@ -51,10 +51,14 @@ class DepthCamera {
         const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), scene_.frame,
                                  kDepth + here);
         const double strength = params_.depth_noise_strength;
+        int from_x = nearest(x + strength * kJitter_px * random.normal(0), scene_.lens.width);
+        int from_y = nearest(y + strength * kJitter_px * random.normal(2), scene_.lens.height);
         const bool redwood = params_.depth_noise == DepthNoise::Redwood;
-        const int from_x = redwood ? x - x % 2 : x, from_y = redwood ? y - y % 2 : y;
-        const double depth = depthAround(from_x + strength * kJitter_px * random.normal(0),
-                                         from_y + strength * kJitter_px * random.normal(2), here);
+        if (redwood) {  // after the jitter, as published: no other pixels are ever read
+            from_x -= from_x % 2;
+            from_y -= from_y % 2;
+        }
+        const double depth = depthNear(here, pixel(from_x, from_y));
         const double seen = redwood ? byDisparity(depth, strength * random.normal(4))
                                     : byTimeOfFlight(depth, strength * random.normal(4), here);
         return seen >= limits_.nearest_m && seen <= limits_.farthest_m ? static_cast<float>(seen)
@@ -68,12 +72,14 @@ class DepthCamera {
         return static_cast<std::size_t>(y) * scene_.lens.width + static_cast<std::size_t>(x);
     }
 
-    /// The depth of the pixel nearest to there; of what is beyond a step, the pixel's own.
-    [[nodiscard]] double depthAround(double x, double y, std::size_t here) const {
+    [[nodiscard]] static int nearest(double at, int size) {
+        return static_cast<int>(std::lround(std::clamp(at, 0.0, size - 1.0)));
+    }
+
+    /// The depth of another pixel; of what is beyond a step, the pixel's own.
+    [[nodiscard]] double depthNear(std::size_t here, std::size_t other) const {
         const double own = scene_.depth_m[here];
-        const int at_x = std::clamp(static_cast<int>(std::lround(x)), 0, scene_.lens.width - 1);
-        const int at_y = std::clamp(static_cast<int>(std::lround(y)), 0, scene_.lens.height - 1);
-        const double there = scene_.depth_m[pixel(at_x, at_y)];
+        const double there = scene_.depth_m[other];
         const double step = std::max(limits_.edge_m, limits_.edge_share * own);
         return there > 0.0 && std::abs(there - own) <= step ? there : own;
     }
