@@ -12,8 +12,6 @@
 #include "render/rig_files.h"
 #include "render/size_estimate.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -40,16 +38,6 @@ void warnOfTouching(const DatasetContents& contents) {
                             std::to_string(count) + " frames, first in frame " +
                             std::to_string(first->source_frame) +
                             "; plan with them elsewhere (--time), or export with --still");
-}
-
-void warnOfBlackCorners(const SensorLens& lens, const CameraParams& camera) {
-    if (lens.blackCount() == 0) return;
-    const double share =
-        static_cast<double>(lens.blackCount()) / camera.width_px / camera.height_px;
-    log::warn("export", fmt::format("the lens of --sensor shows nothing in {:.1f} % of its "
-                                    "picture, which stays black; weaker k1, k2, k3 or a smaller "
-                                    "hfov_deg fill it",
-                                    100.0 * share));
 }
 
 /// Paths are traced through things as they are at a frame's time.
@@ -219,7 +207,6 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         impl->object_paths.emplace(scene, trajectory, origin.motions);
         impl->frame_context->sensor_lens =
             &impl->sensor_lens.emplace(contents.camera, contents.sensor);
-        warnOfBlackCorners(*impl->sensor_lens, contents.camera);
         warnOfUnblurred(impl->settings, origin);
     }
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "render/motion_hash.h"
 #include "render/scene_hash.h"
+#include "render/sensors/sensor_lens.h"
 
 #include <algorithm>
 #include <string_view>
@@ -80,6 +81,11 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.stereo_baseline_m = settings.stereo_baseline_m;
     order.contents.motions = motionsOf(order.contents.frames, origin.motions);
     order.contents.sensor = settings.sensor;
+    if (contains(order.contents.modalities, kRgbSensor)) {
+        if (Status status = validateLens(camera, settings.sensor); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
     order.contents.score = settings.score;
     order.contents.folder = settings.folder;
     order.contents.folds = settings.folds;

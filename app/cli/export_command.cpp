@@ -15,6 +15,7 @@
 #include "render/dataset_job.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
+#include "render/sensors/sensor_lens.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -157,6 +158,11 @@ std::string sensorFields() {
     return fieldsText(listSensorFields(standard));
 }
 
+bool wantsSensorPictures(const render::DatasetSettings& settings) {
+    const auto modalities = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    return modalities && render::contains(*modalities, render::kRgbSensor);
+}
+
 bool wantsSensor(const render::DatasetSettings& settings) {
     const auto modalities = render::chooseModalities(settings.modalities);
     return modalities && (render::contains(*modalities, render::kRgbSensor) ||
@@ -267,6 +273,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
+    if (wantsSensorPictures(settings)) {
+        Status status = render::validateLens(opened->params.camera, settings.sensor);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
     // A context early: a machine that cannot draw should say so before minutes of planning.
     Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));

@@ -7,7 +7,7 @@ SensorParams sensorPreset(SensorPreset preset) {
     params.sensor_preset = preset;
     if (preset == SensorPreset::Phone) return params;
     params.shutter_s = params.readout_s = 0.0;
-    params.k1 = params.k2 = params.vignetting = 0.0;
+    params.k1 = params.k2 = params.k3 = params.vignetting = 0.0;
     params.white_e = params.read_noise_e = 0.0;
     switch (preset) {
         case SensorPreset::Ideal:
@@ -28,7 +28,6 @@ SensorParams sensorPreset(SensorPreset preset) {
             params.readout_s = 0.012;
             params.k1 = -0.26;
             params.k2 = 0.09;
-            params.k3 = -0.015;
             params.vignetting = 0.8;
             params.white_e = 4000.0;
             params.read_noise_e = 4.0;

@@ -4,7 +4,8 @@
 
 namespace dollytrack {
 
-/// Sets of settings that belong together. Typical of the kind, measured on no single camera.
+/// Sets of settings that belong together. Typical of the kind, measured on no single camera; their
+/// distortion rises outwards without end, so it goes with every field of view.
 enum class SensorPreset { Ideal, Phone, Webcam, ActionCamera, MachineVision };
 
 /// How the depth camera errs; the models and their sources are in render/sensors/depth_noise.h.
@@ -23,7 +24,7 @@ struct SensorParams {
     double k2 = -0.08;
     double p1 = 0.0;
     double p2 = 0.0;
-    double k3 = 0.0;
+    double k3 = 0.02;
     double vignetting = 0.4;
     double white_e = 6000.0;
     double read_noise_e = 4.0;

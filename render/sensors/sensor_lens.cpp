@@ -1,14 +1,19 @@
 #include "render/sensors/sensor_lens.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace dollytrack::render {
 namespace {
 
-constexpr int kKernel = 2;  // pixels on either side that a look between them takes
+constexpr double kLeastFov_deg = 10.0;  // that a camera may have
+constexpr int kKernel = 2;              // pixels on either side that a look between them takes
 
 /// Weights of the four pixels around a place between the middle two (Catmull and Rom, 1974).
 std::array<float, 4> cubic(float t) {
@@ -16,7 +21,55 @@ std::array<float, 4> cubic(float t) {
             0.5F * (t + 4 * t * t - 3 * t * t * t), 0.5F * (-t * t + t * t * t)};
 }
 
+/// Where in the clean picture (px), extended, the place (x, y) of the sensor's looks.
+std::optional<Eigen::Vector2d> lookThrough(const Intrinsics& sensor, const LensDistortion& lens,
+                                           double x, double y) {
+    const auto straight = lens.straighten(sensor.unproject(x, y).head<2>());
+    if (!straight) return std::nullopt;
+    const Eigen::Vector2d at = sensor.project({straight->x(), straight->y(), 1.0});
+    // A lens that looks ever further aside towards its corners would ask for any size.
+    const Eigen::Vector2d size(sensor.width, sensor.height);
+    if (!Eigen::AlignedBox2d(-size, 2.0 * size).contains(at)) return std::nullopt;
+    return at;
+}
+
+/// Whether the pixels along the borders show something: then the others do, too, as all that lies
+/// nearer to the middle.
+bool fillsPicture(const CameraParams& camera, const LensDistortion& lens) {
+    const Intrinsics sensor = makeIntrinsics(camera);
+    for (int x = 0; x < sensor.width; ++x) {
+        for (const int y : {0, sensor.height - 1}) {
+            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+        }
+    }
+    for (int y = 0; y < sensor.height; ++y) {
+        for (const int x : {0, sensor.width - 1}) {
+            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
+
+Status validateLens(const CameraParams& camera, const SensorParams& params) {
+    const LensDistortion lens = distortionOf(params);
+    if (lens.none() || fillsPicture(camera, lens)) return {};
+    CameraParams narrower = camera;
+    narrower.hfov_deg = std::ceil(camera.hfov_deg);
+    do {
+        narrower.hfov_deg -= 1.0;
+    } while (narrower.hfov_deg >= kLeastFov_deg && !fillsPicture(narrower, lens));
+    const std::string narrow = narrower.hfov_deg < kLeastFov_deg
+                                   ? ""
+                                   : fmt::format("lower hfov_deg from {:g} to {:g}, or ",
+                                                 camera.hfov_deg, narrower.hfov_deg);
+    return fail(ErrorCode::Usage,
+                fmt::format("The lens with k1 {:g}, k2 {:g}, k3 {:g}, p1 {:g}, p2 {:g} folds over "
+                            "before the corners of its picture: {}bring these nearer to 0.",
+                            lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, narrow),
+                "--sensor");
+}
 
 LensDistortion distortionOf(const SensorParams& params) {
     return {params.k1, params.k2, params.p1, params.p2, params.k3};
@@ -33,20 +86,15 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
     brightness_.assign(pixels, 0.0F);
     Eigen::AlignedBox2d reach(Eigen::Vector2d::Zero(),
                               Eigen::Vector2d(sensor_.width, sensor_.height));
-    // A lens that looks ever further aside towards its corners would ask for any size.
     const Eigen::Vector2d size = reach.max();
-    const Eigen::AlignedBox2d most(-size, 2.0 * size);
     std::size_t pixel = 0;
     for (int y = 0; y < sensor_.height; ++y) {
         for (int x = 0; x < sensor_.width; ++x, ++pixel) {
-            const Eigen::Vector3d bent = sensor_.unproject(x + 0.5, y + 0.5);
-            const auto straight = lens.straighten(bent.head<2>());
-            if (!straight) continue;
-            const Eigen::Vector2d at = sensor_.project({straight->x(), straight->y(), 1.0});
-            if (!most.contains(at)) continue;
-            looks_[pixel] = at.cast<float>();
-            if (!straight_) reach.extend(at);
-            const double off_axis = 1.0 + straight->squaredNorm();  // 1 / cos^2
+            const auto at = lookThrough(sensor_, lens, x + 0.5, y + 0.5);
+            if (!at) continue;
+            looks_[pixel] = at->cast<float>();
+            if (!straight_) reach.extend(*at);
+            const double off_axis = sensor_.unproject(at->x(), at->y()).squaredNorm();  // 1 / cos^2
             brightness_[pixel] =
                 static_cast<float>(1.0 - params.vignetting * (1.0 - 1.0 / (off_axis * off_axis)));
         }

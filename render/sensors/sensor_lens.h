@@ -4,6 +4,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/camera/lens_distortion.h"
 #include "engine/camera/sensor_params.h"
+#include "engine/core/result.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,10 @@ namespace dollytrack::render {
 
 /// The distortion that the sensor's pictures have.
 [[nodiscard]] LensDistortion distortionOf(const SensorParams& params);
+
+/// Whether the lens shows something in every pixel: its model may fold over, or look further than a
+/// picture's size outside, before it comes to the corners. Error: Usage, with what to change.
+[[nodiscard]] Status validateLens(const CameraParams& camera, const SensorParams& params);
 
 /// How a sensor's pixels look through its lens at a picture that is drawn as by a pinhole, large
 /// enough for all that the lens shows. The focal length, and so the scale in the middle, is the

@@ -156,6 +156,7 @@ TEST_F(SensorPicturesGl, ARollingShutterLeansTheEdge) {
     // Through a bending lens, where the picture is drawn straight, a row keeps its time: what it
     // shows comes from further aside, and is drawn nearer to the middle.
     params.k1 = -0.8;
+    params.k2 = 0.5;
     const LensDistortion lens = distortionOf(params);
     const auto straight = lens.straighten({0.0, 50.0 / fx_});
     ASSERT_TRUE(straight);
