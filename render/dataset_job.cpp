@@ -12,6 +12,8 @@
 #include "render/rig_files.h"
 #include "render/size_estimate.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -38,6 +40,21 @@ void warnOfTouching(const DatasetContents& contents) {
                             std::to_string(count) + " frames, first in frame " +
                             std::to_string(first->source_frame) +
                             "; plan with them elsewhere (--time), or export with --still");
+}
+
+/// Labels are those of the clean pictures.
+void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
+    std::string names;
+    for (const Format* format : formats) {
+        if (format->outlines_things)
+            names += (names.empty() ? "" : ", ") + std::string(format->name);
+    }
+    if (names.empty() || lens.largestShift_px() < 0.05) return;
+    log::warn(
+        "export",
+        fmt::format("boxes and masks of {} belong to the clean pictures (rgb): in rgb_sensor, "
+                    "whose lens bends them, things lie up to {:.1f} px beside",
+                    names, lens.largestShift_px()));
 }
 
 /// Paths are traced through things as they are at a frame's time.
@@ -207,6 +224,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         impl->object_paths.emplace(scene, trajectory, origin.motions);
         impl->frame_context->sensor_lens =
             &impl->sensor_lens.emplace(contents.camera, contents.sensor);
+        warnOfBentOutlines(*impl->sensor_lens, impl->order.card.formats);
         warnOfUnblurred(impl->settings, origin);
     }
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {

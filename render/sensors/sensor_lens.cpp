@@ -94,6 +94,8 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
             if (!at) continue;
             looks_[pixel] = at->cast<float>();
             if (!straight_) reach.extend(*at);
+            largest_shift_px_ =
+                std::max(largest_shift_px_, (*at - Eigen::Vector2d(x + 0.5, y + 0.5)).norm());
             const double off_axis = sensor_.unproject(at->x(), at->y()).squaredNorm();  // 1 / cos^2
             brightness_[pixel] =
                 static_cast<float>(1.0 - params.vignetting * (1.0 - 1.0 / (off_axis * off_axis)));

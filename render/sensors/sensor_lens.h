@@ -39,6 +39,9 @@ class SensorLens {
     /// The share of light that the lens leaves the pixel.
     [[nodiscard]] float brightness(std::size_t pixel) const { return brightness_[pixel]; }
 
+    /// How far beside its place in the clean picture anything is shown, px.
+    [[nodiscard]] double largestShift_px() const { return largest_shift_px_; }
+
     /// Pixels of the sensor that stay black.
     [[nodiscard]] std::size_t blackCount() const { return black_; }
 
@@ -56,6 +59,7 @@ class SensorLens {
     std::vector<Eigen::Vector2f> looks_;
     std::vector<float> brightness_;
     std::vector<std::pair<float, float>> reach_;  // by sensor row: least and largest drawn y
+    double largest_shift_px_ = 0.0;
     std::size_t black_ = 0;
     bool straight_ = false;  // drawn and seen pixels are the same
 };

@@ -193,6 +193,25 @@ class SensorsTest(FolderCase):
             made = export(name, k1, fov)
             self.assertEqual(made.returncode, 0, made.stderr)
 
+    def test_boxes_are_told_to_belong_to_the_clean_pictures(self):
+        def told(name, formats, *settings):
+            made = run("export", self.project, "--out", self.folder / name, "--modalities",
+                       "rgb,rgb_sensor", "--formats", formats, "--range", "0:1",
+                       *[word for one in settings for word in ("--sensor", one)])
+            self.assertEqual(made.returncode, 0, made.stderr)
+            return re.search(r"boxes and masks of (.+) belong to the clean pictures.* up to "
+                             r"(\S+) px", made.stderr)
+        bent = told("bent", "coco,yolo,camera_json", "sensor_preset=action_camera")
+        self.assertEqual(bent[1], "coco, yolo")
+        # The corner's pixel of 64 x 48 at 60 degrees, bent by OpenCV, comes from so far outside.
+        focal = 32 / np.tan(np.pi / 6)
+        matrix = np.array([[focal, 0, 32], [0, focal, 24], [0, 0, 1]])
+        straight = cv2.undistortPoints(np.array([[[0.5, 0.5]]]), matrix,
+                                       np.array([-0.26, 0.09, 0, 0, 0]), P=matrix)[0, 0]
+        self.assertAlmostEqual(float(bent[2]), np.linalg.norm(straight - 0.5), delta=0.1)
+        self.assertIsNone(told("poses", "camera_json", "sensor_preset=action_camera"))
+        self.assertIsNone(told("straight", "coco,yolo", "sensor_preset=ideal"))
+
     def test_presets_go_with_the_widest_field_of_view(self):
         for preset in ("phone", "webcam", "action_camera", "machine_vision"):
             out = self.folder / f"wide_{preset}"
