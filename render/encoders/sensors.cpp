@@ -3,6 +3,7 @@
 #include "render/encoders/pack.h"
 #include "render/modalities.h"
 #include "render/sensors/depth_noise.h"
+#include "render/sensors/exposure.h"
 #include "render/sensors/picture_noise.h"
 #include "render/sensors/sensor_lens.h"
 
@@ -81,6 +82,7 @@ Json rgbSensorConvention(const DatasetContents& contents) {
          {{"shutter_s", params.shutter_s},
           {"readout_s", params.readout_s},
           {"looks", params.looks},
+          {"row_exposure_s", rowExposureSeconds(params, contents.camera.height_px)},
           {"row_time",
            "time_s + readout_s * (row / (height - 1) - 0.5), the middle of that row's exposure"},
           {"motion",

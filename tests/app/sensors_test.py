@@ -193,6 +193,17 @@ class SensorsTest(FolderCase):
             made = export(name, k1, fov)
             self.assertEqual(made.returncode, 0, made.stderr)
 
+    def test_how_long_a_row_is_exposed_is_said(self):
+        # Of a rolling shutter a row lasts for a look's share of the readout at least.
+        for shutter, readout, expected in ((0.02, 0.0, 0.02), (0.02, 0.032, 0.02),
+                                           (0.001, 0.032, 0.032 / 16), (0.0, 0.0, 0.0)):
+            out = self.export(f"shutter_s={shutter}", f"readout_s={readout}",
+                              more=["--range", "0:1"])
+            said = json.loads((out / "dataset.json").read_text())["conventions"]["rgb_sensor"]
+            self.assertAlmostEqual(said["exposure"]["row_exposure_s"], expected, places=12)
+            verified = run("-q", "verify", out)
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+
     def test_boxes_are_told_to_belong_to_the_clean_pictures(self):
         def told(name, formats, *settings):
             made = run("export", self.project, "--out", self.folder / name, "--modalities",
