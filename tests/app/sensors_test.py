@@ -5,6 +5,7 @@ import unittest
 
 import cv2
 import numpy as np
+import yaml
 
 import small_export
 from program import FolderCase, hashes, run, start, wait_for
@@ -113,7 +114,7 @@ class SensorsTest(FolderCase):
         out = self.export("sensor_preset=ideal", "depth_noise=redwood", "depth_noise_strength=2")
         self.assertNotEqual(self.files(out, "depth_sensor"), noisy["depth_noise=redwood"])
 
-    def test_opencv_reads_the_calibration_and_undistorts_with_it(self):
+    def test_opencv_and_yaml_read_the_calibration_which_undistorts(self):
         out = self.export("sensor_preset=ideal", "k1=-0.3", "k2=0.1", "p1=0.004")
         storage = cv2.FileStorage(str(out / "calibration.yaml"), cv2.FILE_STORAGE_READ)
         self.assertEqual(storage.getNode("image_width").real(), 64)
@@ -124,6 +125,13 @@ class SensorsTest(FolderCase):
         lens = json.loads((out / "dataset.json").read_text())["conventions"]["intrinsics"]
         self.assertAlmostEqual(matrix[0, 0], lens["fx"])
         self.assertAlmostEqual(matrix[0, 2], lens["cx"] - 0.5)
+        with open(out / "calibration.yaml", encoding="utf-8") as file:
+            plain = yaml.safe_load(file)
+        for key, found in (("camera_matrix", matrix), ("distortion_coefficients", distortion),
+                           ("projection_matrix", storage.getNode("projection_matrix").mat())):
+            self.assertEqual((plain[key]["rows"], plain[key]["cols"]), found.shape)
+            self.assertEqual(plain[key]["data"], found.ravel().tolist(), key)
+        self.assertEqual(plain["camera_name"], storage.getNode("camera_name").string())
         maps = cv2.initUndistortRectifyMap(matrix, distortion, None, matrix, (64, 48), cv2.CV_32FC1)
         apart, apart_untouched = 0.0, 0.0
         for frame in range(6):
