@@ -11,9 +11,9 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kJitter_px = 0.25;
-constexpr double kDisparity = 35.130;  // times metres, of Redwood's unit
-constexpr double kDisparitySteps = 8.0;
-constexpr double kDisparityDeviation = 0.027778;
+constexpr double kDisparityAtOneMetre_px = 35.130;
+constexpr double kSteps_per_px = 8.0;
+constexpr double kDisparityDeviation_px = 0.027778;
 
 /// Whether depth makes a step at the pixel, or something with nothing beside it ends there. Along a
 /// plane inverse depth is linear in the image, however steep it is.
@@ -49,7 +49,7 @@ class DepthCamera {
         if (true_m < limits_.nearest_m || true_m > limits_.farthest_m) return 0.0F;
         if (isEdge(scene_, limits_, x, y)) return 0.0F;
         const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), scene_.frame,
-                                 kDepth + here);
+                                 kDepthStream + here);
         const double strength = params_.depth_noise_strength;
         int from_x = nearest(x + strength * kJitter_px * random.normal(0), scene_.lens.width);
         int from_y = nearest(y + strength * kJitter_px * random.normal(2), scene_.lens.height);
@@ -66,7 +66,7 @@ class DepthCamera {
     }
 
   private:
-    static constexpr std::uint64_t kDepth = 2ULL << 40U;
+    static constexpr std::uint64_t kDepthStream = 2ULL << 40U;
 
     [[nodiscard]] std::size_t pixel(int x, int y) const {
         return static_cast<std::size_t>(y) * scene_.lens.width + static_cast<std::size_t>(x);
@@ -85,9 +85,9 @@ class DepthCamera {
     }
 
     [[nodiscard]] static double byDisparity(double depth, double normal) {
-        const double steps =
-            std::round(kDisparitySteps * (kDisparity / depth + kDisparityDeviation * normal));
-        return steps > 0.0 ? kDisparitySteps * kDisparity / steps : 0.0;
+        const double steps = std::round(
+            kSteps_per_px * (kDisparityAtOneMetre_px / depth + kDisparityDeviation_px * normal));
+        return steps > 0.0 ? kSteps_per_px * kDisparityAtOneMetre_px / steps : 0.0;
     }
 
     [[nodiscard]] double byTimeOfFlight(double depth, double normal, std::size_t here) const {
@@ -103,13 +103,13 @@ class DepthCamera {
             reflectance += linearFromSrgb(static_cast<float>(color[c]) / 255.0F) / 3.0;
         }
         const double way = depth * ray.norm();
-        if (reflectance * cosine / (way * way) < kLeastLight) return 0.0;
+        if (reflectance * cosine / (way * way) < kLeastLight_per_m2) return 0.0;
         return depth + normal * depthDeviation(DepthNoise::KinectAzure, depth) *
                            dimness(reflectance, cosine);
     }
 
     // Gives a depth still: a surface that throws back 5 %, at the far end of the range.
-    static constexpr double kLeastLight = 0.05 / (5.46 * 5.46);
+    static constexpr double kLeastLight_per_m2 = 0.05 / (5.46 * 5.46);
 
     const SensorParams& params_;
     const DepthScene& scene_;
@@ -139,8 +139,8 @@ double depthDeviation(DepthNoise model, double depth_m) {
         case DepthNoise::Redwood: {
             // That of the disparity, and of its steps: evenly spread over one.
             const double steps =
-                std::hypot(kDisparityDeviation, 1.0 / kDisparitySteps / std::sqrt(12.0));
-            return depth_m * depth_m / kDisparity * steps;
+                std::hypot(kDisparityDeviation_px, 1.0 / kSteps_per_px / std::sqrt(12.0));
+            return depth_m * depth_m / kDisparityAtOneMetre_px * steps;
         }
     }
     return 0.0;

@@ -13,7 +13,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kLeastFov_deg = 10.0;  // that a camera may have
-constexpr int kKernel = 2;              // pixels on either side that a look between them takes
+constexpr int kKernelReach_px = 2;      // pixels on either side that a look between them takes
 
 /// Weights of the four pixels around a place between the middle two (Catmull and Rom, 1974).
 std::array<float, 4> cubic(float t) {
@@ -83,7 +83,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
         static_cast<std::size_t>(sensor_.width) * static_cast<std::size_t>(sensor_.height);
     constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
     looks_.assign(pixels, {kNowhere, kNowhere});
-    brightness_.assign(pixels, 0.0F);
+    light_shares_.assign(pixels, 0.0F);
     Eigen::AlignedBox2d reach(Eigen::Vector2d::Zero(),
                               Eigen::Vector2d(sensor_.width, sensor_.height));
     const Eigen::Vector2d size = reach.max();
@@ -97,15 +97,15 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
             largest_shift_px_ =
                 std::max(largest_shift_px_, (*at - Eigen::Vector2d(x + 0.5, y + 0.5)).norm());
             const double off_axis = sensor_.unproject(at->x(), at->y()).squaredNorm();  // 1 / cos^2
-            brightness_[pixel] =
+            light_shares_[pixel] =
                 static_cast<float>(1.0 - params.vignetting * (1.0 - 1.0 / (off_axis * off_axis)));
         }
     }
-    black_ = static_cast<std::size_t>(std::ranges::count_if(
+    black_count_ = static_cast<std::size_t>(std::ranges::count_if(
         looks_, [](const Eigen::Vector2f& at) { return std::isnan(at.x()); }));
     if (!straight_) {
         const auto border = [](double beyond) {
-            return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernel;
+            return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernelReach_px;
         };
         const int left = border(-reach.min().x()), top = border(-reach.min().y());
         drawn_.width += left + border(reach.max().x() - size.x());
@@ -121,7 +121,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
             if (std::isnan(at)) continue;
             row = {std::min(row.first, at), std::max(row.second, at)};
         }
-        reach_.push_back(row);
+        drawn_reach_px_.push_back(row);
     }
 }
 
@@ -131,13 +131,13 @@ std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
     float low = 1e9F;
     float high = -1e9F;
     for (int y = begin; y < end; ++y) {
-        const auto& [least, largest] = reach_[static_cast<std::size_t>(y)];
+        const auto& [least, largest] = drawn_reach_px_[static_cast<std::size_t>(y)];
         low = std::min(low, least);
         high = std::max(high, largest);
     }
     if (low > high) return {0, 0};
-    return {std::clamp(static_cast<int>(std::floor(low)) - kKernel, 0, drawn_.height),
-            std::clamp(static_cast<int>(std::ceil(high)) + kKernel, 0, drawn_.height)};
+    return {std::clamp(static_cast<int>(std::floor(low)) - kKernelReach_px, 0, drawn_.height),
+            std::clamp(static_cast<int>(std::ceil(high)) + kKernelReach_px, 0, drawn_.height)};
 }
 
 std::vector<float> SensorLens::take(std::span<const float> drawn) const {
@@ -145,7 +145,9 @@ std::vector<float> SensorLens::take(std::span<const float> drawn) const {
     for (std::size_t i = 0; i < looks_.size(); ++i) {
         if (std::isnan(looks_[i].x())) continue;
         if (straight_) {
-            for (std::size_t c = 0; c < 3; ++c) seen[3 * i + c] = brightness_[i] * drawn[3 * i + c];
+            for (std::size_t c = 0; c < 3; ++c) {
+                seen[3 * i + c] = light_shares_[i] * drawn[3 * i + c];
+            }
             continue;
         }
         const float x = looks_[i].x() - 0.5F, y = looks_[i].y() - 0.5F;
@@ -173,7 +175,7 @@ std::vector<float> SensorLens::take(std::span<const float> drawn) const {
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            seen[3 * i + c] = brightness_[i] * std::clamp(sum[c], least[c], most[c]);
+            seen[3 * i + c] = light_shares_[i] * std::clamp(sum[c], least[c], most[c]);
         }
     }
     return seen;

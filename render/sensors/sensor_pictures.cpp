@@ -5,8 +5,8 @@
 
 namespace dollytrack::render {
 
-std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
-                              const FrameRecord& frame) {
+std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
+                                   const FrameRecord& frame) {
     if (params.focus_m > 0.0) return params.focus_m;
     std::vector<float> of_targets;
     std::vector<float> of_all;
@@ -60,7 +60,7 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
     const Exposure exposure(contents.sensor, contents.camera.height_px,
                             contents.sourceFrame(frame.index));
     const std::optional<double> focus = contents.sensor.aperture_mm > 0.0
-                                            ? focusOf(contents.sensor, contents.scene, frame)
+                                            ? focusDepthOf(contents.sensor, contents.scene, frame)
                                             : std::nullopt;
     if (reference) return trace(frame, exposure, focus, *reference, light);
 

@@ -7,7 +7,7 @@
 #include "render/reference_pictures.h"
 #include "render/scene_renderer.h"
 #include "render/sensors/exposure.h"
-#include "render/sensors/object_path.h"
+#include "render/sensors/object_paths.h"
 #include "render/sensors/sensor_lens.h"
 
 #include <optional>
@@ -18,8 +18,8 @@ namespace dollytrack::render {
 /// The depth that a frame is focused on, m: as set, else the median of the targets in the middle
 /// half (by width and by height) of the frame, else of all that is there; `none` where that shows
 /// nothing.
-[[nodiscard]] std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
-                                            const FrameRecord& frame);
+[[nodiscard]] std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
+                                                 const FrameRecord& frame);
 
 /// Takes the light of a frame as it falls into the sensor's lens: the mean of looks over shutter
 /// and aperture. A lens point (x, y) sees what lies in focus at the same place, so the picture from

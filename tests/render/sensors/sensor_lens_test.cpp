@@ -153,12 +153,12 @@ TEST(SensorLens, CornersDarkenByTheFourthPowerOfTheCosine) {
         const std::size_t pixel = static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x);
         const double angle = std::atan(lens.unproject(x + 0.5, y + 0.5).head<2>().norm());
         const double expected = std::pow(std::cos(angle), 4);
-        EXPECT_NEAR(full.brightness(pixel), expected, 1e-6);
-        EXPECT_NEAR(half.brightness(pixel), 0.5 * (1.0 + expected), 1e-6);
+        EXPECT_NEAR(full.lightShare(pixel), expected, 1e-6);
+        EXPECT_NEAR(half.lightShare(pixel), 0.5 * (1.0 + expected), 1e-6);
         const std::vector<float> seen = full.take(std::vector<float>(3 * 320 * 240, 0.8F));
         EXPECT_NEAR(seen[3 * pixel], 0.8 * expected, 1e-6);
     }
-    EXPECT_LT(full.brightness(0), 0.4F);
+    EXPECT_LT(full.lightShare(0), 0.4F);
 }
 
 TEST(SensorLens, WhatTheModelDoesNotReachIsBlackAndCounted) {
