@@ -8,7 +8,18 @@ FieldList listFields(PlanParams& params) {
     FieldCollector collector;
     visitPlanParams(
         params, [&](std::string_view section) { collector.beginSection(section); }, collector);
-    return collector.take();
+    FieldList fields = collector.take();
+    letSensorPresetSetOthers(fields, params.sensor);
+    return fields;
+}
+
+bool makeSamePlan(const PlanParams& a, const PlanParams& b) {
+    PlanParams c = b;
+    c.imu = a.imu;
+    c.stereo = a.stereo;
+    c.picture = a.picture;
+    c.sensor = a.sensor;
+    return a == c;
 }
 
 Status setParameter(nlohmann::json& sections, const std::string& name,

@@ -58,8 +58,8 @@ float hatUpTo(float x) {
     return 0.5 + inside - 0.5 * inside * abs(inside);
 }
 
-// What share the look has of the sensor's row that looks here through its lens. Light changes
-// evenly from look to look: a row has the integral of the look's hat over its exposure.
+// What share the look has of the sensor's row that looks here through its lens. Light changes evenly
+// from one look to the next: a row has the integral of the look's hat over its exposure.
 float weightOfRow() {
     vec2 at = gl_FragCoord.xy * sum_lens.xy + sum_lens.zw;
     float r2 = dot(at, at);

@@ -48,17 +48,25 @@ SensorParams sensorPreset(SensorPreset preset) {
     return params;
 }
 
-Status setSensorField(SensorParams& params, std::string_view assignment) {
-    if (Status status = setField(listSensorFields(params), assignment); !status) return status;
-    if (!assignment.starts_with("sensor_preset=")) return {};
-    SensorParams chosen = sensorPreset(params.sensor_preset);
-    chosen.depth_noise = params.depth_noise;
-    chosen.depth_noise_strength = params.depth_noise_strength;
-    chosen.looks = params.looks;
-    chosen.focus_m = params.focus_m;
-    chosen.sensor_seed = params.sensor_seed;
-    params = chosen;
-    return {};
+void letSensorPresetSetOthers(FieldList& fields, SensorParams& params) {
+    letPresetSetOthers(fields, "sensor_preset", [&params] {
+        SensorParams chosen = sensorPreset(params.sensor_preset);
+        chosen.depth_noise = params.depth_noise;
+        chosen.depth_noise_strength = params.depth_noise_strength;
+        chosen.looks = params.looks;
+        chosen.focus_m = params.focus_m;
+        chosen.sensor_seed = params.sensor_seed;
+        params = chosen;
+    });
+}
+
+FieldList listSensorFields(SensorParams& params) {
+    FieldCollector collector;
+    collector.beginSection("sensor");
+    visitSensorParams(params, collector);
+    FieldList fields = collector.take();
+    letSensorPresetSetOthers(fields, params);
+    return fields;
 }
 
 }  // namespace dollytrack

@@ -93,15 +93,10 @@ void visitSensorParams(Params& p, Visitor&& visit) {
 /// default.
 [[nodiscard]] SensorParams sensorPreset(SensorPreset preset);
 
-/// Sets one field from "name=value"; a preset sets those that belong to it. Errors as setField().
-Status setSensorField(SensorParams& params, std::string_view assignment);
+/// Where sensor_preset is set in the list, from now on all is set in `params` that belongs to it.
+void letSensorPresetSetOthers(FieldList& fields, SensorParams& params);
 
-/// The fields, for the command line and for files. Points into `params`.
-inline FieldList listSensorFields(SensorParams& params) {
-    FieldCollector collector;
-    collector.beginSection("sensor");
-    visitSensorParams(params, collector);
-    return collector.take();
-}
+/// The fields, for files. Points into `params`.
+[[nodiscard]] FieldList listSensorFields(SensorParams& params);
 
 }  // namespace dollytrack

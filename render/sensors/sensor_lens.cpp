@@ -68,7 +68,7 @@ Status validateLens(const CameraParams& camera, const SensorParams& params) {
                 fmt::format("The lens with k1 {:g}, k2 {:g}, k3 {:g}, p1 {:g}, p2 {:g} folds over "
                             "before the corners of its picture: {}bring these nearer to 0.",
                             lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, narrow),
-                "--sensor");
+                "sensor");
 }
 
 LensDistortion distortionOf(const SensorParams& params) {

@@ -25,7 +25,7 @@ class SensorsTest(FolderCase):
         SensorsTest.count += 1
         out = self.folder / f"out_{self.count}"
         result = run("-q", "export", self.project, "--out", out, *modalities,
-                     *[word for one in settings for word in ("--sensor", one)], *more)
+                     *[word for one in settings for word in ("--set", one)], *more)
         self.assertEqual(result.returncode, 0, result.stderr)
         return out
 
@@ -45,15 +45,15 @@ class SensorsTest(FolderCase):
         whole = self.export(*rolling, more=["--threads", "1"])
         self.assertEqual(hashes(whole), hashes(self.export(*rolling, more=["--threads", "2"])))
         begun = self.folder / "begun"
-        command = ["-q", "export", self.project, "--out", begun, *SENSORS, "--sensor", "looks=64"]
-        process = start(*command, "--sensor", "readout_s=0.02")
+        command = ["-q", "export", self.project, "--out", begun, *SENSORS, "--set", "looks=64"]
+        process = start(*command, "--set", "readout_s=0.02")
         self.assertTrue(wait_for(lambda: process.poll() is not None or
                                  len(list(begun.glob("depth_sensor/*.png"))) > 1))
         process.kill()
         process.communicate()
         self.assertFalse((begun / "dataset.json").exists())
-        self.assertFails(run(*command, "--sensor", "readout_s=0.03", "--resume"), 2, "the sensors")
-        result = run(*command, "--sensor", "readout_s=0.02", "--resume")
+        self.assertFails(run(*command, "--set", "readout_s=0.03", "--resume"), 2, "the sensors")
+        result = run(*command, "--set", "readout_s=0.02", "--resume")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(hashes(begun), hashes(whole))
 
@@ -171,10 +171,10 @@ class SensorsTest(FolderCase):
                     self.assertEqual(verified.returncode, 0, verified.stdout)
 
     def test_path_traced_pictures_go_through_the_same_lens(self):
-        traced = ["--picture", "render_mode=reference", "--picture", "reference_samples=16",
+        traced = ["--set", "render_mode=reference", "--set", "reference_samples=16",
                   "--range", "0:2"]
         told = run("export", self.project, "--out", self.folder / "told", *SENSORS, *traced,
-                   "--sensor", "looks=1")
+                   "--set", "looks=1")
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertIn("things that move", told.stderr)
         out = self.export("sensor_preset=ideal", "k1=-0.25", "shutter_s=0.05", "looks=4",
@@ -189,7 +189,7 @@ class SensorsTest(FolderCase):
     def test_a_lens_that_folds_over_in_its_picture_is_refused_with_what_to_change(self):
         def export(name, k1, fov):
             return run("-q", "export", self.project, "--out", self.folder / name, *SENSORS,
-                       "--range", "0:1", "--sensor", "sensor_preset=ideal", "--sensor", f"k1={k1}",
+                       "--range", "0:1", "--set", "sensor_preset=ideal", "--set", f"k1={k1}",
                        "--set", f"hfov_deg={fov}")
         refused = export("folded", -0.3, 90)
         self.assertFails(refused, 2, "k1 -0.3", "hfov_deg from 90 to ")
@@ -216,7 +216,7 @@ class SensorsTest(FolderCase):
         def told(name, formats, *settings):
             made = run("export", self.project, "--out", self.folder / name, "--modalities",
                        "rgb,rgb_sensor", "--formats", formats, "--range", "0:1",
-                       *[word for one in settings for word in ("--sensor", one)])
+                       *[word for one in settings for word in ("--set", one)])
             self.assertEqual(made.returncode, 0, made.stderr)
             return re.search(r"boxes and masks of (.+) belong to the clean pictures.* up to "
                              r"(\S+) px", made.stderr)
@@ -235,8 +235,8 @@ class SensorsTest(FolderCase):
         for preset in ("phone", "webcam", "action_camera", "machine_vision"):
             out = self.folder / f"wide_{preset}"
             made = run("-q", "export", self.project, "--out", out, *SENSORS, "--range", "0:1",
-                       "--sensor", f"sensor_preset={preset}", "--sensor", "jpeg_quality=100",
-                       "--sensor", "white_e=0", "--sensor", "vignetting=0", "--set", "hfov_deg=150",
+                       "--set", f"sensor_preset={preset}", "--set", "jpeg_quality=100",
+                       "--set", "white_e=0", "--set", "vignetting=0", "--set", "hfov_deg=150",
                        "--set", "near_m=0.01")
             self.assertEqual(made.returncode, 0, made.stderr)
             picture = cv2.imread(str(out / "rgb_sensor/000000.png"))
@@ -247,9 +247,9 @@ class SensorsTest(FolderCase):
         for words, setting in [(("shutter_s",), "shutter=0.1"), (("looks", "1024"), "looks=0"),
                                (("phone",), "sensor_preset=iphone"), (("k1", "number"), "k1=big")]:
             self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",
-                                 *SENSORS, "--sensor", setting), 2, *words)
+                                 *SENSORS, "--set", setting), 2, *words)
         self.assertFails(run("-q", "export", self.project, "--out", self.folder / "no",
-                             "--modalities", "rgb", "--sensor", "looks=4"), 2, "rgb_sensor",
+                             "--modalities", "rgb", "--set", "looks=4"), 2, "rgb_sensor",
                          "--modalities")
 
 

@@ -173,15 +173,16 @@ TEST(SensorParams, APresetSetsTheCameraAndWhatFollowsChangesIt) {
     SensorParams params;
     params.sensor_seed = 9;
     params.depth_noise = DepthNoise::Redwood;
-    ASSERT_TRUE(setSensorField(params, "sensor_preset=webcam"));
+    const FieldList fields = listSensorFields(params);
+    ASSERT_TRUE(setField(fields, "sensor_preset=webcam"));
     EXPECT_EQ(params.jpeg_quality, 75);
     EXPECT_EQ(params.sensor_seed, 9);
     EXPECT_EQ(params.depth_noise, DepthNoise::Redwood);
-    ASSERT_TRUE(setSensorField(params, "jpeg_quality=60"));
+    ASSERT_TRUE(setField(fields, "jpeg_quality=60"));
     EXPECT_EQ(params.jpeg_quality, 60);
     EXPECT_LT(params.k1, 0.0);
     EXPECT_EQ(sensorPreset(SensorPreset::Phone), SensorParams{});
-    const Status wrong = setSensorField(params, "shutter=1");
+    const Status wrong = setField(fields, "shutter=1");
     ASSERT_FALSE(wrong);
     EXPECT_NE(describe(wrong.error()).find("shutter_s"), std::string::npos);
 }
