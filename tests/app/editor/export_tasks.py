@@ -19,16 +19,19 @@ SMALL = ("--set", "width_px=160", "--set", "height_px=120", "--max-frames", "12"
 class Exporting(Task):
     def queue(self, folder, *left_out):
         """Fills in the export panel and queues the dataset; returns the job's number."""
-        self.editor.key("ctrl+e")
-        self.editor.click("export.folder")
-        self.editor.key("ctrl+a")
-        self.editor.type(str(folder))
-        self.editor.key("enter")
+        self.name_folder(folder)
         for name in left_out:
             self.press_in_panel(name)
         self.press_in_panel("export.add")
         state = self.editor.wait(lambda now: now["exports"], "the job")
         return state["exports"][-1]["id"]
+
+    def name_folder(self, folder):
+        self.editor.key("ctrl+e")
+        self.editor.click("export.folder")
+        self.editor.key("ctrl+a")
+        self.editor.type(str(folder))
+        self.editor.key("enter")
 
     def press_in_panel(self, name):
         left, top, right, bottom = self.editor.reach(name, self.panel_place())[:4]
@@ -182,16 +185,18 @@ class Exporting(Task):
         rig.write_text(json.dumps({
             "format": "dollytrack-rig", "version": 1, "cameras": [
                 {"name": "around", "lens": "equirectangular", "width_px": 64, "height_px": 32}]}))
-        self.editor.key("ctrl+e")
-        self.editor.click("export.antialias")
+        out = self.folder / "dataset"
+        self.name_folder(out)
+        self.press_in_panel("export.antialias")
         self.editor.click("choice.edges")
         state = self.editor.idle()
         self.assertEqual(state["parameters"]["picture"]["antialias"], "edges")
         self.assertEqual(state["history"][-1], "Set antialias to edges")
         self.press_in_panel("export.choose_rig")
         self.editor.choose_file(rig)
-        out = self.folder / "dataset"
-        self.finished(self.queue(out))
+        self.press_in_panel("export.add")
+        job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
+        self.finished(job["id"])
         same = self.folder / "same"
         self.by_command_line(same, "--rig", rig, "--set", "antialias=edges")
         self.assertTrue(list((out / "cameras/around/rgb").glob("*.png")))
