@@ -78,6 +78,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.stereo_baseline_m = settings.stereo_baseline_m;
     order.contents.motions = motionsOf(order.contents.frames, origin.motions);
     order.contents.sensor = settings.sensor;
+    order.contents.light = settings.light;
     order.contents.score = settings.score;
     order.contents.folder = settings.folder;
     order.contents.folds = settings.folds;

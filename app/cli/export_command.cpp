@@ -37,6 +37,7 @@ struct ExportArguments {
     std::vector<std::string> cameras;   // more of the rig, NAME:field=value,...
     std::vector<std::string> pictures;  // settings of PictureParams, name=value
     std::vector<std::string> sensors;   // settings of SensorParams, name=value
+    std::vector<std::string> lights;    // settings of LightParams, name=value
     bool overwrite = false;
     bool resume = false;
     bool still = false;
@@ -157,6 +158,12 @@ std::string sensorFields() {
     return fieldsText(listSensorFields(standard));
 }
 
+/// What --light can set.
+std::string lightFields() {
+    LightParams standard;
+    return fieldsText(listLightFields(standard));
+}
+
 bool wantsSensor(const render::DatasetSettings& settings) {
     const auto modalities = render::chooseModalities(settings.modalities);
     return modalities && (render::contains(*modalities, render::kRgbSensor) ||
@@ -208,6 +215,7 @@ Result<render::DatasetSummary> renderTrajectory(
     origin.edits_json = jsonText(editsJson(opened.edits));
     nlohmann::json parameters = toJson(planning::listFields(params));
     parameters.update(toJson(listPictureFields(settings.picture)));
+    parameters.update(toJson(listLightFields(settings.light)));
     if (wantsSensor(settings)) parameters.update(toJson(listSensorFields(settings.sensor)));
     origin.parameters_json = parameters.dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
@@ -243,6 +251,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     }
     for (const std::string& assignment : arguments.sensors) {
         Status status = setSensorField(settings.sensor, assignment);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
+    for (const std::string& assignment : arguments.lights) {
+        Status status = setLightField(settings.light, assignment);
         if (!status) return tl::unexpected<Error>(std::move(status.error()));
     }
     if (!arguments.sensors.empty() && !wantsSensor(settings)) {
@@ -383,6 +395,11 @@ void addExportCommand(CLI::App& app, Session& session) {
     command
         ->add_option("--picture", arguments->pictures,
                      "How colour pictures are made: " + pictureFields())
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--light", arguments->lights,
+                     "What light colour pictures are made in: " + lightFields())
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     command
