@@ -1,8 +1,11 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
+#include "engine/camera/picture_params.h"
+#include "engine/camera/sensor_params.h"
 #include "engine/core/field_list.h"
 #include "engine/plan/image_score.h"
+#include "engine/scene/light_params.h"
 #include "planning/free_space/free_space_params.h"
 
 namespace dollytrack::planning {
@@ -259,7 +262,8 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
                      "each room, exported to a folder of its own"});
 }
 
-/// Everything that shapes a plan. Field names are unique across the sections.
+/// Everything that shapes a plan and the pictures along it. Field names are unique across the
+/// sections.
 struct PlanParams {
     CameraParams camera;
     FreeSpaceParams free_space;
@@ -275,6 +279,9 @@ struct PlanParams {
     RepairParams repair;
     ImuParams imu;
     StereoParams stereo;
+    PictureParams picture;
+    LightParams light;
+    SensorParams sensor;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
 };
@@ -310,9 +317,18 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitImuParams(p.imu, visit);
     section("stereo");
     visitStereoParams(p.stereo, visit);
+    section("picture");
+    visitPictureParams(p.picture, visit);
+    section("light");
+    visitLightParams(p.light, visit);
+    section("sensor");
+    visitSensorParams(p.sensor, visit);
     section("random");
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }
+
+/// Whether both lead to the same plan: they may differ in what is made of it alone.
+[[nodiscard]] bool makeSamePlan(const PlanParams& a, const PlanParams& b);
 
 /// Sets one parameter in a project's sections, which are then complete: every field, with its
 /// default where they did not name it. Error: BadInput, as setFromJson() gives it.

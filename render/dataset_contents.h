@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/camera/camera_motion.h"
 #include "engine/camera/camera_params.h"
 #include "engine/camera/rig.h"
 #include "engine/camera/sensor_params.h"
@@ -39,6 +40,7 @@ struct DatasetContents {
     CameraParams camera;
     ModalitySet modalities;            // whose images are in the dataset
     std::vector<DatasetFrame> frames;  // by index
+    CameraMotion camera_motion = {};   // through the whole trajectory, of which frames are a part
     double imu_rate_hz = 200.0;
     ScoreWeights score = {};
     std::vector<int> flow_distances = {1};  // in frames, each at least 1
@@ -49,6 +51,12 @@ struct DatasetContents {
     LightParams light = {};
     Rig rig = {};                       // further cameras, that ride on the planned one
     std::filesystem::path folder = {};  // where the images are, for what is made from them
+
+    /// A frame's index in the trajectory: what numbers its random numbers, so that a part of the
+    /// frames has the bytes that all would have.
+    [[nodiscard]] int sourceFrame(int index) const {
+        return frames[static_cast<std::size_t>(index)].source_frame;
+    }
 
     /// What other files show or refer to: the colour pictures, else the sensor's, else the first
     /// there are, else the first of what is no picture.

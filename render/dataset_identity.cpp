@@ -1,6 +1,7 @@
 #include "render/dataset_identity.h"
 
 #include "engine/io/sha256.h"
+#include "render/exact_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,38 +10,18 @@
 namespace dollytrack::render {
 namespace {
 
-/// Exact and short: hexadecimal floating point.
-template <class Vector>
-std::string text(const Vector& values) {
-    std::string result;
-    for (Eigen::Index i = 0; i < values.size(); ++i) result += fmt::format(" {:a}", values[i]);
-    return result;
-}
-
 std::string sceneText(const Scene& scene, const DatasetCard& card) {
     std::string result = scene.name + "\n" + scene.source.filename().string() + "\n" +
                          scene.source_sha256 + card.geometry_sha256 + card.appearance_sha256 +
-                         text(scene.room_bounds.min()) + text(scene.room_bounds.max());
+                         exactText(scene.room_bounds.min()) + exactText(scene.room_bounds.max());
     for (int column = 0; column < 4; ++column) {
-        result += text(scene.source_from_world.matrix().col(column));
+        result += exactText(scene.source_from_world.matrix().col(column));
     }
     for (const Object& object : scene.objects) {
         result += fmt::format("\n{} {} {} {}", object.id, static_cast<int>(object.role),
                               object.first_triangle, object.triangle_count) +
-                  text(object.box.center) + text(object.box.half_size) +
+                  exactText(object.box.center) + exactText(object.box.half_size) +
                   fmt::format(" {:a}", object.box.yaw);
-    }
-    return result;
-}
-
-std::string trajectoryText(const DatasetContents& contents) {
-    std::string result;
-    for (const DatasetFrame& frame : contents.frames) {
-        const TrajectoryFrame& camera = frame.camera;
-        result += fmt::format("{} {:a} {} {}", frame.source_frame, camera.time_s, camera.component,
-                              camera.position_point) +
-                  text(camera.pose.position) + text(camera.pose.rotation.coeffs()) +
-                  text(camera.target_in_world) + "\n";
     }
     return result;
 }
@@ -48,18 +29,7 @@ std::string trajectoryText(const DatasetContents& contents) {
 std::string roomsText(const DatasetOrigin& origin) {
     std::string result;
     for (const Eigen::AlignedBox3d& room : origin.rooms) {
-        result += text(room.min()) + text(room.max());
-    }
-    return result;
-}
-
-std::string motionsText(const DatasetContents& contents) {
-    std::string result;
-    for (const ObjectMotion& motion : contents.motions) {
-        result += fmt::format("{}:", motion.object_id);
-        for (const Eigen::Isometry3d& one : motion.by_frame) {
-            result += text(one.translation()) + text(Eigen::Quaterniond(one.rotation()).coeffs());
-        }
+        result += exactText(room.min()) + exactText(room.max());
     }
     return result;
 }
@@ -110,7 +80,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
     return {
         {"the scene", hash(sceneText(contents.scene, order.card))},
         {"the rooms", hash(roomsText(origin))},
-        {"the trajectory", hash(trajectoryText(contents))},
+        {"the trajectory", order.card.whole_trajectory_sha256},
         {"the frame range", toText(settings.range)},
         {"the camera", fmt::format("{} {} {:a} {:a}", camera.width_px, camera.height_px,
                                    camera.hfov_deg, camera.near_m)},
@@ -123,7 +93,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the way pictures are made", pictureText(settings.picture)},
         {"the light", lightText(settings.light)},
         {"the sensors", sensorText(contents, settings.sensor)},
-        {"the motions of objects", hash(motionsText(contents))},
+        {"the motions of objects", order.card.whole_motions_sha256},
         {"the weights of the image score", toText(settings.score)},
         {"the modalities", names(contents.modalities)},
         {"the formats", names(order.card.formats)},

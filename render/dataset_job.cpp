@@ -43,14 +43,19 @@ void warnOfTouching(const DatasetContents& contents) {
                             "; plan with them elsewhere (--time), or export with --still");
 }
 
-void warnOfBlackCorners(const SensorLens& lens, const CameraParams& camera) {
-    if (lens.blackCount() == 0) return;
-    const double share =
-        static_cast<double>(lens.blackCount()) / camera.width_px / camera.height_px;
-    log::warn("export", fmt::format("the lens of --sensor shows nothing in {:.1f} % of its "
-                                    "picture, which stays black; weaker k1, k2, k3 or a smaller "
-                                    "hfov_deg fill it",
-                                    100.0 * share));
+/// Labels are those of the clean pictures.
+void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
+    std::string names;
+    for (const Format* format : formats) {
+        if (format->outlines_things)
+            names += (names.empty() ? "" : ", ") + std::string(format->name);
+    }
+    if (names.empty() || lens.largestShift_px() < 0.05) return;
+    log::warn(
+        "export",
+        fmt::format("boxes and masks of {} belong to the clean pictures (rgb): in rgb_sensor, "
+                    "whose lens bends them, things lie up to {:.1f} px beside",
+                    names, lens.largestShift_px()));
 }
 
 /// Paths are traced through things as they are at a frame's time.
@@ -76,7 +81,7 @@ struct DatasetJob::Impl {
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
     std::optional<MovingObjects> moving;
-    std::optional<SensorMotion> sensor_motion;
+    std::optional<ObjectPaths> object_paths;  // where the sensor's pictures are wanted
     std::optional<SensorLens> sensor_lens;
     std::optional<FrameContext> frame_context;
     std::optional<FramePipeline> pipeline;
@@ -224,11 +229,10 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     const MovingObjects& moving = impl->moving.emplace(contents.scene, rays, contents.motions);
     impl->frame_context.emplace(FrameContext{contents, moving});
     if (contains(contents.modalities, kRgbSensor)) {
-        impl->sensor_motion.emplace(
-            SensorMotion{CameraMotion(trajectory), ObjectPaths(scene, trajectory, origin.motions)});
+        impl->object_paths.emplace(scene, trajectory, origin.motions);
         impl->frame_context->sensor_lens =
             &impl->sensor_lens.emplace(contents.camera, contents.sensor);
-        warnOfBlackCorners(*impl->sensor_lens, contents.camera);
+        warnOfBentOutlines(*impl->sensor_lens, impl->order.card.formats);
         warnOfUnblurred(impl->settings, origin);
     }
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
@@ -246,7 +250,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
                                needsOf(contents.modalities, impl->order.card.formats),
                                impl->settings.picture, std::move(restored));
     Status status =
-        pipeline.prepare(rays, origin.rooms, impl->sensor_motion ? &*impl->sensor_motion : nullptr,
+        pipeline.prepare(rays, origin.rooms, impl->object_paths ? &*impl->object_paths : nullptr,
                          job.stage(0.3, 1.0, "light"));
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());

@@ -1,6 +1,8 @@
 #include "render/dataset_order.h"
 
+#include "render/motion_hash.h"
 #include "render/scene_hash.h"
+#include "render/sensors/sensor_lens.h"
 
 #include <algorithm>
 #include <string_view>
@@ -56,6 +58,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     Result<ModalitySet> modalities = chooseModalities(settings.modalities, !settings.rig.empty());
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
+    order.contents.camera_motion = CameraMotion(trajectory);
     order.contents.imu_rate_hz = settings.imu_rate_hz;
     for (const int distance : settings.flow_distances) {
         if (distance >= 1) continue;
@@ -79,6 +82,11 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.motions = motionsOf(order.contents.frames, origin.motions);
     order.contents.sensor = settings.sensor;
     order.contents.light = settings.light;
+    if (contains(order.contents.modalities, kRgbSensor)) {
+        if (Status status = validateLens(camera, settings.sensor); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
     order.contents.score = settings.score;
     order.contents.folder = settings.folder;
     order.contents.folds = settings.folds;
@@ -107,6 +115,8 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     card.seed = origin.seed;
     card.geometry_sha256 = geometryHash(scene);
     card.appearance_sha256 = appearanceHash(scene);
+    card.whole_trajectory_sha256 = trajectoryHash(trajectory);
+    card.whole_motions_sha256 = motionsHash(origin.motions);
     return order;
 }
 

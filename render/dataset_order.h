@@ -12,7 +12,8 @@ struct DatasetOrder {
     DatasetCard card;
 };
 
-/// Error: Usage for unknown names and for a range that holds no frame.
+/// Error: Usage for unknown names, for a range that holds no frame and for a lens that does not go
+/// with the camera.
 [[nodiscard]] Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
                                                  const Trajectory& trajectory,
                                                  const DatasetSettings& settings,

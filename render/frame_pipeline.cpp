@@ -24,7 +24,7 @@ FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& ru
 }
 
 Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::AlignedBox3d>& rooms,
-                              const SensorMotion* motion, const JobContext& job) {
+                              const ObjectPaths* objects, const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
     const LightRig rig = makeLightRig(scene, rays, rooms, resolved(contents_.light));
@@ -50,7 +50,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         right_.emplace(std::move(*created));
     }
     if (needs(kNeedsSensorLight)) {
-        Result<SensorPictures> created = SensorPictures::create(context_, *motion);
+        Result<SensorPictures> created = SensorPictures::create(context_, *objects);
         if (!created) return tl::unexpected(created.error());
         sensor_.emplace(std::move(*created));
     }

@@ -33,10 +33,10 @@ class FramePipeline {
 
     /// Computes the light and loads the scene, where there is anything to draw. The job can cancel
     /// frames, too.
-    /// `motion` is needed where the sensor's light is, and outlives this.
+    /// `objects` are needed where the sensor's light is, and outlive this.
     [[nodiscard]] Status prepare(const RayCaster& rays,
                                  const std::vector<Eigen::AlignedBox3d>& rooms,
-                                 const SensorMotion* motion, const JobContext& job);
+                                 const ObjectPaths* objects, const JobContext& job);
 
     [[nodiscard]] int frameCount() const { return static_cast<int>(contents_.frames.size()); }
     [[nodiscard]] int missingCount() const { return static_cast<int>(missing_.size()); }

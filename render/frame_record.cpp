@@ -2,6 +2,15 @@
 
 namespace dollytrack::render {
 
+std::size_t FrameRecord::bytes() const {
+    const auto of = [](const auto& values) { return values.size() * sizeof(values[0]); };
+    std::size_t all = of(rgb) + of(depth_m) + of(instance) + of(semantic) + of(normals_in_world) +
+                      of(albedo) + of(rgb_right) + of(depth_right_m) + of(sensor_light);
+    for (const WholeMask& mask : whole) all += of(mask.inside);
+    for (const std::vector<std::uint8_t>& picture : rig_rgb) all += of(picture);
+    return all;
+}
+
 void FrameRecord::labelClasses(const Scene& scene) {
     semantic = classesOf(scene, instance);
 }

@@ -4,6 +4,7 @@
 #include "engine/scene/scene.h"
 #include "render/whole_masks.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,6 +34,9 @@ struct FrameRecord {
     std::vector<std::uint64_t> whole_px;  // of the same, also beyond the image's borders
 
     std::vector<std::vector<std::uint8_t>> rig_rgb;  // of each camera of the rig, as `rgb`
+
+    /// The memory that its images take.
+    [[nodiscard]] std::size_t bytes() const;
 
     /// Fills `semantic` from `instance`.
     void labelClasses(const Scene& scene);

@@ -13,8 +13,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Enough to keep the threads busy over an expensive frame; each holds some 5 MB at 640 x 480, and
-// four times as much with all modalities.
+// Enough to keep the threads busy over an expensive frame.
 constexpr std::size_t kMaxWaiting = 4;
 
 }  // namespace
@@ -27,6 +26,7 @@ struct FrameWriter::Impl {
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<FrameRecord> waiting;
+    std::size_t bytes = 0;  // of those waiting and those being written
     bool closing = false;
     std::optional<Error> error;  // the first one, in the order of frames
     int error_frame = 0;
@@ -75,8 +75,21 @@ struct FrameWriter::Impl {
                 waiting.pop_front();
             }
             changed.notify_all();
+            const std::size_t its_bytes = frame.bytes();
             process(frame);
+            frame = {};
+            {
+                const std::lock_guard lock(mutex);
+                bytes -= its_bytes;
+            }
+            changed.notify_all();
         }
+    }
+
+    /// Whether one more frame may come.
+    [[nodiscard]] bool hasRoom(std::size_t its_bytes) const {
+        return waiting.size() < kMaxWaiting &&
+               (bytes == 0 || bytes + its_bytes <= settings.max_bytes);
     }
 
     void process(const FrameRecord& frame) {
@@ -152,10 +165,11 @@ Status FrameWriter::write(FrameRecord frame) {
         return {};
     }
     {
+        const std::size_t bytes = frame.bytes();
         std::unique_lock lock(impl_->mutex);
-        impl_->changed.wait(lock,
-                            [&] { return impl_->error || impl_->waiting.size() < kMaxWaiting; });
+        impl_->changed.wait(lock, [&] { return impl_->error || impl_->hasRoom(bytes); });
         if (impl_->error) return tl::unexpected(*impl_->error);
+        impl_->bytes += bytes;
         impl_->waiting.push_back(std::move(frame));
     }
     impl_->changed.notify_all();

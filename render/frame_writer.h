@@ -7,6 +7,7 @@
 #include "render/frame_record.h"
 #include "render/modalities.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -33,6 +34,9 @@ class FrameWriter {
         ModalitySet modalities;
         FormatSet formats;
         unsigned needs = 0;  // bits of FrameNeeds
+        // Of the frames on their way, unless one alone is larger. What encoding takes beside is no
+        // more than that: 2 GiB together, whatever the resolution and the number of threads.
+        std::size_t max_bytes = 1ULL << 30U;
     };
     /// Called on any thread when a frame's files are complete; its error counts as the frame's.
     using OnWritten = std::function<Status(WrittenFrame)>;

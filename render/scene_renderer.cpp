@@ -301,13 +301,12 @@ struct SceneRenderer::Impl {
         set(13, 1.0 / lens.fx, 1.0 / lens.fy, -lens.cx / lens.fx, -lens.cy / lens.fy);
         set(14, sum.distortion.k1, sum.distortion.k2, sum.distortion.p1, sum.distortion.p2);
         glProgramUniform1f(name, 15, static_cast<float>(sum.distortion.k3));
-        // In units of a look's and a row's time together: small numbers.
-        const double both_s = sum.half_look_s + sum.half_row_s;
-        const double most_s = 2.0 * std::min(sum.half_look_s, sum.half_row_s);
+        // In units of the time between looks: small numbers.
         if (sum.s_per_bent > 0.0) {
-            set(16, sum.s_per_bent / both_s, -sum.after_s / both_s, 1.0, most_s / both_s);
+            set(16, sum.s_per_bent / sum.look_step_s, -sum.after_s / sum.look_step_s,
+                0.5 * sum.row_exposure_s / sum.look_step_s, 0.0);
         } else {
-            set(16, 0.0, 0.0, 1.0, 1.0);
+            set(16, 0.0, 0.0, 0.5, 0.0);
         }
     }
 

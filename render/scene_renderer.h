@@ -22,10 +22,10 @@ struct LightSum {
     LensDistortion distortion;  // from there to the sensor, whose rows have times of their own
     double s_per_bent = 0.0;    // from a row's y / z behind the lens to its time; 0: all at once
     double after_s = 0.0;       // the look's time, that of the middle row being 0
-    double half_look_s = 0.0;   // half of what it lasts,
-    double half_row_s = 0.0;    // and of what a row does
-    int first_row = 0;          // of the sum; what lies outside need not be drawn
-    int last_row = 0;           // the first that need not
+    double look_step_s = 0.0;   // to the next look
+    double row_exposure_s = 0.0;
+    int first_row = 0;  // of the sum; what lies outside need not be drawn
+    int last_row = 0;   // the first that need not
 };
 
 /// Draws one scene. Needs the OpenGL context current that it was created in; keeps no reference to

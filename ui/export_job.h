@@ -16,7 +16,7 @@ struct ExportRequest {
     std::vector<std::string> modalities;  // empty: the standard ones
     std::vector<std::string> formats;     // empty: the standard ones
     std::string flow_distances;           // "1,5": optical flow to the frames so far away; empty: 1
-    std::vector<std::string> picture;     // "antialias=8x": of PictureParams, what is not standard
+    std::filesystem::path rig;            // a file of cameras that ride along; empty: none
     bool still = false;                   // things that have a track stay where the plan has them
     bool overwrite = false;
 };

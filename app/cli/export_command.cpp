@@ -15,6 +15,7 @@
 #include "render/dataset_job.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
+#include "render/sensors/sensor_lens.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -33,11 +34,8 @@ struct ExportArguments {
     std::vector<std::string> formats;
     std::string planner = "dollytrack";
     render::FoldSettings folds;
-    std::string rig;                    // a file
-    std::vector<std::string> cameras;   // more of the rig, NAME:field=value,...
-    std::vector<std::string> pictures;  // settings of PictureParams, name=value
-    std::vector<std::string> sensors;   // settings of SensorParams, name=value
-    std::vector<std::string> lights;    // settings of LightParams, name=value
+    std::string rig;                   // a file
+    std::vector<std::string> cameras;  // more of the rig, NAME:field=value,...
     bool overwrite = false;
     bool resume = false;
     bool still = false;
@@ -137,37 +135,30 @@ Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
     return io::findAnnotations(opened.imported->source, given);
 }
 
-std::string fieldsText(const FieldList& fields) {
-    std::string all;
-    for (const Field& field : fields) {
-        all += fmt::format("{}{}={} ({})", all.empty() ? "" : "; ", field.name, field.valueText(),
-                           field.rangeText());
-    }
-    return all;
-}
-
-/// What --picture can set.
-std::string pictureFields() {
-    PictureParams standard;
-    return fieldsText(listPictureFields(standard));
-}
-
-/// What --sensor can set.
-std::string sensorFields() {
-    SensorParams standard;
-    return fieldsText(listSensorFields(standard));
-}
-
-/// What --light can set.
-std::string lightFields() {
-    LightParams standard;
-    return fieldsText(listLightFields(standard));
+bool wants(const render::DatasetSettings& settings, std::string_view modality) {
+    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    return chosen && render::contains(*chosen, modality);
 }
 
 bool wantsSensor(const render::DatasetSettings& settings) {
-    const auto modalities = render::chooseModalities(settings.modalities);
-    return modalities && (render::contains(*modalities, render::kRgbSensor) ||
-                          render::contains(*modalities, "depth_sensor"));
+    return wants(settings, render::kRgbSensor) || wants(settings, "depth_sensor");
+}
+
+/// A sensor that was set just now and that nothing is taken with was meant for something else.
+Status checkSensor(const std::vector<std::string>& assignments,
+                   const render::DatasetSettings& settings) {
+    if (wantsSensor(settings)) return {};
+    SensorParams standard;
+    for (const Field& field : listSensorFields(standard)) {
+        for (const std::string& assignment : assignments) {
+            if (!assignment.starts_with(field.name + "=")) continue;
+            return fail(ErrorCode::Usage,
+                        "A sensor makes the modalities rgb_sensor and depth_sensor; name one of "
+                        "them in --modalities.",
+                        "--set " + assignment);
+        }
+    }
+    return {};
 }
 
 /// The cameras of --rig, then those of --camera.
@@ -207,6 +198,9 @@ Result<render::DatasetSummary> renderTrajectory(
     settings.folder = folder;
     settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
     settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
+    settings.picture = planned.params.picture;
+    settings.sensor = planned.params.sensor;
+    settings.light = planned.params.light;
     settings.score = planned.params.repair.score;
     render::DatasetOrigin origin;
     origin.product_version = DOLLYTRACK_VERSION;
@@ -214,9 +208,7 @@ Result<render::DatasetSummary> renderTrajectory(
     planning::PlanParams params = planned.params;
     origin.edits_json = jsonText(editsJson(opened.edits));
     nlohmann::json parameters = toJson(planning::listFields(params));
-    parameters.update(toJson(listPictureFields(settings.picture)));
-    parameters.update(toJson(listLightFields(settings.light)));
-    if (wantsSensor(settings)) parameters.update(toJson(listSensorFields(settings.sensor)));
+    if (!wantsSensor(settings)) parameters.erase("sensor");
     origin.parameters_json = parameters.dump();
     origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
     origin.rooms = planned.rooms;
@@ -245,23 +237,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     Result<Rig> rig = rigOf(arguments);
     if (!rig) return tl::unexpected<Error>(std::move(rig.error()));
     settings.rig = std::move(*rig);
-    for (const std::string& assignment : arguments.pictures) {
-        Status status = setField(listPictureFields(settings.picture), assignment);
-        if (!status) return tl::unexpected<Error>(std::move(status.error()));
-    }
-    for (const std::string& assignment : arguments.sensors) {
-        Status status = setSensorField(settings.sensor, assignment);
-        if (!status) return tl::unexpected<Error>(std::move(status.error()));
-    }
-    for (const std::string& assignment : arguments.lights) {
-        Status status = setLightField(settings.light, assignment);
-        if (!status) return tl::unexpected<Error>(std::move(status.error()));
-    }
-    if (!arguments.sensors.empty() && !wantsSensor(settings)) {
-        return fail(ErrorCode::Usage,
-                    "A sensor makes the modalities rgb_sensor and depth_sensor; name one of them "
-                    "in --modalities.",
-                    "--sensor");
+    if (Status status = checkSensor(arguments.scene.assignments, settings); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
@@ -279,6 +256,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
+    if (wants(settings, render::kRgbSensor)) {
+        Status status = render::validateLens(opened->params.camera, opened->params.sensor);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
     // A context early: a machine that cannot draw should say so before minutes of planning.
     Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
@@ -393,22 +374,6 @@ void addExportCommand(CLI::App& app, Session& session) {
         ->allow_extra_args(false)
         ->delimiter(',');
     command
-        ->add_option("--picture", arguments->pictures,
-                     "How colour pictures are made: " + pictureFields())
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--light", arguments->lights,
-                     "What light colour pictures are made in: " + lightFields())
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--sensor", arguments->sensors,
-                     "What a real camera makes of pictures, for rgb_sensor and depth_sensor: " +
-                         sensorFields())
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    command
         ->add_option(
             "--rig", arguments->rig,
             "Further cameras that ride on the planned one, a JSON file (see README); their "
@@ -437,8 +402,13 @@ void addExportCommand(CLI::App& app, Session& session) {
     addBackendOption(*command, arguments->backend);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "A scene is planned first; a project's own plan is used as it is, unless a parameter is\n"
-        "changed here or its scene file has changed: then it is planned again, with a warning.\n"
+        "How pictures are made and what a real camera makes of them is set with --set: see "
+        "picture\n"
+        "and sensor in 'dollytrack params'.\n"
+        "A scene is planned first; a project's own plan is used as it is, unless a parameter that\n"
+        "shapes it is changed here or its scene file has changed: then it is planned again, with "
+        "a\n"
+        "warning.\n"
         "An export that is stopped keeps its finished frames; the same command with --resume goes "
         "on\n"
         "from there and ends with the same files. Without it, an unfinished dataset begins anew;\n"

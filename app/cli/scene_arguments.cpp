@@ -316,7 +316,8 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     if (opened.stored_result.is_null()) return opened;
     const bool other_scene = read->planned_sha256 != opened.imported->source_sha256;
     const bool other_import = opened.import != stored_import;
-    if (other_scene || other_import || other_edits || !(stored == opened.params)) {
+    if (other_scene || other_import || other_edits ||
+        !planning::makeSamePlan(stored, opened.params)) {
         const std::string changed = other_import  ? "how to read the scene"
                                     : other_edits ? "what is asked of the trajectory"
                                                   : changedNames(stored, opened.params);

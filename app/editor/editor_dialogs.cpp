@@ -58,6 +58,10 @@ void Editor::askForFile(const std::string& id) {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
         request.accept = "Choose";
+    } else if (id == "export rig") {
+        request.title = "Cameras that ride on the planned one";
+        request.accept = "Choose";
+        request.filters = {{"Rigs", {".json"}}};
     } else if (id == "export projects") {
         request.title = "Add a project to the queue";
         request.accept = "Add";

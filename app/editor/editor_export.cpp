@@ -19,7 +19,7 @@ namespace {
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
-        if ((one.needs & render::kNeedsRig) != 0) continue;  // rigs are given on the command line
+        if ((one.needs & render::kNeedsRig) != 0) continue;  // comes with a rig
         const bool colour =
             (one.needs & render::kNeedsRgb) != 0 || one.name == std::string_view("rgb_right");
         choices.push_back({one.name, one.text, one.standard, colour});
@@ -33,6 +33,13 @@ std::vector<ui::ExportChoice> formatChoices() {
         choices.push_back({one.name, one.text, one.standard, (one.needs & render::kNeedsRgb) != 0});
     }
     return choices;
+}
+
+/// A path as somebody typed it, empty where nothing was.
+std::filesystem::path typedHere(const std::string& text) {
+    std::error_code ignored;
+    return text.empty() ? std::filesystem::path()
+                        : ui::typedPath(text, std::filesystem::current_path(ignored));
 }
 
 /// Tells the panel what was found.
@@ -76,10 +83,7 @@ void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& 
 }  // namespace
 
 std::filesystem::path Editor::exportFolder() const {
-    const std::string& text = panels_.export_draft.folder;
-    std::error_code ignored;
-    return text.empty() ? std::filesystem::path()
-                        : ui::typedPath(text, std::filesystem::current_path(ignored));
+    return typedHere(panels_.export_draft.folder);
 }
 
 void Editor::makeExportQueue() {
@@ -159,6 +163,7 @@ void Editor::drawExport() {
     if (!actions.edited.empty()) setParameter(actions.edited);
     if (actions.finished) workspace_.endMerge();
     if (actions.choose_folder) askForFile("export folder");
+    if (actions.choose_rig) askForFile("export rig");
     if (actions.add_files) askForFile("export projects");
     if (!exports_) return;
     if (actions.add_current && view.why_not.empty()) queueExport(view);
@@ -194,6 +199,7 @@ void Editor::resumeExport(int id, const std::vector<ui::ExportJob>& jobs) {
 void Editor::queueExport(const ui::ExportView& view) {
     ui::ExportRequest request = ui::requestOf(view, panels_.export_draft);
     request.folder = exportFolder();
+    request.rig = typedHere(panels_.export_draft.rig);
     const FolderFinding& found = export_folder_.of(request.folder);
     const bool made_here = std::ranges::any_of(view.jobs, [&](const ui::ExportJob& job) {
         return job.state == ui::ExportState::Done && job.request.folder == request.folder;
@@ -214,9 +220,11 @@ void Editor::queueExport(const ui::ExportView& view) {
 
 void Editor::answerExportFile(const ui::FileAnswer& answer) {
     if (answer.id == "export folder") panels_.export_draft.folder = answer.path.string();
+    if (answer.id == "export rig") panels_.export_draft.rig = answer.path.string();
     if (answer.id == "export projects" && exports_) {
         ui::ExportRequest request = ui::requestOf(exportView(), panels_.export_draft);
         request.name = answer.path.stem().string();
+        request.rig = typedHere(panels_.export_draft.rig);
         request.range = ui::rangeForOthers(panels_.export_draft);
         const std::filesystem::path beside = request.folder.empty() ? answer.path : exportFolder();
         request.folder = folderBeside(beside, answer.path, exports_->jobs());

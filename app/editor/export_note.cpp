@@ -40,7 +40,7 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
     const json text = {{"name", request.name},           {"folder", request.folder.string()},
                        {"range", request.range},         {"modalities", request.modalities},
                        {"formats", request.formats},     {"flow_distances", request.flow_distances},
-                       {"picture", request.picture},     {"still", request.still},
+                       {"rig", request.rig.string()},    {"still", request.still},
                        {"overwrite", request.overwrite}, {"project", note.project_file.string()},
                        {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
                        {"frames", note.frames}};
@@ -65,7 +65,7 @@ Result<ExportNote> readNote(const fs::path& file) {
         note.request.modalities = read.at("modalities").get<std::vector<std::string>>();
         note.request.formats = read.at("formats").get<std::vector<std::string>>();
         note.request.flow_distances = read.at("flow_distances").get<std::string>();
-        note.request.picture = read.value("picture", note.request.picture);
+        note.request.rig = read.value("rig", std::string());
         note.request.still = read.at("still").get<bool>();
         note.request.overwrite = read.at("overwrite").get<bool>();
         note.project_file = read.at("project").get<std::string>();

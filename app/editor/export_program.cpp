@@ -49,9 +49,7 @@ std::vector<std::string> exportCommand(const fs::path& program, const fs::path& 
     if (!request.flow_distances.empty()) {
         command.insert(command.end(), {"--flow-distances", request.flow_distances});
     }
-    for (const std::string& setting : request.picture) {
-        command.insert(command.end(), {"--picture", setting});
-    }
+    if (!request.rig.empty()) command.insert(command.end(), {"--rig", request.rig.string()});
     if (request.still) command.emplace_back("--still");
     if (request.overwrite) command.emplace_back("--overwrite");
     if (job.resumes) command.emplace_back("--resume");

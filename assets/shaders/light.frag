@@ -19,7 +19,7 @@ layout(location = 12) uniform int sensor;        // 1: light before the tone cur
 layout(location = 13) uniform vec4 sum_lens;     // as unproject, of the sum
 layout(location = 14) uniform vec4 distortion;   // k1 k2 p1 p2
 layout(location = 15) uniform float distortion_k3;
-layout(location = 16) uniform vec4 row_time;     // slope, offset, reach, most; see weightOfRow
+layout(location = 16) uniform vec4 row_time;     // slope, offset, half exposure; see weightOfRow
 
 layout(location = 17) uniform vec3 backdrop_factor;
 
@@ -84,14 +84,22 @@ vec3 beforeToneCurve(vec3 shown) {
     return min(shown, 0.55) + 0.45 * high / (1.0 - high);
 }
 
-// How much of the look's time the sensor's row has that looks here through its lens.
+// The integral of a hat of height 1 that stands on -1 to 1, from there to x.
+float hatUpTo(float x) {
+    float inside = clamp(x, -1.0, 1.0);
+    return 0.5 + inside - 0.5 * inside * abs(inside);
+}
+
+// What share the look has of the sensor's row that looks here through its lens. Light changes evenly
+// from one look to the next: a row has the integral of the look's hat over its exposure.
 float weightOfRow() {
     vec2 at = gl_FragCoord.xy * sum_lens.xy + sum_lens.zw;
     float r2 = dot(at, at);
     float radial = 1.0 + r2 * (distortion.x + r2 * (distortion.y + r2 * distortion_k3));
     float bent = at.y * radial + distortion.z * (r2 + 2.0 * at.y * at.y) +
                  2.0 * distortion.w * at.x * at.y;
-    return clamp(row_time.z - abs(row_time.x * bent + row_time.y), 0.0, row_time.w);
+    float middle = row_time.x * bent + row_time.y;
+    return hatUpTo(middle + row_time.z) - hatUpTo(middle - row_time.z);
 }
 
 // The picture itself is encoded; of several looks the mean is taken of light.

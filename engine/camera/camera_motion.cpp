@@ -21,6 +21,11 @@ CameraMotion::CameraMotion(const Trajectory& trajectory) {
     }
 }
 
+const PoseSpline* CameraMotion::pathOf(std::size_t frame) const {
+    const int path = frames_[frame].path;
+    return path < 0 ? nullptr : &paths_[static_cast<std::size_t>(path)];
+}
+
 Pose CameraMotion::poseAt(std::size_t frame, double after_s) const {
     const Frame& from = frames_[frame];
     if (from.path < 0 || after_s == 0.0) return from.given.pose;

@@ -6,12 +6,16 @@
 
 namespace dollytrack {
 
-/// Where a camera is between the frames of its trajectory: on the same spline that inertial
-/// measurements are taken from (pose_spline.h), one for each continuous path. Before a path's first
-/// frame and after its last it goes straight on. Const, many threads.
+/// Where a camera is between the frames of its trajectory: on one spline (pose_spline.h) for each
+/// continuous path, which motion blur and inertial measurements have in common. Before a path's
+/// first frame and after its last it goes straight on. Const, many threads.
 class CameraMotion {
   public:
+    CameraMotion() = default;
     explicit CameraMotion(const Trajectory& trajectory);
+
+    /// The path that a frame of the trajectory is on; null where it stands alone. As long as this.
+    [[nodiscard]] const PoseSpline* pathOf(std::size_t frame) const;
 
     /// The camera so long after a frame (before it: negative), on that frame's path; exactly the
     /// frame's pose at 0. A path of one frame stands still.

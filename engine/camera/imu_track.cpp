@@ -1,23 +1,23 @@
 #include "engine/camera/imu_track.h"
 
-#include "engine/camera/pose_spline.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace dollytrack {
 
-std::vector<ImuSample> imuTrack(const std::vector<TrajectoryFrame>& motion, double rate_hz) {
+std::vector<ImuSample> imuTrack(const PoseSpline& path, double rate_hz, double from_s,
+                                double to_s) {
     std::vector<ImuSample> samples;
-    if (motion.size() < 2 || rate_hz <= 0.0) return samples;
-    const PoseSpline spline(motion);
-    const double begin = motion.front().time_s;
-    const double length = motion.back().time_s - begin;
-    const auto count = static_cast<std::size_t>(std::floor(length * rate_hz + 1e-6));
-    samples.reserve(count + 1);
-    for (std::size_t i = 0; i <= count; ++i) {
-        const double time = begin + std::min(length, static_cast<double>(i) / rate_hz);
-        const PoseSpline::Point point = spline.at(time);
+    if (rate_hz <= 0.0) return samples;
+    constexpr double kRounding = 1e-6;  // of a sample's interval
+    const double length = path.end() - path.begin();
+    const auto intervals = [&](double time_s) { return (time_s - path.begin()) * rate_hz; };
+    const double first = std::max(std::floor(intervals(from_s) + kRounding), 0.0);
+    const double last = std::min(std::ceil(intervals(to_s) - kRounding),
+                                 std::floor(intervals(path.end()) + kRounding));
+    for (double i = first; i <= last; i += 1.0) {
+        const double time = path.begin() + std::min(length, i / rate_hz);
+        const PoseSpline::Point point = path.at(time);
         const Eigen::Quaterniond q(Eigen::Vector4d(point.value.tail<4>()));
         const Eigen::Quaterniond change(Eigen::Vector4d(point.velocity.tail<4>()));
         const Eigen::Vector3d felt =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/camera/trajectory.h"
+#include "engine/camera/pose_spline.h"
 
 #include <vector>
 
@@ -17,10 +17,10 @@ struct ImuSample {
 /// The standard acceleration of gravity.
 inline constexpr double kGravity_mps2 = 9.80665;
 
-/// Perfect measurements at a fixed rate along one continuous motion, from its first to its last
-/// frame, both included: derivatives of the twice continuously differentiable spline through all
-/// poses. Frames by rising time. Empty for fewer than two.
-[[nodiscard]] std::vector<ImuSample> imuTrack(const std::vector<TrajectoryFrame>& motion,
-                                              double rate_hz);
+/// Perfect measurements at a fixed rate, counted from the path's beginning: derivatives of the
+/// spline. From the last at or before `from_s` to the first at or after `to_s`, within the path, so
+/// that a part of a path has the samples that the whole has there. Empty without a rate.
+[[nodiscard]] std::vector<ImuSample> imuTrack(const PoseSpline& path, double rate_hz, double from_s,
+                                              double to_s);
 
 }  // namespace dollytrack

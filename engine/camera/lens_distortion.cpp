@@ -45,7 +45,25 @@ std::optional<Eigen::Vector2d> LensDistortion::straighten(const Eigen::Vector2d&
         }
         if (!(error < 1e-9)) return std::nullopt;
     }
+    // A step may have come out behind a fold.
+    if (!risesTo(at.norm())) return std::nullopt;
     return at;
+}
+
+bool LensDistortion::risesTo(double straight_radius) const {
+    // The derivative of r (1 + k1 r^2 + k2 r^4 + k3 r^6), by s = r^2, is least where it ends or
+    // where its own derivative is 0.
+    const double a = 3.0 * k1, b = 5.0 * k2, c = 7.0 * k3;
+    const double end = straight_radius * straight_radius;
+    const auto rises = [&](double s) {
+        return !(s > 0.0 && s <= end) || 1.0 + s * (a + s * (b + s * c)) > 0.0;
+    };
+    if (!rises(end)) return false;
+    if (c == 0.0) return b == 0.0 || rises(-a / (2.0 * b));
+    const double square = b * b - 3.0 * a * c;
+    if (square < 0.0) return true;
+    const double root = std::sqrt(square);
+    return rises((-b - root) / (3.0 * c)) && rises((-b + root) / (3.0 * c));
 }
 
 }  // namespace dollytrack

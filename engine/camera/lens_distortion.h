@@ -22,6 +22,10 @@ struct LensDistortion {
     /// barrels fold over beyond some angle).
     [[nodiscard]] std::optional<Eigen::Vector2d> straighten(const Eigen::Vector2d& bent) const;
 
+    /// Whether the radial part puts what is further out always further out, from the middle to
+    /// `straight_radius`.
+    [[nodiscard]] bool risesTo(double straight_radius) const;
+
   private:
     [[nodiscard]] Eigen::Matrix2d slope(const Eigen::Vector2d& straight) const;
 };

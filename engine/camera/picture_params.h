@@ -42,12 +42,4 @@ void visitPictureParams(Params& p, Visitor&& visit) {
                     "square root"});
 }
 
-/// The fields, for the command line and for files. Points into `params`.
-inline FieldList listPictureFields(PictureParams& params) {
-    FieldCollector collector;
-    collector.beginSection("picture");
-    visitPictureParams(params, collector);
-    return collector.take();
-}
-
 }  // namespace dollytrack

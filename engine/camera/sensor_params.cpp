@@ -4,10 +4,10 @@ namespace dollytrack {
 
 SensorParams sensorPreset(SensorPreset preset) {
     SensorParams params;
-    params.preset = preset;
+    params.sensor_preset = preset;
     if (preset == SensorPreset::Phone) return params;
     params.shutter_s = params.readout_s = 0.0;
-    params.k1 = params.k2 = params.vignetting = 0.0;
+    params.k1 = params.k2 = params.k3 = params.vignetting = 0.0;
     params.white_e = params.read_noise_e = 0.0;
     switch (preset) {
         case SensorPreset::Ideal:
@@ -28,7 +28,6 @@ SensorParams sensorPreset(SensorPreset preset) {
             params.readout_s = 0.012;
             params.k1 = -0.26;
             params.k2 = 0.09;
-            params.k3 = -0.015;
             params.vignetting = 0.8;
             params.white_e = 4000.0;
             params.read_noise_e = 4.0;
@@ -49,17 +48,25 @@ SensorParams sensorPreset(SensorPreset preset) {
     return params;
 }
 
-Status setSensorField(SensorParams& params, std::string_view assignment) {
-    if (Status status = setField(listSensorFields(params), assignment); !status) return status;
-    if (!assignment.starts_with("preset=")) return {};
-    SensorParams chosen = sensorPreset(params.preset);
-    chosen.depth_noise = params.depth_noise;
-    chosen.depth_noise_strength = params.depth_noise_strength;
-    chosen.looks = params.looks;
-    chosen.focus_m = params.focus_m;
-    chosen.seed = params.seed;
-    params = chosen;
-    return {};
+void letSensorPresetSetOthers(FieldList& fields, SensorParams& params) {
+    letPresetSetOthers(fields, "sensor_preset", [&params] {
+        SensorParams chosen = sensorPreset(params.sensor_preset);
+        chosen.depth_noise = params.depth_noise;
+        chosen.depth_noise_strength = params.depth_noise_strength;
+        chosen.looks = params.looks;
+        chosen.focus_m = params.focus_m;
+        chosen.sensor_seed = params.sensor_seed;
+        params = chosen;
+    });
+}
+
+FieldList listSensorFields(SensorParams& params) {
+    FieldCollector collector;
+    collector.beginSection("sensor");
+    visitSensorParams(params, collector);
+    FieldList fields = collector.take();
+    letSensorPresetSetOthers(fields, params);
+    return fields;
 }
 
 }  // namespace dollytrack

@@ -4,7 +4,8 @@
 
 namespace dollytrack {
 
-/// Sets of settings that belong together. Typical of the kind, measured on no single camera.
+/// Sets of settings that belong together. Typical of the kind, measured on no single camera; their
+/// distortion rises outwards without end, so it goes with every field of view.
 enum class SensorPreset { Ideal, Phone, Webcam, ActionCamera, MachineVision };
 
 /// How the depth camera errs; the models and their sources are in render/sensors/depth_noise.h.
@@ -13,7 +14,7 @@ enum class DepthNoise { None, KinectAzure, Redwood };
 /// What a real camera would make of the clean picture: of the modalities rgb_sensor and
 /// depth_sensor; all other files are the same. The values here are those of a phone.
 struct SensorParams {
-    SensorPreset preset = SensorPreset::Phone;
+    SensorPreset sensor_preset = SensorPreset::Phone;
     double shutter_s = 1.0 / 60.0;
     double readout_s = 0.015;
     int looks = 16;
@@ -23,21 +24,21 @@ struct SensorParams {
     double k2 = -0.08;
     double p1 = 0.0;
     double p2 = 0.0;
-    double k3 = 0.0;
+    double k3 = 0.02;
     double vignetting = 0.4;
     double white_e = 6000.0;
     double read_noise_e = 4.0;
     int jpeg_quality = 100;
     DepthNoise depth_noise = DepthNoise::KinectAzure;
     double depth_noise_strength = 1.0;
-    int seed = 1;
+    int sensor_seed = 1;
 
     bool operator==(const SensorParams&) const = default;
 };
 
 template <class Params, class Visitor>
 void visitSensorParams(Params& p, Visitor&& visit) {
-    visit("preset", p.preset,
+    visit("sensor_preset", p.sensor_preset,
           ChoiceInfo{{"ideal", "phone", "webcam", "action_camera", "machine_vision"},
                      "Sets shutter, lens, noise and quality of the colour camera; what is named "
                      "after it changes single ones"});
@@ -79,7 +80,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
                      "structured light does"});
     visit("depth_noise_strength", p.depth_noise_strength,
           FieldInfo{0, 10, "", "Times the model's deviation and jitter; holes stay"});
-    visit("seed", p.seed, FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
+    visit("sensor_seed", p.sensor_seed,
+          FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
 }
 
 /// Of the sensor's picture files.
@@ -91,15 +93,10 @@ void visitSensorParams(Params& p, Visitor&& visit) {
 /// default.
 [[nodiscard]] SensorParams sensorPreset(SensorPreset preset);
 
-/// Sets one field from "name=value"; a preset sets those that belong to it. Errors as setField().
-Status setSensorField(SensorParams& params, std::string_view assignment);
+/// Where sensor_preset is set in the list, from now on all is set in `params` that belongs to it.
+void letSensorPresetSetOthers(FieldList& fields, SensorParams& params);
 
-/// The fields, for the command line and for files. Points into `params`.
-inline FieldList listSensorFields(SensorParams& params) {
-    FieldCollector collector;
-    collector.beginSection("sensor");
-    visitSensorParams(params, collector);
-    return collector.take();
-}
+/// The fields, for files. Points into `params`.
+[[nodiscard]] FieldList listSensorFields(SensorParams& params);
 
 }  // namespace dollytrack

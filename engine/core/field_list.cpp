@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace dollytrack {
@@ -83,6 +84,13 @@ Status setText(const Field& field, std::string_view text) {
     return setNumber(field, value, text);
 }
 
+Status setValue(const Field& field, const nlohmann::json& value) {
+    if (value.is_number()) return setNumber(field, value.get<double>(), value.dump());
+    if (value.is_boolean()) return setText(field, value.get<bool>() ? "true" : "false");
+    if (value.is_string()) return setText(field, value.get<std::string>());
+    return outOfRange(field, value.type_name());
+}
+
 const Field* find(const FieldList& fields, std::string_view name) {
     const auto found = std::find_if(fields.begin(), fields.end(),
                                     [&](const Field& field) { return field.name == name; });
@@ -135,6 +143,16 @@ std::string Field::rangeText() const {
         value);
 }
 
+void letPresetSetOthers(FieldList& fields, std::string_view name,
+                        const std::function<void()>& set_others) {
+    const auto preset = std::ranges::find(fields, name, &Field::name);
+    auto& choice = std::get<Field::Choice>(preset->value);
+    choice.set = [set = choice.set, set_others](int index) {
+        set(index);
+        set_others();
+    };
+}
+
 Status setField(const FieldList& fields, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
@@ -164,6 +182,12 @@ Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
     if (!sections.is_object()) {
         return fail(ErrorCode::BadInput, "The parameters must be an object of sections.");
     }
+    struct Named {
+        std::string section;
+        const Field* field = nullptr;
+        const nlohmann::json* value = nullptr;
+    };
+    std::vector<Named> named;
     for (const auto& [section, entries] : sections.items()) {
         if (!entries.is_object()) {
             return fail(ErrorCode::BadInput, "A section of parameters must be an object.", section);
@@ -171,19 +195,14 @@ Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
         for (const auto& [name, value] : entries.items()) {
             const Field* field = find(fields, name);
             if (!field) return fail(ErrorCode::BadInput, unknownField(fields, name), section);
-            Status status;
-            if (value.is_number()) {
-                status = setNumber(*field, value.get<double>(), value.dump());
-            } else if (value.is_boolean()) {
-                status = setText(*field, value.get<bool>() ? "true" : "false");
-            } else if (value.is_string()) {
-                status = setText(*field, value.get<std::string>());
-            } else {
-                status = outOfRange(*field, value.type_name());
-            }
-            if (!status) {
-                return fail(ErrorCode::BadInput, status.error().message, section + "." + name);
-            }
+            named.push_back({section, field, &value});
+        }
+    }
+    // JSON has no order of its own, and presets come before what changes single fields of theirs.
+    std::ranges::stable_sort(named, std::less(), &Named::field);
+    for (const auto& [section, field, value] : named) {
+        if (Status status = setValue(*field, *value); !status) {
+            return fail(ErrorCode::BadInput, status.error().message, section + "." + field->name);
         }
     }
     return {};

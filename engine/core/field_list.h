@@ -72,6 +72,11 @@ class FieldCollector {
     FieldList fields_;
 };
 
+/// From now on `set_others` runs whenever the choice of this name is set: what a preset stands for.
+/// Fields that are set later change single ones.
+void letPresetSetOthers(FieldList& fields, std::string_view name,
+                        const std::function<void()>& set_others);
+
 /// Sets one field from "name=value" text. Errors: Usage, naming the field, its range, or the
 /// closest name when there is none of that name.
 Status setField(const FieldList& fields, std::string_view assignment);
@@ -79,8 +84,8 @@ Status setField(const FieldList& fields, std::string_view assignment);
 /// Object of sections, each an object of fields.
 nlohmann::json toJson(const FieldList& fields);
 
-/// Sets the fields that the JSON names; those it does not name keep their values. Error: BadInput
-/// for a wrong type, an unknown name or a value out of range.
+/// Sets the fields that the JSON names, in the list's order; those it does not name keep their
+/// values. Error: BadInput for a wrong type, an unknown name or a value out of range.
 Status setFromJson(const FieldList& fields, const nlohmann::json& sections);
 
 /// The name among `names` that `wrong` was most likely meant to be; empty when none is close.

@@ -38,15 +38,23 @@ LightParams lightPreset(LightPreset preset) {
     return params;
 }
 
-Status setLightField(LightParams& params, std::string_view assignment) {
-    if (Status status = setField(listLightFields(params), assignment); !status) return status;
-    if (!assignment.starts_with("light_preset=")) return {};
-    LightParams chosen = lightPreset(params.light_preset);
-    chosen.sun_azimuth_deg = params.sun_azimuth_deg;
-    chosen.light_variation = params.light_variation;
-    chosen.light_seed = params.light_seed;
-    params = chosen;
-    return {};
+void letLightPresetSetOthers(FieldList& fields, LightParams& params) {
+    letPresetSetOthers(fields, "light_preset", [&params] {
+        LightParams chosen = lightPreset(params.light_preset);
+        chosen.sun_azimuth_deg = params.sun_azimuth_deg;
+        chosen.light_variation = params.light_variation;
+        chosen.light_seed = params.light_seed;
+        params = chosen;
+    });
+}
+
+FieldList listLightFields(LightParams& params) {
+    FieldCollector collector;
+    collector.beginSection("light");
+    visitLightParams(params, collector);
+    FieldList fields = collector.take();
+    letLightPresetSetOthers(fields, params);
+    return fields;
 }
 
 }  // namespace dollytrack

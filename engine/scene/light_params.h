@@ -2,8 +2,6 @@
 
 #include "engine/core/field_list.h"
 
-#include <string_view>
-
 namespace dollytrack {
 
 /// Sets of settings that belong together. Neutral is lamps and a little daylight without a sun, in
@@ -63,15 +61,10 @@ void visitLightParams(Params& p, Visitor&& visit) {
 /// The values of a preset; what it does not set (azimuth, variation, seed) is as by default.
 [[nodiscard]] LightParams lightPreset(LightPreset preset);
 
-/// Sets one field from "name=value"; a preset sets those that belong to it. Errors as setField().
-Status setLightField(LightParams& params, std::string_view assignment);
+/// Where light_preset is set in the list, from now on all is set in `params` that belongs to it.
+void letLightPresetSetOthers(FieldList& fields, LightParams& params);
 
-/// The fields, for the command line and for files. Points into `params`.
-inline FieldList listLightFields(LightParams& params) {
-    FieldCollector collector;
-    collector.beginSection("light");
-    visitLightParams(params, collector);
-    return collector.take();
-}
+/// The fields, for files. Points into `params`.
+[[nodiscard]] FieldList listLightFields(LightParams& params);
 
 }  // namespace dollytrack

@@ -3,6 +3,7 @@
 #include "render/encoders/pack.h"
 #include "render/modalities.h"
 #include "render/sensors/depth_noise.h"
+#include "render/sensors/exposure.h"
 #include "render/sensors/picture_noise.h"
 #include "render/sensors/sensor_lens.h"
 
@@ -36,7 +37,7 @@ Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
 FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame) {
     const SensorParams& params = context.contents.sensor;
     std::vector<float> light = context.sensor_lens->take(frame.sensor_light);
-    addPictureNoise(params, frame.index, light);
+    addPictureNoise(params, context.contents.sourceFrame(frame.index), light);
     const std::vector<std::uint8_t> rgb = developedBytes(light);
     return oneFile(frameFile("rgb_sensor", frame.index, pictureEnding(params)),
                    params.jpeg_quality < 100
@@ -45,7 +46,7 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
 }
 
 FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
-    const DepthScene scene = {frame.index,
+    const DepthScene scene = {context.contents.sourceFrame(frame.index),
                               makeIntrinsics(context.contents.camera),
                               frame.pose.rotation,
                               frame.depth_m,
@@ -81,6 +82,7 @@ Json rgbSensorConvention(const DatasetContents& contents) {
          {{"shutter_s", params.shutter_s},
           {"readout_s", params.readout_s},
           {"looks", params.looks},
+          {"row_exposure_s", rowExposureSeconds(params, contents.camera.height_px)},
           {"row_time",
            "time_s + readout_s * (row / (height - 1) - 0.5), the middle of that row's exposure"},
           {"motion",
@@ -99,7 +101,7 @@ Json rgbSensorConvention(const DatasetContents& contents) {
           {"law",
            "in linear light, white 1: variance light / white_e + (read_noise_e / "
            "white_e)^2; 0 is none"},
-          {"seed", params.seed}}},
+          {"sensor_seed", params.sensor_seed}}},
         {"jpeg_quality", params.jpeg_quality}};
 }
 
@@ -122,7 +124,7 @@ Json depthSensorConvention(const DatasetContents& contents) {
             {"strength", params.depth_noise_strength},
             {"nearest_m", limits.nearest_m},
             {"farthest_m", limits.farthest_m},
-            {"seed", params.seed}};
+            {"sensor_seed", params.sensor_seed}};
 }
 
 }  // namespace dollytrack::render

@@ -122,6 +122,7 @@ const Format kBopFormat = {
     .encode = encode,
     .convention = convention,
     .bytes_per_pixel = 0.3,
+    .outlines_things = true,
 };
 
 }  // namespace dollytrack::render

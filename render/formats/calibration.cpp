@@ -14,10 +14,11 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"calibration.yaml"};
 
-/// As both readers take it: OpenCV by its tag and dt, ROS by the three others.
+/// A map that OpenCV reads as a matrix by its dt, and others by the rest. Without OpenCV's tag,
+/// which other readers of YAML refuse.
 std::string matrix(const char* name, int rows, int columns, std::initializer_list<double> values) {
-    std::string text = fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n",
-                                   name, rows, columns);
+    std::string text =
+        fmt::format("{}:\n   rows: {}\n   cols: {}\n   dt: d\n", name, rows, columns);
     text += "   data: [";
     const char* before = "";
     for (const double value : values) {
@@ -33,7 +34,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     const LensDistortion bent = of_sensor ? distortionOf(contents.sensor) : LensDistortion{};
     // The middle of the first pixel is (0, 0) there.
     const double cx = lens.cx - 0.5, cy = lens.cy - 0.5;
-    std::string text = "%YAML:1.0\n---\n";
+    std::string text = "%YAML 1.0\n---\n";
     text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", lens.width,
                         lens.height, of_sensor ? "rgb_sensor" : "camera");
     text += matrix("camera_matrix", 3, 3, {lens.fx, 0, cx, 0, lens.fy, cy, 0, 0, 1});

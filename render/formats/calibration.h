@@ -5,7 +5,8 @@
 
 namespace dollytrack::render {
 
-/// calibration.yaml: the camera as OpenCV's FileStorage and ROS's camera_info files have it.
+/// calibration.yaml: the camera as OpenCV's FileStorage, ROS's camera_info and any reader of YAML
+/// take it.
 extern const Format kCalibrationFormat;
 
 /// Of the pictures that formats name, see DatasetContents::pictureModality().

@@ -172,6 +172,8 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
     root["light"] = toJson(resolved(contents.light));
+    root["whole_motion"] = {{"trajectory_sha256", card.whole_trajectory_sha256},
+                            {"objects_sha256", card.whole_motions_sha256}};
     root["seed"] = card.seed;
     root["parameters"] = card.parameters;
     if (!card.edits.empty()) root["edits"] = card.edits;

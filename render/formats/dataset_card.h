@@ -29,6 +29,8 @@ struct DatasetCard {
     std::vector<ObjectRelation> relations;
     std::string geometry_sha256;  // see scene_hash.h
     std::string appearance_sha256;
+    std::string whole_trajectory_sha256;         // see motion_hash.h
+    std::string whole_motions_sha256;            // of objects
     std::map<std::string, std::string> sha256s;  // of every other file, by relative path
 };
 

@@ -113,8 +113,9 @@ Json imuConvention(const DatasetContents& /*contents*/) {
     return {{"file", kImuFiles[0]},
             {"format",
              "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2, at rest "
-             "9.80665 against gravity) in the camera's axes; free of noise and bias; the frames of "
-             "each continuous motion joined by a twice continuously differentiable spline"}};
+             "9.80665 against gravity) in the camera's axes; free of noise and bias; along "
+             "a twice continuously differentiable spline through all poses of each continuous "
+             "motion, of frames that are not exported, too"}};
 }
 
 Files writeInstances(const DatasetContents& contents) {
@@ -143,7 +144,10 @@ const std::vector<Format>& table() {
          {},
          writeCoco,
          nullptr,
-         cocoConvention},
+         cocoConvention,
+         nullptr,
+         0.0,
+         true},
         {"camera_json",
          "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
          true,
@@ -181,7 +185,10 @@ const std::vector<Format>& table() {
          {},
          writeInstances,
          nullptr,
-         instancesConvention},
+         instancesConvention,
+         nullptr,
+         0.0,
+         true},
         {"coco_polygons",
          "COCO instances with outlines and attributes, in annotations_polygons.json",
          false,
@@ -190,7 +197,10 @@ const std::vector<Format>& table() {
          {},
          writeCocoPolygons,
          nullptr,
-         cocoPolygonsConvention},
+         cocoPolygonsConvention,
+         nullptr,
+         0.0,
+         true},
         kYoloFormat,
         kBopFormat,
         kTumFormat,

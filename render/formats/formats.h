@@ -38,6 +38,7 @@ struct Format {
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
     const char* modality = nullptr;  // the one without which there is nothing to write
     double bytes_per_pixel = 0.0;    // of a frame's share of its files, on the high side
+    bool outlines_things = false;    // says where in the clean pictures things are
 };
 
 /// All there are. dataset.json is not among them: it is always written.

@@ -79,6 +79,7 @@ const Format kKittiObjectsFormat = {
     .write = nullptr,
     .encode = encode,
     .convention = convention,
+    .outlines_things = true,
 };
 
 }  // namespace dollytrack::render

@@ -101,6 +101,7 @@ const Format kYoloFormat = {
     .encode = encode,
     .convention = convention,
     .bytes_per_pixel = 0.25,
+    .outlines_things = true,
 };
 
 }  // namespace dollytrack::render

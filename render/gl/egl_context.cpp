@@ -1,5 +1,7 @@
 #include "render/gl/egl_context.h"
 
+#include "render/gl/context_choice.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -11,6 +13,8 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::gl {
 namespace {
@@ -55,48 +59,16 @@ bool has(const char* extensions, std::string_view wanted) {
            std::istream_iterator<std::string>();
 }
 
-/// The first graphics card that lets itself be used without a window.
-EGLDisplay openGraphicsCard() {
-    if (!has(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_device")) {
-        return EGL_NO_DISPLAY;
-    }
-    const auto query_devices =
-        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    const auto query_string = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
-        eglGetProcAddress("eglQueryDeviceStringEXT"));
-    if (query_devices == nullptr || query_string == nullptr) return EGL_NO_DISPLAY;
-    std::array<EGLDeviceEXT, 32> devices{};
-    EGLint count = 0;
-    if (query_devices(devices.size(), devices.data(), &count) == EGL_FALSE) return EGL_NO_DISPLAY;
-    for (EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
-        // Mesa's software driver is a device, too.
-        if (has(query_string(device, EGL_EXTENSIONS), "EGL_MESA_device_software")) continue;
-        const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
-        if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) {
-            return display;
-        }
-    }
-    return EGL_NO_DISPLAY;
+std::string stringOf(PFNEGLQUERYDEVICESTRINGEXTPROC query, EGLDeviceEXT device, EGLint name) {
+    const char* text = query(device, name);
+    return text == nullptr ? std::string() : text;
 }
 
-EGLDisplay openDisplay() {
-    if (const EGLDisplay card = openGraphicsCard(); card != EGL_NO_DISPLAY) return card;
-    const EGLDisplay mesa =
-        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (mesa == EGL_NO_DISPLAY || eglInitialize(mesa, nullptr, nullptr) == EGL_FALSE) {
-        return EGL_NO_DISPLAY;
-    }
-    return mesa;
-}
-
-}  // namespace
-
-Result<std::unique_ptr<Context>> createEglContext() {
-    const EGLDisplay display = openDisplay();
-    if (display == EGL_NO_DISPLAY) {
-        return tl::unexpected(
-            eglError("no OpenGL without a window: the driver's EGL does not "
-                     "offer it; install libegl1 and libegl-mesa0"));
+/// A context on a display that is not in use yet.
+Result<std::unique_ptr<Context>> openOn(EGLDisplay display, const ContextCheck& check) {
+    if (display == EGL_NO_DISPLAY) return tl::unexpected(eglError("not offered"));
+    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
+        return tl::unexpected(eglError("does not start"));
     }
     constexpr std::array<EGLint, 7> kVersion = {EGL_CONTEXT_MAJOR_VERSION,
                                                 4,
@@ -110,11 +82,65 @@ Result<std::unique_ptr<Context>> createEglContext() {
         context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion.data());
     }
     if (context == EGL_NO_CONTEXT) {
-        Error error = eglError("no OpenGL 4.5 without a window; update the graphics driver");
+        Error error = eglError("has no OpenGL 4.5");
         eglTerminate(display);
         return tl::unexpected(std::move(error));
     }
-    return std::unique_ptr<Context>(std::make_unique<EglContext>(display, context));
+    std::unique_ptr<Context> opened = std::make_unique<EglContext>(display, context);
+    if (check) {
+        if (Status status = check(*opened); !status) {
+            return tl::unexpected(std::move(status.error()));
+        }
+    }
+    return opened;
+}
+
+/// The graphics cards, in the driver's order.
+std::vector<ContextChoice> graphicsCards(const ContextCheck& check) {
+    std::vector<ContextChoice> cards;
+    if (!has(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_device")) {
+        return cards;
+    }
+    const auto query_devices =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    const auto query_string = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
+        eglGetProcAddress("eglQueryDeviceStringEXT"));
+    if (query_devices == nullptr || query_string == nullptr) return cards;
+    std::array<EGLDeviceEXT, 32> devices{};
+    EGLint count = 0;
+    if (query_devices(devices.size(), devices.data(), &count) == EGL_FALSE) return cards;
+    for (EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
+        const std::string extensions = stringOf(query_string, device, EGL_EXTENSIONS);
+        // Mesa's software driver is a device, too.
+        if (has(extensions.c_str(), "EGL_MESA_device_software")) continue;
+        std::string name = "graphics card " + std::to_string(cards.size() + 1);
+        if (has(extensions.c_str(), "EGL_EXT_device_drm")) {
+            name += ", " + stringOf(query_string, device, EGL_DRM_DEVICE_FILE_EXT);
+        }
+        cards.push_back({std::move(name), [device, check] {
+                             return openOn(
+                                 eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr),
+                                 check);
+                         }});
+    }
+    return cards;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> createEglContext(const ContextCheck& check) {
+    std::vector<ContextChoice> choices = graphicsCards(check);
+    choices.push_back({"Mesa without a card", [&check] {
+                           return openOn(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA,
+                                                               EGL_DEFAULT_DISPLAY, nullptr),
+                                         check);
+                       }});
+    Result<std::unique_ptr<Context>> context = openFirst(choices);
+    if (!context) {
+        context.error().message +=
+            "; install libegl1 and libegl-mesa0, or update the graphics driver";
+    }
+    return context;
 }
 
 }  // namespace dollytrack::gl

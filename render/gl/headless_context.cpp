@@ -14,14 +14,11 @@ namespace dollytrack::gl {
 namespace {
 
 Result<std::unique_ptr<Context>> createLoadedEglContext() {
-    Result<std::unique_ptr<Context>> context = createEglContext();
-    if (!context) return context;
-    if (Status status = (*context)->makeCurrent(); !status) {
-        return tl::unexpected(std::move(status.error()));
-    }
-    takeFunctionsFrom(&eglGetProcAddress);
-    if (Status status = loadFunctions(); !status) return tl::unexpected(std::move(status.error()));
-    return context;
+    return createEglContext([](Context& context) -> Status {
+        if (Status status = context.makeCurrent(); !status) return status;
+        takeFunctionsFrom(&eglGetProcAddress);
+        return loadFunctions();
+    });
 }
 
 /// Asking the drivers takes a tenth of a second; what they talk to tells as well.

@@ -11,9 +11,9 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kJitter_px = 0.25;
-constexpr double kDisparity = 35.130;  // times metres, of Redwood's unit
-constexpr double kDisparitySteps = 8.0;
-constexpr double kDisparityDeviation = 0.027778;
+constexpr double kDisparityAtOneMetre_px = 35.130;
+constexpr double kSteps_per_px = 8.0;
+constexpr double kDisparityDeviation_px = 0.027778;
 
 /// Whether depth makes a step at the pixel, or something with nothing beside it ends there. Along a
 /// plane inverse depth is linear in the image, however steep it is.
@@ -48,13 +48,17 @@ class DepthCamera {
         const double true_m = scene_.depth_m[here];
         if (true_m < limits_.nearest_m || true_m > limits_.farthest_m) return 0.0F;
         if (isEdge(scene_, limits_, x, y)) return 0.0F;
-        const PixelRandom random(static_cast<std::uint32_t>(params_.seed), scene_.frame,
-                                 kDepth + here);
+        const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), scene_.frame,
+                                 kDepthStream + here);
         const double strength = params_.depth_noise_strength;
+        int from_x = nearest(x + strength * kJitter_px * random.normal(0), scene_.lens.width);
+        int from_y = nearest(y + strength * kJitter_px * random.normal(2), scene_.lens.height);
         const bool redwood = params_.depth_noise == DepthNoise::Redwood;
-        const int from_x = redwood ? x - x % 2 : x, from_y = redwood ? y - y % 2 : y;
-        const double depth = depthAround(from_x + strength * kJitter_px * random.normal(0),
-                                         from_y + strength * kJitter_px * random.normal(2), here);
+        if (redwood) {  // after the jitter, as published: no other pixels are ever read
+            from_x -= from_x % 2;
+            from_y -= from_y % 2;
+        }
+        const double depth = depthNear(here, pixel(from_x, from_y));
         const double seen = redwood ? byDisparity(depth, strength * random.normal(4))
                                     : byTimeOfFlight(depth, strength * random.normal(4), here);
         return seen >= limits_.nearest_m && seen <= limits_.farthest_m ? static_cast<float>(seen)
@@ -62,26 +66,28 @@ class DepthCamera {
     }
 
   private:
-    static constexpr std::uint64_t kDepth = 2ULL << 40U;
+    static constexpr std::uint64_t kDepthStream = 2ULL << 40U;
 
     [[nodiscard]] std::size_t pixel(int x, int y) const {
         return static_cast<std::size_t>(y) * scene_.lens.width + static_cast<std::size_t>(x);
     }
 
-    /// The depth of the pixel nearest to there; of what is beyond a step, the pixel's own.
-    [[nodiscard]] double depthAround(double x, double y, std::size_t here) const {
+    [[nodiscard]] static int nearest(double at, int size) {
+        return static_cast<int>(std::lround(std::clamp(at, 0.0, size - 1.0)));
+    }
+
+    /// The depth of another pixel; of what is beyond a step, the pixel's own.
+    [[nodiscard]] double depthNear(std::size_t here, std::size_t other) const {
         const double own = scene_.depth_m[here];
-        const int at_x = std::clamp(static_cast<int>(std::lround(x)), 0, scene_.lens.width - 1);
-        const int at_y = std::clamp(static_cast<int>(std::lround(y)), 0, scene_.lens.height - 1);
-        const double there = scene_.depth_m[pixel(at_x, at_y)];
+        const double there = scene_.depth_m[other];
         const double step = std::max(limits_.edge_m, limits_.edge_share * own);
         return there > 0.0 && std::abs(there - own) <= step ? there : own;
     }
 
     [[nodiscard]] static double byDisparity(double depth, double normal) {
-        const double steps =
-            std::round(kDisparitySteps * (kDisparity / depth + kDisparityDeviation * normal));
-        return steps > 0.0 ? kDisparitySteps * kDisparity / steps : 0.0;
+        const double steps = std::round(
+            kSteps_per_px * (kDisparityAtOneMetre_px / depth + kDisparityDeviation_px * normal));
+        return steps > 0.0 ? kSteps_per_px * kDisparityAtOneMetre_px / steps : 0.0;
     }
 
     [[nodiscard]] double byTimeOfFlight(double depth, double normal, std::size_t here) const {
@@ -97,13 +103,13 @@ class DepthCamera {
             reflectance += linearFromSrgb(static_cast<float>(color[c]) / 255.0F) / 3.0;
         }
         const double way = depth * ray.norm();
-        if (reflectance * cosine / (way * way) < kLeastLight) return 0.0;
+        if (reflectance * cosine / (way * way) < kLeastLight_per_m2) return 0.0;
         return depth + normal * depthDeviation(DepthNoise::KinectAzure, depth) *
                            dimness(reflectance, cosine);
     }
 
     // Gives a depth still: a surface that throws back 5 %, at the far end of the range.
-    static constexpr double kLeastLight = 0.05 / (5.46 * 5.46);
+    static constexpr double kLeastLight_per_m2 = 0.05 / (5.46 * 5.46);
 
     const SensorParams& params_;
     const DepthScene& scene_;
@@ -133,8 +139,8 @@ double depthDeviation(DepthNoise model, double depth_m) {
         case DepthNoise::Redwood: {
             // That of the disparity, and of its steps: evenly spread over one.
             const double steps =
-                std::hypot(kDisparityDeviation, 1.0 / kDisparitySteps / std::sqrt(12.0));
-            return depth_m * depth_m / kDisparity * steps;
+                std::hypot(kDisparityDeviation_px, 1.0 / kSteps_per_px / std::sqrt(12.0));
+            return depth_m * depth_m / kDisparityAtOneMetre_px * steps;
         }
     }
     return 0.0;

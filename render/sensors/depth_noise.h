@@ -52,10 +52,11 @@ inline constexpr double kMostDim = 4.0;
 /// redwood, structured light: as Choi, Zhou and Koltun (Robust Reconstruction of Indoor Scenes,
 /// CVPR 2015) simulate the first Kinect after Teichman, Miller and Thrun (Unsupervised intrinsic
 /// calibration of depth sensors via SLAM, RSS 2013), and as Barron and Malik (Intrinsic Scene
-/// Properties from a Single RGB-D Image, CVPR 2013): depth of every second pixel, jitter by a
-/// quarter of a pixel, disparity 35.130 / z with deviation 1/36 in steps of 1/8. Their low
-/// frequency distortion, measured on one device, is left out. Holes: nearer than 0.4 m and farther
-/// than 10 m, and steps as above.
+/// Properties from a Single RGB-D Image, CVPR 2013), in the order of their program (simdepth.py of
+/// redwood-data.org): a look aside by a quarter of a pixel, the depth of the even pixel at or
+/// before it, disparity 35.130 / z with deviation 1/36, rounded to steps of 1/8. Their low
+/// frequency distortion, measured on one device and applied between depth and disparity, is left
+/// out. Holes: nearer than 0.4 m and farther than 10 m, and steps as above.
 [[nodiscard]] std::vector<float> noisyDepth(const SensorParams& params, const DepthScene& scene);
 
 }  // namespace dollytrack::render

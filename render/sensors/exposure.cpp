@@ -21,56 +21,68 @@ Eigen::Vector2d onDisc(double u, double v) {
     return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
+/// The integral of a hat of height 1 that stands on -1 to 1, from there to x.
+double hatUpTo(double x) {
+    const double inside = std::clamp(x, -1.0, 1.0);
+    return 0.5 + inside - 0.5 * inside * std::abs(inside);
+}
+
 }  // namespace
 
-Exposure::Exposure(const SensorParams& params, int height, int frame) : height_(height) {
+double rowExposureSeconds(const SensorParams& params, int height) {
+    if (params.readout_s <= 0.0 || height <= 1) return params.shutter_s;
+    return std::max(params.shutter_s, params.readout_s / params.looks);
+}
+
+Exposure::Exposure(const SensorParams& params, int height, int frame)
+    : height_(height), row_exposure_s_(render::rowExposureSeconds(params, height)) {
+    int period = params.looks;  // of a row's exposure, and of the points
     int count = params.looks;
-    double row_s = params.shutter_s;
     if (params.readout_s > 0.0 && height > 1) {
-        s_per_row_ = params.readout_s / (height - 1);
-        row_s = std::max(row_s, params.readout_s / params.looks);
-        const double times = (row_s + params.readout_s) / row_s;
-        count = static_cast<int>(std::ceil(params.looks * std::min(times, 4.0)));
+        row_step_s_ = params.readout_s / (height - 1);
+        const double exposures = 1.0 + params.readout_s / row_exposure_s_;
+        period = std::min(params.looks,
+                          static_cast<int>(std::floor((4.0 * params.looks - 1.0) / exposures)));
+        // The looks have to reach to both ends of all exposures.
+        count = 1 + static_cast<int>(std::ceil(period * exposures - 1e-9));
     }
-    const double all_s = row_s + s_per_row_ * (height - 1);
-    half_look_s_ = 0.5 * all_s / count;
-    half_row_s_ = 0.5 * row_s;
+    look_step_s_ = row_exposure_s_ / period;
 
     // Additive recurrence in four dimensions: any stretch of it is even (Roberts, The Unreasonable
     // Effectiveness of Quasirandom Sequences, 2018).
     constexpr double kRoot = 1.1673039782614187;  // x^5 = x + 1
-    const PixelRandom random(static_cast<std::uint32_t>(params.seed), frame, 0);
+    const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame, 0);
     std::array<double, 4> start{};
     for (std::size_t d = 0; d < 4; ++d) start[d] = random.uniform(static_cast<std::uint32_t>(d));
-    Eigen::Vector2d middle_lens = Eigen::Vector2d::Zero();
-    Eigen::Vector2d middle_aside = Eigen::Vector2d::Zero();
-    for (int i = 0; i < count; ++i) {
+    std::vector<ExposureLook> points(static_cast<std::size_t>(period));
+    Eigen::Vector2d middle_aperture = Eigen::Vector2d::Zero();
+    Eigen::Vector2d middle_aside_px = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
         std::array<double, 4> at{};
         for (std::size_t d = 0; d < 4; ++d) {
             const double step = std::pow(kRoot, -static_cast<double>(d + 1));
-            at[d] = start[d] + step * i;
+            at[d] = start[d] + step * static_cast<double>(i);
             at[d] -= std::floor(at[d]);
         }
-        ExposureLook& look = looks_.emplace_back();
-        look.after_s = all_s * ((i + 0.5) / count - 0.5);
-        look.lens = onDisc(at[0], at[1]);
-        look.aside = {at[2] - 0.5, at[3] - 0.5};
-        middle_lens += look.lens / count;
-        middle_aside += look.aside / count;
+        points[i].aperture = onDisc(at[0], at[1]);
+        points[i].aside_px = {at[2] - 0.5, at[3] - 0.5};
+        middle_aperture += points[i].aperture / period;
+        middle_aside_px += points[i].aside_px / period;
     }
     // On the mean the picture is that of the pixels' middles, as labels are.
-    for (ExposureLook& look : looks_) {
-        look.lens -= middle_lens;
-        look.aside -= middle_aside;
+    for (int i = 0; i < count; ++i) {
+        ExposureLook& look = looks_.emplace_back(points[static_cast<std::size_t>(i % period)]);
+        look.after_s = look_step_s_ * (i - 0.5 * (count - 1));
+        look.aperture -= middle_aperture;
+        look.aside_px -= middle_aside_px;
     }
 }
 
 double Exposure::weight(const ExposureLook& look, double y) const {
-    if (!rolls()) return 1.0;
-    const double apart = std::abs(look.after_s - timeOfRow(y));
-    return std::clamp(half_look_s_ + half_row_s_ - apart, 0.0,
-                      2.0 * std::min(half_look_s_, half_row_s_)) /
-           (2.0 * half_row_s_);
+    if (!rolls()) return 1.0 / static_cast<double>(looks_.size());
+    const double middle = (timeOfRow(y) - look.after_s) / look_step_s_;
+    const double half = 0.5 * row_exposure_s_ / look_step_s_;
+    return (hatUpTo(middle + half) - hatUpTo(middle - half)) / (2.0 * half);
 }
 
 }  // namespace dollytrack::render

@@ -9,9 +9,11 @@ namespace dollytrack::render {
 
 void addPictureNoise(const SensorParams& params, int frame, std::span<float> light) {
     if (params.white_e <= 0.0) return;
-    constexpr std::uint64_t kPicture = 1ULL << 40U;  // apart from other uses of a pixel's numbers
+    // Apart from other uses of a pixel's numbers.
+    constexpr std::uint64_t kPictureStream = 1ULL << 40U;
     for (std::size_t i = 0; i < light.size(); ++i) {
-        const PixelRandom random(static_cast<std::uint32_t>(params.seed), frame, kPicture + i);
+        const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame,
+                                 kPictureStream + i);
         double electrons =
             random.poisson(params.white_e * std::max(0.0, static_cast<double>(light[i])), 0);
         if (params.read_noise_e > 0.0) electrons += params.read_noise_e * random.normal(2);

@@ -1,14 +1,19 @@
 #include "render/sensors/sensor_lens.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace dollytrack::render {
 namespace {
 
-constexpr int kKernel = 2;  // pixels on either side that a look between them takes
+constexpr double kLeastFov_deg = 10.0;  // that a camera may have
+constexpr int kKernelReach_px = 2;      // pixels on either side that a look between them takes
 
 /// Weights of the four pixels around a place between the middle two (Catmull and Rom, 1974).
 std::array<float, 4> cubic(float t) {
@@ -16,7 +21,55 @@ std::array<float, 4> cubic(float t) {
             0.5F * (t + 4 * t * t - 3 * t * t * t), 0.5F * (-t * t + t * t * t)};
 }
 
+/// Where in the clean picture (px), extended, the place (x, y) of the sensor's looks.
+std::optional<Eigen::Vector2d> lookThrough(const Intrinsics& sensor, const LensDistortion& lens,
+                                           double x, double y) {
+    const auto straight = lens.straighten(sensor.unproject(x, y).head<2>());
+    if (!straight) return std::nullopt;
+    const Eigen::Vector2d at = sensor.project({straight->x(), straight->y(), 1.0});
+    // A lens that looks ever further aside towards its corners would ask for any size.
+    const Eigen::Vector2d size(sensor.width, sensor.height);
+    if (!Eigen::AlignedBox2d(-size, 2.0 * size).contains(at)) return std::nullopt;
+    return at;
+}
+
+/// Whether the pixels along the borders show something: then the others do, too, as all that lies
+/// nearer to the middle.
+bool fillsPicture(const CameraParams& camera, const LensDistortion& lens) {
+    const Intrinsics sensor = makeIntrinsics(camera);
+    for (int x = 0; x < sensor.width; ++x) {
+        for (const int y : {0, sensor.height - 1}) {
+            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+        }
+    }
+    for (int y = 0; y < sensor.height; ++y) {
+        for (const int x : {0, sensor.width - 1}) {
+            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
+
+Status validateLens(const CameraParams& camera, const SensorParams& params) {
+    const LensDistortion lens = distortionOf(params);
+    if (lens.none() || fillsPicture(camera, lens)) return {};
+    CameraParams narrower = camera;
+    narrower.hfov_deg = std::ceil(camera.hfov_deg);
+    do {
+        narrower.hfov_deg -= 1.0;
+    } while (narrower.hfov_deg >= kLeastFov_deg && !fillsPicture(narrower, lens));
+    const std::string narrow = narrower.hfov_deg < kLeastFov_deg
+                                   ? ""
+                                   : fmt::format("lower hfov_deg from {:g} to {:g}, or ",
+                                                 camera.hfov_deg, narrower.hfov_deg);
+    return fail(ErrorCode::Usage,
+                fmt::format("The lens with k1 {:g}, k2 {:g}, k3 {:g}, p1 {:g}, p2 {:g} folds over "
+                            "before the corners of its picture: {}bring these nearer to 0.",
+                            lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, narrow),
+                "sensor");
+}
 
 LensDistortion distortionOf(const SensorParams& params) {
     return {params.k1, params.k2, params.p1, params.p2, params.k3};
@@ -30,32 +83,29 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
         static_cast<std::size_t>(sensor_.width) * static_cast<std::size_t>(sensor_.height);
     constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
     looks_.assign(pixels, {kNowhere, kNowhere});
-    brightness_.assign(pixels, 0.0F);
+    light_shares_.assign(pixels, 0.0F);
     Eigen::AlignedBox2d reach(Eigen::Vector2d::Zero(),
                               Eigen::Vector2d(sensor_.width, sensor_.height));
-    // A lens that looks ever further aside towards its corners would ask for any size.
     const Eigen::Vector2d size = reach.max();
-    const Eigen::AlignedBox2d most(-size, 2.0 * size);
     std::size_t pixel = 0;
     for (int y = 0; y < sensor_.height; ++y) {
         for (int x = 0; x < sensor_.width; ++x, ++pixel) {
-            const Eigen::Vector3d bent = sensor_.unproject(x + 0.5, y + 0.5);
-            const auto straight = lens.straighten(bent.head<2>());
-            if (!straight) continue;
-            const Eigen::Vector2d at = sensor_.project({straight->x(), straight->y(), 1.0});
-            if (!most.contains(at)) continue;
-            looks_[pixel] = at.cast<float>();
-            if (!straight_) reach.extend(at);
-            const double off_axis = 1.0 + straight->squaredNorm();  // 1 / cos^2
-            brightness_[pixel] =
+            const auto at = lookThrough(sensor_, lens, x + 0.5, y + 0.5);
+            if (!at) continue;
+            looks_[pixel] = at->cast<float>();
+            if (!straight_) reach.extend(*at);
+            largest_shift_px_ =
+                std::max(largest_shift_px_, (*at - Eigen::Vector2d(x + 0.5, y + 0.5)).norm());
+            const double off_axis = sensor_.unproject(at->x(), at->y()).squaredNorm();  // 1 / cos^2
+            light_shares_[pixel] =
                 static_cast<float>(1.0 - params.vignetting * (1.0 - 1.0 / (off_axis * off_axis)));
         }
     }
-    black_ = static_cast<std::size_t>(std::ranges::count_if(
+    black_count_ = static_cast<std::size_t>(std::ranges::count_if(
         looks_, [](const Eigen::Vector2f& at) { return std::isnan(at.x()); }));
     if (!straight_) {
         const auto border = [](double beyond) {
-            return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernel;
+            return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernelReach_px;
         };
         const int left = border(-reach.min().x()), top = border(-reach.min().y());
         drawn_.width += left + border(reach.max().x() - size.x());
@@ -71,7 +121,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
             if (std::isnan(at)) continue;
             row = {std::min(row.first, at), std::max(row.second, at)};
         }
-        reach_.push_back(row);
+        drawn_reach_px_.push_back(row);
     }
 }
 
@@ -81,13 +131,13 @@ std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
     float low = 1e9F;
     float high = -1e9F;
     for (int y = begin; y < end; ++y) {
-        const auto& [least, largest] = reach_[static_cast<std::size_t>(y)];
+        const auto& [least, largest] = drawn_reach_px_[static_cast<std::size_t>(y)];
         low = std::min(low, least);
         high = std::max(high, largest);
     }
     if (low > high) return {0, 0};
-    return {std::clamp(static_cast<int>(std::floor(low)) - kKernel, 0, drawn_.height),
-            std::clamp(static_cast<int>(std::ceil(high)) + kKernel, 0, drawn_.height)};
+    return {std::clamp(static_cast<int>(std::floor(low)) - kKernelReach_px, 0, drawn_.height),
+            std::clamp(static_cast<int>(std::ceil(high)) + kKernelReach_px, 0, drawn_.height)};
 }
 
 std::vector<float> SensorLens::take(std::span<const float> drawn) const {
@@ -95,7 +145,9 @@ std::vector<float> SensorLens::take(std::span<const float> drawn) const {
     for (std::size_t i = 0; i < looks_.size(); ++i) {
         if (std::isnan(looks_[i].x())) continue;
         if (straight_) {
-            for (std::size_t c = 0; c < 3; ++c) seen[3 * i + c] = brightness_[i] * drawn[3 * i + c];
+            for (std::size_t c = 0; c < 3; ++c) {
+                seen[3 * i + c] = light_shares_[i] * drawn[3 * i + c];
+            }
             continue;
         }
         const float x = looks_[i].x() - 0.5F, y = looks_[i].y() - 0.5F;
@@ -123,7 +175,7 @@ std::vector<float> SensorLens::take(std::span<const float> drawn) const {
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            seen[3 * i + c] = brightness_[i] * std::clamp(sum[c], least[c], most[c]);
+            seen[3 * i + c] = light_shares_[i] * std::clamp(sum[c], least[c], most[c]);
         }
     }
     return seen;

@@ -4,6 +4,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/camera/lens_distortion.h"
 #include "engine/camera/sensor_params.h"
+#include "engine/core/result.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,10 @@ namespace dollytrack::render {
 
 /// The distortion that the sensor's pictures have.
 [[nodiscard]] LensDistortion distortionOf(const SensorParams& params);
+
+/// Whether the lens shows something in every pixel: its model may fold over, or look further than a
+/// picture's size outside, before it comes to the corners. Error: Usage, with what to change.
+[[nodiscard]] Status validateLens(const CameraParams& camera, const SensorParams& params);
 
 /// How a sensor's pixels look through its lens at a picture that is drawn as by a pinhole, large
 /// enough for all that the lens shows. The focal length, and so the scale in the middle, is the
@@ -32,10 +37,13 @@ class SensorLens {
     [[nodiscard]] const Eigen::Vector2f& lookOf(std::size_t pixel) const { return looks_[pixel]; }
 
     /// The share of light that the lens leaves the pixel.
-    [[nodiscard]] float brightness(std::size_t pixel) const { return brightness_[pixel]; }
+    [[nodiscard]] float lightShare(std::size_t pixel) const { return light_shares_[pixel]; }
+
+    /// How far beside its place in the clean picture anything is shown, px.
+    [[nodiscard]] double largestShift_px() const { return largest_shift_px_; }
 
     /// Pixels of the sensor that stay black.
-    [[nodiscard]] std::size_t blackCount() const { return black_; }
+    [[nodiscard]] std::size_t blackCount() const { return black_count_; }
 
     /// The sensor's picture of a drawn one, 3 values a pixel: cubic (Catmull-Rom) between pixels,
     /// within the values around, and darkened.
@@ -49,9 +57,11 @@ class SensorLens {
     Intrinsics sensor_;
     Intrinsics drawn_;
     std::vector<Eigen::Vector2f> looks_;
-    std::vector<float> brightness_;
-    std::vector<std::pair<float, float>> reach_;  // by sensor row: least and largest drawn y
-    std::size_t black_ = 0;
+    std::vector<float> light_shares_;
+    // By sensor row: least and largest y in the drawn picture.
+    std::vector<std::pair<float, float>> drawn_reach_px_;
+    double largest_shift_px_ = 0.0;
+    std::size_t black_count_ = 0;
     bool straight_ = false;  // drawn and seen pixels are the same
 };
 

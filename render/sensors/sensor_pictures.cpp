@@ -5,8 +5,8 @@
 
 namespace dollytrack::render {
 
-std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
-                              const FrameRecord& frame) {
+std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
+                                   const FrameRecord& frame) {
     if (params.focus_m > 0.0) return params.focus_m;
     std::vector<float> of_targets;
     std::vector<float> of_all;
@@ -29,8 +29,8 @@ std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
 }
 
 Result<SensorPictures> SensorPictures::create(const FrameContext& context,
-                                              const SensorMotion& motion) {
-    SensorPictures pictures(context, motion);
+                                              const ObjectPaths& objects) {
+    SensorPictures pictures(context, objects);
     const Intrinsics& drawn = context.sensor_lens->drawn();
     Result<RenderTarget> target = RenderTarget::create(drawn.width, drawn.height);
     if (!target) return tl::unexpected(target.error());
@@ -41,12 +41,11 @@ Result<SensorPictures> SensorPictures::create(const FrameContext& context,
 View SensorPictures::viewOf(const ExposureLook& look, const FrameRecord& frame,
                             std::optional<double> focus) const {
     const DatasetContents& contents = context_.contents;
-    const auto source = static_cast<std::size_t>(
-        contents.frames[static_cast<std::size_t>(frame.index)].source_frame);
-    View view = makeView(contents.camera, motion_.camera.poseAt(source, look.after_s));
+    const auto source = static_cast<std::size_t>(contents.sourceFrame(frame.index));
+    View view = makeView(contents.camera, contents.camera_motion.poseAt(source, look.after_s));
     view.intrinsics = context_.sensor_lens->drawn();
     if (contents.sensor.aperture_mm > 0.0 && focus) {
-        const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * look.lens;
+        const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * look.aperture;
         view.pose.position = view.pose.toWorld({lens.x(), lens.y(), 0.0});
         view.intrinsics.cx += view.intrinsics.fx * lens.x() / *focus;
         view.intrinsics.cy += view.intrinsics.fy * lens.y() / *focus;
@@ -58,9 +57,10 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
                             ReferencePictures* reference, std::vector<float>& light) {
     const DatasetContents& contents = context_.contents;
     const SensorLens& lens = *context_.sensor_lens;
-    const Exposure exposure(contents.sensor, contents.camera.height_px, frame.index);
+    const Exposure exposure(contents.sensor, contents.camera.height_px,
+                            contents.sourceFrame(frame.index));
     const std::optional<double> focus = contents.sensor.aperture_mm > 0.0
-                                            ? focusOf(contents.sensor, contents.scene, frame)
+                                            ? focusDepthOf(contents.sensor, contents.scene, frame)
                                             : std::nullopt;
     if (reference) return trace(frame, exposure, focus, *reference, light);
 
@@ -68,16 +68,16 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
     sum.lens = lens.drawn();
     sum.distortion = distortionOf(contents.sensor);
     const Intrinsics sensor = makeIntrinsics(contents.camera);
-    sum.s_per_bent = exposure.secondsPerRow() * sensor.fy;
-    sum.half_look_s = exposure.halfLook();
-    sum.half_row_s = exposure.halfRow();
+    sum.s_per_bent = exposure.rowStepSeconds() * sensor.fy;
+    sum.look_step_s = exposure.lookStepSeconds();
+    sum.row_exposure_s = exposure.rowExposureSeconds();
     if (Status status = renderer.beginLight(*target_); !status) return status;
     for (const ExposureLook& look : exposure.looks()) {
         View view = viewOf(look, frame, focus);
-        view.intrinsics.cx -= look.aside.x();
-        view.intrinsics.cy -= look.aside.y();
-        if (motion_.objects.any()) {
-            for (const ObjectPaths::Placed& one : motion_.objects.at(frame.time_s + look.after_s)) {
+        view.intrinsics.cx -= look.aside_px.x();
+        view.intrinsics.cy -= look.aside_px.y();
+        if (objects_.any()) {
+            for (const ObjectPaths::Placed& one : objects_.at(frame.time_s + look.after_s)) {
                 renderer.place(one.object_id, one.motion);
             }
         }
@@ -85,9 +85,9 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
         sum.first_row = 0;
         sum.last_row = lens.drawn().height;
         if (exposure.rolls()) {
-            const double reach = exposure.halfLook() + exposure.halfRow();
+            const double reach = exposure.lookStepSeconds() + 0.5 * exposure.rowExposureSeconds();
             const auto rowAt = [&](double time_s) {
-                return time_s / exposure.secondsPerRow() + 0.5 * sensor.height;
+                return time_s / exposure.rowStepSeconds() + 0.5 * sensor.height;
             };
             std::tie(sum.first_row, sum.last_row) =
                 lens.drawnRows(rowAt(look.after_s - reach), rowAt(look.after_s + reach));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/camera/camera_motion.h"
 #include "engine/camera/sensor_params.h"
 #include "engine/core/result.h"
 #include "render/frame_context.h"
@@ -8,7 +7,7 @@
 #include "render/reference_pictures.h"
 #include "render/scene_renderer.h"
 #include "render/sensors/exposure.h"
-#include "render/sensors/object_path.h"
+#include "render/sensors/object_paths.h"
 #include "render/sensors/sensor_lens.h"
 
 #include <optional>
@@ -16,17 +15,11 @@
 
 namespace dollytrack::render {
 
-/// What moves while a picture is taken: the whole trajectory's, of which a dataset may hold a part.
-struct SensorMotion {
-    CameraMotion camera;
-    ObjectPaths objects;
-};
-
 /// The depth that a frame is focused on, m: as set, else the median of the targets in the middle
 /// half (by width and by height) of the frame, else of all that is there; `none` where that shows
 /// nothing.
-[[nodiscard]] std::optional<double> focusOf(const SensorParams& params, const Scene& scene,
-                                            const FrameRecord& frame);
+[[nodiscard]] std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
+                                                 const FrameRecord& frame);
 
 /// Takes the light of a frame as it falls into the sensor's lens: the mean of looks over shutter
 /// and aperture. A lens point (x, y) sees what lies in focus at the same place, so the picture from
@@ -34,8 +27,9 @@ struct SensorMotion {
 /// aperture * focal length in px * |1 / depth - 1 / focus|.
 class SensorPictures {
   public:
-    /// All but the renderer must outlive this.
-    static Result<SensorPictures> create(const FrameContext& context, const SensorMotion& motion);
+    /// `objects`: what moves while a picture is taken, over the whole trajectory. Both must outlive
+    /// this.
+    static Result<SensorPictures> create(const FrameContext& context, const ObjectPaths& objects);
 
     /// Fills `light` with linear light through the pinhole SensorLens::drawn(), 3 values a pixel.
     /// By `reference` where there is one. `frame` has depth and ids, if the focus depends on it.
@@ -44,8 +38,8 @@ class SensorPictures {
                               ReferencePictures* reference, std::vector<float>& light);
 
   private:
-    SensorPictures(const FrameContext& context, const SensorMotion& motion)
-        : context_(context), motion_(motion) {}
+    SensorPictures(const FrameContext& context, const ObjectPaths& objects)
+        : context_(context), objects_(objects) {}
     [[nodiscard]] View viewOf(const ExposureLook& look, const FrameRecord& frame,
                               std::optional<double> focus) const;
     [[nodiscard]] Status trace(const FrameRecord& frame, const Exposure& exposure,
@@ -53,7 +47,7 @@ class SensorPictures {
                                std::vector<float>& light) const;
 
     const FrameContext& context_;
-    const SensorMotion& motion_;
+    const ObjectPaths& objects_;
     std::optional<RenderTarget> target_;
 };
 

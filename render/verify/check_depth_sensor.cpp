@@ -209,7 +209,7 @@ CheckWork beginDepthSensor(const Subject& subject, Findings& findings) {
         const auto& asked = parameters["sensor"];
         for (const auto& [key, name] : {std::pair("depth_noise", "model"),
                                         {"depth_noise_strength", "strength"},
-                                        {"seed", "seed"}}) {
+                                        {"sensor_seed", "sensor_seed"}}) {
             if (asked.value(key, nlohmann::ordered_json()) ==
                 convention.value(name, nlohmann::ordered_json())) {
                 continue;

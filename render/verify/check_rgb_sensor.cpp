@@ -81,6 +81,26 @@ Small straightened(const Image8& picture, const Intrinsics& lens, const StoredDi
     return small;
 }
 
+/// A row is exposed as long as the shutter says, but with a rolling one for 1 / looks of the
+/// readout at least.
+void checkRowExposure(const Json& exposure, int height, Findings& findings) {
+    const auto number = [&](const char* key) {
+        return exposure.is_object() && exposure.contains(key) && exposure[key].is_number()
+                   ? exposure[key].get<double>()
+                   : -1.0;
+    };
+    const double shutter_s = number("shutter_s"), readout_s = number("readout_s");
+    const double found = number("row_exposure_s");
+    const bool rolls = readout_s > 0.0 && height > 1;
+    const double expected = rolls ? std::max(shutter_s, readout_s / number("looks")) : shutter_s;
+    if (std::abs(found - expected) <= 1e-12) return;
+    findings.add({"dataset.json",
+                  {},
+                  {},
+                  fmt::format("conventions.rgb_sensor exposure row_exposure_s is {:g}", found),
+                  fmt::format("{:g} s, by shutter_s, readout_s and looks", expected)});
+}
+
 /// Every parameter is said twice: as asked for, and where the files are described.
 void checkParameters(const StoredDataset& dataset, Findings& findings) {
     const Json convention = dataset.convention("rgb_sensor");
@@ -91,6 +111,7 @@ void checkParameters(const StoredDataset& dataset, Findings& findings) {
         add("conventions.rgb_sensor.distortion", "missing", "k1 k2 p1 p2 k3");
         return;
     }
+    checkRowExposure(convention.value("exposure", Json::object()), dataset.lens.height, findings);
     const Json& parameters = dataset.card.at("parameters");
     if (!parameters.contains("sensor")) return;  // exports without a command line
     const Json& asked = parameters["sensor"];
@@ -98,7 +119,7 @@ void checkParameters(const StoredDataset& dataset, Findings& findings) {
         {"distortion", {"k1", "k2", "p1", "p2", "k3"}},
         {"exposure", {"shutter_s", "readout_s", "looks"}},
         {"lens", {"aperture_mm", "focus_m", "vignetting"}},
-        {"noise", {"white_e", "read_noise_e", "seed"}},
+        {"noise", {"white_e", "read_noise_e", "sensor_seed"}},
         {"", {"jpeg_quality"}},
     }};
     for (const auto& [group, keys] : groups) {

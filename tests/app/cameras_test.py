@@ -163,8 +163,8 @@ class CamerasTest(FolderCase):
     # Rays of a wide lens, traced: the same things in about the same light, black around.
     def test_path_traced_pictures_are_of_the_same_lens(self):
         out = self.folder / "traced"
-        result = self.export(out, "--range", "0:1", "--picture", "render_mode=reference",
-                             "--picture", "reference_samples=64", "--rig",
+        result = self.export(out, "--range", "0:1", "--set", "render_mode=reference",
+                             "--set", "reference_samples=64", "--rig",
                              self.folder / "rig.json")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in ("bent", "even", "around", "plan"):

@@ -22,10 +22,10 @@ TEST(ExportProgram, IsAskedForWhatWasChosen) {
               (std::vector<std::string>{"dollytrack", "export", "/a b/flat.dolly", "--out",
                                         "/data/flat", "--range", "::", "--progress", "json"}));
     job.request.modalities = {"rgb", "depth"};
-    job.request.picture = {"antialias=8x"};
+    job.request.rig = "cameras.json";
     job.request.still = true;
     std::vector<std::string> more = plain;
-    for (const char* word : {"--modalities", "rgb,depth", "--picture", "antialias=8x", "--still"}) {
+    for (const char* word : {"--modalities", "rgb,depth", "--rig", "cameras.json", "--still"}) {
         more.emplace_back(word);
     }
     EXPECT_EQ(exportCommand("dollytrack", "/a b/flat.dolly", job), more);

@@ -66,7 +66,7 @@ void exportAndDie(const FakeProgram& program) {
         request.modalities = {"rgb"};
         request.formats = {"coco"};
         request.overwrite = true;
-        request.picture = {"antialias=8x"};
+        request.rig = "cameras.json";
         queue.add(request, project);
         queue.addFile(program.request("other"), "/some/other.dolly");
         const auto noted = [&] {
@@ -119,7 +119,7 @@ TEST(ExportRecovery, OffersWhatAKilledEditorLeft) {
     }
     const std::string words = contentOf(program.file("room") / "arguments");
     EXPECT_NE(words.find("--range 0:8:1 --progress json --modalities rgb --formats coco "
-                         "--picture antialias=8x --overwrite --resume\n"),
+                         "--rig cameras.json --overwrite --resume\n"),
               std::string::npos)
         << words;
     const std::string other = contentOf(program.file("other") / "arguments");

@@ -296,14 +296,14 @@ class Export(FolderCase):
 
     # --- path traced pictures
 
-    REFERENCE = ["--picture", "render_mode=reference", "--picture", "reference_samples=4",
+    REFERENCE = ["--set", "render_mode=reference", "--set", "reference_samples=4",
                  "--range", "0:3"]
 
     def test_path_traced_pictures_change_nothing_but_colours(self):
         out = {}
         for mode in ["fast", "reference"]:
             out[mode] = self.new_folder()
-            result = run("export", self.project, "--out", out[mode], *self.REFERENCE, "--picture",
+            result = run("export", self.project, "--out", out[mode], *self.REFERENCE, "--set",
                          f"render_mode={mode}", "--modalities", "all", "--threads",
                          "1" if mode == "fast" else "2")
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -321,7 +321,7 @@ class Export(FolderCase):
         for way in ["edges", "4x", "8x"]:
             out = self.new_folder()
             result = run("export", self.project, "--out", out, "--range", "0:3", "--modalities",
-                         "all", "--picture", f"antialias={way}")
+                         "all", "--set", f"antialias={way}")
             self.assertEqual(result.returncode, 0, result.stderr)
             files[way] = hashes(out)
         for one, other in [("edges", "4x"), ("4x", "8x")]:

@@ -29,6 +29,16 @@ def shutter_said_is_not_the_one_asked_for(copy):
 
 
 @found_by("rgb_sensor")
+def exposure_of_rows_said_is_not_the_shutters(copy):
+    copy.card["conventions"]["rgb_sensor"]["exposure"]["row_exposure_s"] *= 1.01
+
+
+@found_by("rgb_sensor")
+def exposure_of_rows_not_said(copy):
+    del copy.card["conventions"]["rgb_sensor"]["exposure"]["row_exposure_s"]
+
+
+@found_by("rgb_sensor")
 def distortion_not_said(copy):
     del copy.card["conventions"]["rgb_sensor"]["distortion"]
 
@@ -75,4 +85,4 @@ def sensor_depth_of_another_model(copy):
 
 @found_by("depth_sensor")
 def sensor_depth_of_another_seed(copy):
-    copy.card["conventions"]["depth_sensor"]["seed"] += 1
+    copy.card["conventions"]["depth_sensor"]["sensor_seed"] += 1

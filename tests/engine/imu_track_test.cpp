@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,10 @@ std::vector<TrajectoryFrame> sampled(Pose (*pose)(double), double interval_s, in
     return frames;
 }
 
+std::vector<ImuSample> trackOf(const std::vector<TrajectoryFrame>& frames, double rate_hz) {
+    return imuTrack(PoseSpline(frames), rate_hz, frames.front().time_s, frames.back().time_s);
+}
+
 /// 1 m around the origin in the plane, 1 rad/s, looking outwards.
 Pose circle(double t) {
     const Vector3d out(std::cos(t), std::sin(t), 0.0);
@@ -43,7 +48,7 @@ TEST(ImuTrack, AtRestFeelsGravityUpwardsInTheCamerasAxes) {
         frames[i].time_s = 0.1 * static_cast<double>(i);
         frames[i].pose = {{1, 2, 3}, lookAlong({1, 1, 0})};
     }
-    const auto track = imuTrack(frames, 100.0);
+    const auto track = trackOf(frames, 100.0);
     ASSERT_EQ(track.size(), 41U);
     for (const ImuSample& sample : track) {
         EXPECT_LT(sample.rate_rps.norm(), 1e-9);
@@ -54,7 +59,7 @@ TEST(ImuTrack, AtRestFeelsGravityUpwardsInTheCamerasAxes) {
 
 // Looking outwards on a circle: it turns about the vertical, and the centre pulls backwards.
 TEST(ImuTrack, OnACircleFeelsItsCentre) {
-    const auto track = imuTrack(sampled(circle, 0.05, 100), 200.0);
+    const auto track = trackOf(sampled(circle, 0.05, 100), 200.0);
     ASSERT_EQ(track.size(), 991U);
     for (std::size_t i = 50; i + 50 < track.size(); ++i) {
         EXPECT_LT((track[i].rate_rps - Vector3d(0, -1, 0)).norm(), 1e-4);
@@ -66,7 +71,7 @@ TEST(ImuTrack, OnACircleFeelsItsCentre) {
 TEST(ImuTrack, IntegratesBackToThePoses) {
     const auto frames = sampled(walk, 0.1, 301);
     constexpr double kRate = 400.0;
-    const auto track = imuTrack(frames, kRate);
+    const auto track = trackOf(frames, kRate);
     ASSERT_EQ(track.size(), 12001U);
     Quaterniond rotation = frames[0].pose.rotation;
     Vector3d position = frames[0].pose.position;
@@ -94,10 +99,37 @@ TEST(ImuTrack, IntegratesBackToThePoses) {
     EXPECT_LT(worst_turn, 1e-4);
 }
 
-TEST(ImuTrack, NeedsTwoFrames) {
-    EXPECT_TRUE(imuTrack(sampled(walk, 0.1, 1), 100.0).empty());
+TEST(ImuTrack, APartHasTheSamplesOfTheWhole) {
+    const auto frames = sampled(walk, 0.1, 41);
+    const PoseSpline path(frames);
+    const auto same = [](const ImuSample& a, const ImuSample& b) {
+        return a.time_s == b.time_s && a.rate_rps == b.rate_rps &&
+               a.specific_force_mps2 == b.specific_force_mps2;
+    };
+    for (const double rate_hz : {200.0, 33.0, 4.0}) {
+        const auto whole = trackOf(frames, rate_hz);
+        const double from = frames[7].time_s, to = frames[23].time_s;
+        const auto part = imuTrack(path, rate_hz, from, to);
+        const auto first = std::find_if(whole.begin(), whole.end(), [&](const ImuSample& sample) {
+            return same(sample, part.front());
+        });
+        ASSERT_GE(std::distance(first, whole.end()), std::ssize(part));
+        EXPECT_TRUE(std::equal(part.begin(), part.end(), first, same));
+        // It reaches to both ends, and by less than an interval beyond.
+        EXPECT_LE(part.front().time_s, from + 1e-9);
+        EXPECT_GT(part.front().time_s, from - 1.0 / rate_hz + 1e-9);
+        EXPECT_GE(part.back().time_s, to - 1e-9);
+        EXPECT_LT(part.back().time_s, to + 1.0 / rate_hz - 1e-9);
+        // What the part's frames alone would tell is something else.
+        const auto alone = trackOf({frames.begin() + 7, frames.begin() + 24}, rate_hz);
+        EXPECT_GT((alone.front().specific_force_mps2 - first->specific_force_mps2).norm(), 1e-3);
+    }
+}
+
+TEST(ImuTrack, OfFewFramesIsFinite) {
+    EXPECT_TRUE(trackOf(sampled(walk, 0.1, 3), 0.0).empty());
     for (const int frames : {2, 3, 4}) {
-        const auto track = imuTrack(sampled(walk, 0.1, frames), 100.0);
+        const auto track = trackOf(sampled(walk, 0.1, frames), 100.0);
         EXPECT_EQ(track.size(), static_cast<std::size_t>(10 * (frames - 1) + 1));
         for (const ImuSample& sample : track) {
             EXPECT_TRUE(sample.rate_rps.allFinite() && sample.specific_force_mps2.allFinite());

@@ -14,20 +14,20 @@ namespace {
 
 TEST(LightParams, APresetSetsTheLightAndWhatFollowsChangesIt) {
     LightParams params;
-    ASSERT_TRUE(setLightField(params, "sun_azimuth_deg=30"));
-    ASSERT_TRUE(setLightField(params, "light_seed=7"));
-    ASSERT_TRUE(setLightField(params, "lamp_strength=3"));
-    ASSERT_TRUE(setLightField(params, "light_preset=night"));
+    ASSERT_TRUE(setField(listLightFields(params), "sun_azimuth_deg=30"));
+    ASSERT_TRUE(setField(listLightFields(params), "light_seed=7"));
+    ASSERT_TRUE(setField(listLightFields(params), "lamp_strength=3"));
+    ASSERT_TRUE(setField(listLightFields(params), "light_preset=night"));
     EXPECT_EQ(params.lamp_strength, 1.0);  // the preset's
     EXPECT_EQ(params.sky_strength, 0.0);
     EXPECT_EQ(params.sun_azimuth_deg, 30.0);  // no preset's
     EXPECT_EQ(params.light_seed, 7);
-    ASSERT_TRUE(setLightField(params, "lamp_strength=0.5"));
+    ASSERT_TRUE(setField(listLightFields(params), "lamp_strength=0.5"));
     EXPECT_EQ(params.lamp_strength, 0.5);
     EXPECT_EQ(params.light_preset, LightPreset::Night);
     EXPECT_EQ(lightPreset(LightPreset::Neutral), LightParams{});
-    EXPECT_FALSE(setLightField(params, "light_preset=noon"));
-    EXPECT_FALSE(setLightField(params, "lamp_strength=11"));
+    EXPECT_FALSE(setField(listLightFields(params), "light_preset=noon"));
+    EXPECT_FALSE(setField(listLightFields(params), "lamp_strength=11"));
 }
 
 TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {

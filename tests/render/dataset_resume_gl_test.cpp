@@ -121,6 +121,49 @@ TEST_F(DatasetResumeGl, RefusesToMixTwoDatasets) {
     refused(settingsFor(out), trajectory, "the scene");
 }
 
+// The camera's curve through the frames of a range, and so what they blur and what inertial sensors
+// measure, depends on the frames around them.
+TEST_F(DatasetResumeGl, KnowsTheMotionOutsideOfTheRange) {
+    const Trajectory trajectory = circle(8);
+    const auto motionsUpTo = [&](double metres) {
+        ObjectMotion motion{scene_.objects.back().id, {}};
+        for (int i = 0; i < 8; ++i) {
+            motion.by_frame.emplace_back(Eigen::Translation3d(i < 7 ? 0.0 : metres, 0.0, 0.0));
+        }
+        return std::vector{motion};
+    };
+    const auto settingsOf = [&](const char* name, bool resume) {
+        DatasetSettings settings = settingsFor(folder_ / name, resume);
+        settings.range = {1, 5, 1};
+        settings.modalities = {"rgb_sensor"};
+        settings.formats = {"imu"};
+        settings.sensor.looks = 2;
+        return settings;
+    };
+    const auto refused = [&](const char* name, const Trajectory& with, const char* word) {
+        const auto result = exportWith(settingsOf(name, true), with);
+        ASSERT_FALSE(result) << name << " " << word;
+        EXPECT_EQ(result.error().code, ErrorCode::Usage);
+        EXPECT_NE(result.error().message.find(word), std::string::npos) << result.error().message;
+    };
+    Trajectory elsewhere = trajectory;
+    elsewhere.frames[6].pose.position.x() += 0.05;
+    motions_ = motionsUpTo(0.1);
+    auto cancel = std::make_shared<std::atomic<bool>>(false);
+    const JobContext stop(cancel, {}, [&](int done, int) { *cancel = done >= 2; });
+    ASSERT_FALSE(exportWith(settingsOf("part", false), trajectory, stop));
+    ASSERT_TRUE(exportWith(settingsOf("complete", false), trajectory));
+    refused("part", elsewhere, "the trajectory");
+    refused("complete", elsewhere, "whole_motion");
+    motions_ = motionsUpTo(0.2);
+    refused("part", trajectory, "the motions of objects");
+    refused("complete", trajectory, "whole_motion");
+    motions_ = motionsUpTo(0.1);
+    EXPECT_TRUE(exportWith(settingsOf("part", true), trajectory));
+    EXPECT_TRUE(exportWith(settingsOf("complete", true), trajectory));
+    EXPECT_EQ(tree(folder_ / "part"), tree(folder_ / "complete"));
+}
+
 TEST_F(DatasetResumeGl, ACompleteDatasetIsCheckedAndLeftAlone) {
     const Trajectory trajectory = circle(4);
     const fs::path out = folder_ / "out";

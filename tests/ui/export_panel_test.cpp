@@ -1,12 +1,45 @@
 #include "ui/panels/export_panel.h"
 
+#include "engine/camera/picture_params.h"
+#include "engine/camera/sensor_params.h"
 #include "tests/ui/screen.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace dollytrack::ui {
 namespace {
+
+/// Some of a project's parameters, as the panel gets them.
+struct Parameters {
+    Parameters() : fields(list(picture, sensor)), standard(list(usual_picture, usual_sensor)) {}
+    Parameters(const Parameters&) = delete;  // its fields point into it
+    Parameters& operator=(const Parameters&) = delete;
+
+    static FieldList list(PictureParams& picture, SensorParams& sensor) {
+        FieldCollector collector;
+        collector.beginSection("picture");
+        visitPictureParams(picture, collector);
+        FieldList all = collector.take();
+        const FieldList more = listSensorFields(sensor);
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    void showIn(ExportView& view) {
+        view.parameters = &fields;
+        view.standard = &standard;
+    }
+
+    PictureParams picture;
+    SensorParams sensor;
+    PictureParams usual_picture;
+    SensorParams usual_sensor;
+    FieldList fields;
+    FieldList standard;
+};
 
 struct Export {
     Export() {
@@ -30,10 +63,12 @@ struct Export {
     void draw() {
         const ExportActions now = drawExportPanel(view, draft);
         if (!now.edited.empty()) actions.edited = now.edited;
+        edited.insert(now.edited);
         actions.finished = actions.finished || now.finished;
         const auto keep = [](int& kept, int asked) { kept = asked != 0 ? asked : kept; };
         actions.add_current = actions.add_current || now.add_current;
         actions.choose_folder = actions.choose_folder || now.choose_folder;
+        actions.choose_rig = actions.choose_rig || now.choose_rig;
         actions.add_files = actions.add_files || now.add_files;
         actions.toggle_hold = actions.toggle_hold || now.toggle_hold;
         keep(actions.cancel, now.cancel);
@@ -47,6 +82,7 @@ struct Export {
     ExportView view;
     ExportDraft draft;
     ExportActions actions;
+    std::set<std::string> edited;  // all parameters that were
 };
 
 TEST(ExportPanel, AsksForWhatItsButtonsSay) {
@@ -151,25 +187,54 @@ TEST(ExportPanel, TakesTheRangeForOtherProjectsAsItIsMeant) {
 // What belongs to the other mode is not offered, and nothing where no colour is written.
 TEST(ExportPanel, ChoosesHowPicturesAreMade) {
     Export panel;
+    Parameters project;
     test::Screen screen([&] { panel.draw(); }, 380, 900);
-    EXPECT_TRUE(requestOf(panel.view, panel.draft).picture.empty());
+    EXPECT_EQ(screen.names().find("export.antialias"), std::string::npos) << "there is no project";
+    project.showIn(panel.view);
+    screen.frame(2);
     EXPECT_EQ(screen.names().find("reference_samples"), std::string::npos);
-    ASSERT_TRUE(screen.click("export.picture.antialias")) << screen.names();
+    ASSERT_TRUE(screen.click("export.antialias")) << screen.names();
     ASSERT_TRUE(screen.click("choice.8x")) << screen.names();
-    EXPECT_EQ(requestOf(panel.view, panel.draft).picture,
-              (std::vector<std::string>{"antialias=8x"}));
-    ASSERT_TRUE(screen.click("export.picture.render_mode"));
+    EXPECT_EQ(project.picture.antialias, Antialias::Samples8);
+    EXPECT_TRUE(panel.edited.contains("antialias"));
+    ASSERT_TRUE(screen.click("export.render_mode"));
     ASSERT_TRUE(screen.click("choice.reference"));
-    EXPECT_NE(screen.names().find("export.picture.reference_samples"), std::string::npos);
+    EXPECT_EQ(project.picture.render_mode, RenderMode::Reference);
+    screen.frame(2);
+    EXPECT_NE(screen.names().find("export.reference_samples"), std::string::npos);
     EXPECT_EQ(screen.names().find("antialias"), std::string::npos);
-    EXPECT_EQ(requestOf(panel.view, panel.draft).picture,
-              (std::vector<std::string>{"render_mode=reference"}));
     panel.draft.turned_modalities = {"rgb"};
     screen.frame(2);
-    EXPECT_EQ(screen.names().find("export.picture"), std::string::npos);
-    EXPECT_TRUE(requestOf(panel.view, panel.draft).picture.empty());
+    EXPECT_EQ(screen.names().find("export.render_mode"), std::string::npos);
     panel.draft.turned_formats = {"hdf5"};  // has the colours in its own files
-    EXPECT_EQ(requestOf(panel.view, panel.draft).picture.size(), 1U);
+    screen.frame(2);
+    EXPECT_NE(screen.names().find("export.render_mode"), std::string::npos);
+}
+
+// A sensor's settings show where it takes something, and a preset sets what belongs to it.
+TEST(ExportPanel, ChoosesTheSensor) {
+    Export panel;
+    Parameters project;
+    project.showIn(panel.view);
+    panel.view.modalities.push_back({"rgb_sensor", "what a real camera makes of it", false, true});
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_EQ(screen.names().find("sensor_preset"), std::string::npos);
+    ASSERT_TRUE(screen.click("export.modality.rgb_sensor")) << screen.names();
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("export.sensor_preset")) << screen.names();
+    ASSERT_TRUE(screen.click("choice.webcam"));
+    EXPECT_EQ(project.sensor, sensorPreset(SensorPreset::Webcam));
+    EXPECT_TRUE(panel.edited.contains("sensor_preset"));
+}
+
+TEST(ExportPanel, TakesARig) {
+    Export panel;
+    test::Screen screen([&] { panel.draw(); }, 380, 900);
+    EXPECT_TRUE(requestOf(panel.view, panel.draft).rig.empty());
+    ASSERT_TRUE(screen.click("export.choose_rig")) << screen.names();
+    EXPECT_TRUE(panel.actions.choose_rig);
+    panel.draft.rig = "/cameras.json";
+    EXPECT_EQ(requestOf(panel.view, panel.draft).rig, "/cameras.json");
 }
 
 TEST(ExportPanel, SetsTheSizeOfTheImage) {

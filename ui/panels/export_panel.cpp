@@ -1,7 +1,7 @@
 #include "ui/panels/export_panel.h"
 
 #include "ui/panels/export_jobs.h"
-#include "ui/panels/export_pictures.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/field_editor.h"
@@ -274,6 +274,11 @@ bool wantsFlow(const ExportView& view, const ExportDraft& draft) {
     return isIn(names, "flow_forward") || isIn(names, "flow_backward");
 }
 
+bool wantsSensors(const ExportView& view, const ExportDraft& draft) {
+    const auto names = chosen(view.modalities, draft.turned_modalities);
+    return isIn(names, "rgb_sensor") || isIn(names, "depth_sensor");
+}
+
 bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
     const auto wanted = [](const std::vector<ExportChoice>& all,
                            const std::vector<std::string>& turned) {
@@ -319,15 +324,53 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     return {};
 }
 
+/// How colour pictures are made, and what a sensor makes of them, where such files are written.
+void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
+                           ExportActions& actions) {
+    if (view.parameters == nullptr) return;
+    const auto row = [&](const char* label, const char* tip,
+                         std::initializer_list<std::string_view> names) {
+        formLabel(label, tip);
+        const ParameterRowEdit edit =
+            drawParameterRow(*view.parameters, *view.standard, names, "export");
+        if (!edit.name.empty()) actions.edited = edit.name;
+        actions.finished = actions.finished || edit.finished;
+    };
+    if (const Field* mode = fieldNamed(*view.parameters, "render_mode");
+        mode != nullptr && wantsPictures(view, draft)) {
+        row("Pictures", "How colour pictures are made; all other files are the same",
+            {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
+    }
+    if (wantsPictures(view, draft)) {
+        row("Light", "What light colour pictures are made in; more of it is among the parameters",
+            {"light_preset", "exposure_ev"});
+    }
+    if (wantsSensors(view, draft)) {
+        row("Sensors", "What real cameras make of it; more of them is among the parameters",
+            {"sensor_preset", "depth_noise"});
+    }
+}
+
+void drawRig(ExportDraft& draft, ExportActions& actions) {
+    formLabel("Rig", "Further cameras that ride on the planned one; their images go to cameras/");
+    const char* label = "Choose…##rig";
+    const float width =
+        ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::InputTextWithHint("##rig_file", "none, or a JSON file of cameras", &draft.rig);
+    nameItem("export.rig");
+    tooltip(draft.rig);
+    ImGui::SameLine();
+    if (button(label, "export.choose_rig")) actions.choose_rig = true;
+}
+
 void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     if (!beginForm("place", 0.22F)) return;
     drawFolder(view, draft, actions);
     drawImageSize(view, draft, actions);
     drawFrames(view, draft);
-    if (wantsPictures(view, draft)) {
-        formLabel("Pictures", "How colour pictures are made; all other files are the same");
-        drawPictureFields(draft.picture);
-    }
+    drawPictureParameters(view, draft, actions);
+    drawRig(draft, actions);
     endForm();
 }
 
@@ -368,8 +411,9 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     flowTo("Add projects…");
     if (button("Add projects…", "export.add_files",
                {isReversed(draft) ? rangeNote(view, draft) : "",
-                fmt::format("Queue other .dolly files: {}, with the modalities and formats ticked "
-                            "here, in the size of their own cameras; each gets a folder beside {}",
+                fmt::format("Queue other .dolly files: {}, with the modalities, formats and rig "
+                            "chosen here and parameters of their own; each gets a folder beside "
+                            "{}",
                             rangeForOthers(draft) == "::" ? "all of their frames"
                                                           : "this range of their frames",
                             draft.folder.empty() ? "its project" : "this one")})) {
@@ -427,7 +471,7 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     if (wantsFlow(view, draft) && draft.flow_distances != "1") {
         request.flow_distances = draft.flow_distances;
     }
-    if (wantsPictures(view, draft)) request.picture = pictureSettings(draft.picture);
+    request.rig = draft.rig;
     request.still = view.has_tracks && draft.still;
     request.overwrite = draft.overwrite;
     return request;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/camera/camera_params.h"
-#include "engine/camera/picture_params.h"
 #include "engine/core/field_list.h"
 #include "ui/export_job.h"
 
@@ -25,7 +24,7 @@ struct ExportView {
     int frame_count = 0;  // of its trajectory
     int current_frame = 0;
     CameraParams camera;
-    FieldList* parameters = nullptr;      // of the project, to set the image's size; null: none
+    FieldList* parameters = nullptr;      // of the project, to set what is exported; null: none
     const FieldList* standard = nullptr;  // the same, as they are by default
     std::string folder_says;              // what the folder holds; empty: not known, or nothing
     bool folder_warns = false;            // of something that one may not expect
@@ -53,7 +52,7 @@ struct ExportDraft {
     std::vector<std::string> turned_modalities;
     std::vector<std::string> turned_formats;
     std::string flow_distances = "1";  // in frames, "1,5"
-    PictureParams picture;
+    std::string rig;                   // a file of cameras that ride along; empty: none
     bool still = false;
     bool overwrite = false;
 
@@ -71,6 +70,7 @@ struct ExportDraft {
 /// What the user asked for; jobs by their number, 0: none.
 struct ExportActions {
     bool choose_folder = false;
+    bool choose_rig = false;
     std::string edited;        // name of the parameter that was changed
     bool finished = false;     // with the mouse let go: one step of undo
     bool add_current = false;  // with requestOf(view, state)

@@ -1,5 +1,6 @@
 """Datasets made from the editor, and the preview that shows what they will hold."""
 import hashlib
+import json
 import pathlib
 import subprocess
 
@@ -174,6 +175,30 @@ class Exporting(Task):
         self.finished(self.queue(out))
         picture = cv2.imread(str(next((out / "rgb").glob("*.png"))))
         self.assertEqual(picture.shape[:2], (120, 200))
+
+    def test_choose_a_rig_and_how_pictures_are_made(self):
+        self.start_project(*SMALL)
+        rig = self.folder / "rig.json"
+        rig.write_text(json.dumps({
+            "format": "dollytrack-rig", "version": 1, "cameras": [
+                {"name": "around", "lens": "equirectangular", "width_px": 64, "height_px": 32}]}))
+        self.editor.key("ctrl+e")
+        self.editor.click("export.antialias")
+        self.editor.click("choice.edges")
+        state = self.editor.idle()
+        self.assertEqual(state["parameters"]["picture"]["antialias"], "edges")
+        self.assertEqual(state["history"][-1], "Set antialias to edges")
+        self.press_in_panel("export.choose_rig")
+        self.editor.choose_file(rig)
+        out = self.folder / "dataset"
+        self.finished(self.queue(out))
+        same = self.folder / "same"
+        self.by_command_line(same, "--rig", rig, "--set", "antialias=edges")
+        self.assertTrue(list((out / "cameras/around/rgb").glob("*.png")))
+        self.assertEqual(self.hashes(out), self.hashes(same))
+        plain = self.folder / "plain"
+        self.by_command_line(plain)
+        self.assertNotEqual(self.hashes(out / "rgb"), self.hashes(plain / "rgb"), "other pictures")
 
     def test_queue_two_projects(self):
         self.start_project(*SMALL)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace dollytrack::render {
@@ -27,7 +28,7 @@ struct Wall {
         SensorParams params;
         params.depth_noise = model;
         params.depth_noise_strength = strength;
-        params.seed = seed;
+        params.sensor_seed = seed;
         return noisyDepth(params,
                           {frame, lens, Eigen::Quaterniond::Identity(), depth, normals, albedo});
     }
@@ -149,6 +150,40 @@ TEST(DepthNoise, StructuredLightComesInStepsOfDisparity) {
     };
     EXPECT_NEAR(errorAround(1.0), 1.0, 0.1);
     EXPECT_NEAR(errorAround(3.0), 1.0, 0.1);
+}
+
+// The published program looks aside first and then at the even pixel at or before that place.
+TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
+    // Depths of blocks of 2 x 2 px that repeat every three across; odd pixels have depths of their
+    // own, which nothing may show. Noise is far smaller than the steps between all of them.
+    const std::array<float, 3> depths = {1.00F, 1.03F, 1.06F};
+    Wall wall(1.0);
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            const bool even = x % 2 == 0 && y % 2 == 0;
+            wall.at(x, y) = depths[static_cast<std::size_t>(x / 2 % 3)] + (even ? 0.0F : 0.015F);
+        }
+    }
+    const std::vector<float> seen = wall.seen(DepthNoise::Redwood);
+    std::array<std::array<int, 3>, 2> from = {};  // by odd or even x: block before, own, after
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 2; x < 318; ++x) {
+            const double one = seen[static_cast<std::size_t>(y) * 320 + x];
+            int block = -1;
+            for (int i = 0; i < 3; ++i) {
+                if (std::abs(one - depths[static_cast<std::size_t>(i)]) < 0.007) block = i;
+            }
+            ASSERT_GE(block, 0) << one << " at " << x << " " << y << " is no even pixel's";
+            ++from[static_cast<std::size_t>(x % 2)]
+                  [static_cast<std::size_t>((block - x / 2 % 3 + 4) % 3)];
+        }
+    }
+    // Half a pixel is two deviations: 2.275 % of all look further to one side.
+    const double all = 240.0 * 158.0;
+    EXPECT_NEAR(from[0][0] / all, 0.02275, 0.004) << "even ones leave their block to the left";
+    EXPECT_EQ(from[0][2], 0);
+    EXPECT_NEAR(from[1][2] / all, 0.02275, 0.004) << "odd ones to the right";
+    EXPECT_EQ(from[1][0], 0);
 }
 
 TEST(DepthNoise, DependsOnSeedAndFrame) {

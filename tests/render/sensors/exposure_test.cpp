@@ -1,7 +1,7 @@
 #include "render/sensors/exposure.h"
 
 #include "engine/camera/camera_motion.h"
-#include "render/sensors/object_path.h"
+#include "render/sensors/object_paths.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -22,46 +22,62 @@ SensorParams timed(double shutter_s, double readout_s, int looks = 16) {
     return params;
 }
 
-struct RowTime {
-    double mean_s = 0.0;
+/// Of the looks that a row is the mean of, by their weights.
+struct RowMeans {
+    double weight = 0.0;
+    double time_s = 0.0;
     double deviation_s = 0.0;
+    Eigen::Vector2d aperture = Eigen::Vector2d::Zero();
+    Eigen::Vector2d aside_px = Eigen::Vector2d::Zero();
 };
 
-RowTime timeOf(const Exposure& exposure, double y) {
-    double weights = 0.0, sum = 0.0, squares = 0.0;
+RowMeans meansOf(const Exposure& exposure, double y) {
+    RowMeans means;
+    double squares = 0.0;
     for (const ExposureLook& look : exposure.looks()) {
         const double weight = exposure.weight(look, y);
-        weights += weight;
-        sum += weight * look.after_s;
+        means.weight += weight;
+        means.time_s += weight * look.after_s;
         squares += weight * look.after_s * look.after_s;
+        means.aperture += weight * look.aperture;
+        means.aside_px += weight * look.aside_px;
     }
-    const double mean = sum / weights;
-    return {mean, std::sqrt(std::max(0.0, squares / weights - mean * mean))};
+    means.deviation_s = std::sqrt(std::max(0.0, squares - means.time_s * means.time_s));
+    return means;
 }
 
 TEST(Exposure, LooksAreSpreadOverTheShutter) {
     const Exposure exposure(timed(0.02, 0.0), kHeight, 3);
     ASSERT_EQ(exposure.looks().size(), 16U);
-    const RowTime first = timeOf(exposure, 0.5);
-    EXPECT_NEAR(first.mean_s, 0.0, 1e-12);
+    const RowMeans first = meansOf(exposure, 0.5);
+    EXPECT_NEAR(first.time_s, 0.0, 1e-12);
     // Of an even spread, shutter / sqrt(12).
     EXPECT_NEAR(first.deviation_s, 0.02 / std::sqrt(12.0), 0.0001);
-    EXPECT_EQ(timeOf(exposure, kHeight - 0.5).mean_s, first.mean_s) << "all rows at once";
-    EXPECT_EQ(timeOf(Exposure(timed(0.0, 0.0), kHeight, 3), 0.5).deviation_s, 0.0);
+    EXPECT_EQ(meansOf(exposure, kHeight - 0.5).time_s, first.time_s) << "all rows at once";
+    EXPECT_EQ(meansOf(Exposure(timed(0.0, 0.0), kHeight, 3), 0.5).deviation_s, 0.0);
 }
 
-TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeToAQuarterOfALook) {
+TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeAndTheSamePointsExactly) {
     for (const auto& [shutter, readout] :
-         {std::pair(1.0 / 60.0, 0.015), {0.002, 0.02}, {0.03, 0.005}}) {
-        const Exposure exposure(timed(shutter, readout), kHeight, 0);
-        EXPECT_LE(exposure.looks().size(), 64U);
-        double largest = 0.0;
-        for (int row = 0; row < kHeight; ++row) {
-            const double expected = readout * (row / (kHeight - 1.0) - 0.5);
-            largest = std::max(largest, std::abs(timeOf(exposure, row + 0.5).mean_s - expected));
+         {std::pair(1.0 / 60.0, 0.015), {0.002, 0.02}, {0.03, 0.005}, {0.0, 0.02}}) {
+        for (const int looks : {1, 2, 5, 16}) {
+            const Exposure exposure(timed(shutter, readout, looks), kHeight, 0);
+            EXPECT_LE(static_cast<int>(exposure.looks().size()), 4 * looks);
+            const double row_s = std::max(shutter, readout / looks);
+            EXPECT_EQ(exposure.rowExposureSeconds(), row_s);
+            for (int row = 0; row < kHeight; ++row) {
+                const RowMeans means = meansOf(exposure, row + 0.5);
+                const double expected_s = readout * (row / (kHeight - 1.0) - 0.5);
+                ASSERT_NEAR(means.weight, 1.0, 1e-12) << row;
+                ASSERT_NEAR(means.time_s, expected_s, 1e-12) << row << " of " << looks;
+                // Evenly over the exposure, and between looks straight on from one to the next.
+                const double step_s = exposure.lookStepSeconds();
+                ASSERT_NEAR(means.deviation_s,
+                            std::sqrt(row_s * row_s / 12.0 + step_s * step_s / 6.0), 1e-9);
+                ASSERT_LT(means.aperture.norm(), 1e-12) << row << " of " << looks;
+                ASSERT_LT(means.aside_px.norm(), 1e-12) << row << " of " << looks;
+            }
         }
-        const double half_look_rows = exposure.halfLook() / exposure.secondsPerRow();
-        EXPECT_LT(largest / exposure.secondsPerRow(), 0.5 * half_look_rows) << shutter;
     }
 }
 
@@ -71,10 +87,10 @@ TEST(Exposure, LooksMeetInTheMiddleOfPixelAndAperture) {
     Eigen::Vector2d lens = Eigen::Vector2d::Zero(), aside = lens;
     double farthest = 0.0, moment = 0.0;
     for (const ExposureLook& look : exposure.looks()) {
-        lens += look.lens;
-        aside += look.aside;
-        farthest = std::max(farthest, look.lens.norm());
-        moment += look.lens.squaredNorm() / 32.0;
+        lens += look.aperture;
+        aside += look.aside_px;
+        farthest = std::max(farthest, look.aperture.norm());
+        moment += look.aperture.squaredNorm() / 32.0;
     }
     EXPECT_NEAR(lens.norm(), 0.0, 1e-12);
     EXPECT_NEAR(aside.norm(), 0.0, 1e-12);
@@ -82,13 +98,13 @@ TEST(Exposure, LooksMeetInTheMiddleOfPixelAndAperture) {
     EXPECT_NEAR(moment, 0.5, 0.05) << "the mean square of an evenly covered disc";
 
     const auto first = [](const SensorParams& of, int frame) {
-        return Exposure(of, kHeight, frame).looks().front().lens;
+        return Exposure(of, kHeight, frame).looks().front().aperture;
     };
     EXPECT_NE(first(params, 7), first(params, 8));
     SensorParams other = params;
-    other.seed = 2;
+    other.sensor_seed = 2;
     EXPECT_NE(first(params, 7), first(other, 7));
-    EXPECT_EQ(first(params, 7), Exposure(params, kHeight, 7).looks().front().lens);
+    EXPECT_EQ(first(params, 7), Exposure(params, kHeight, 7).looks().front().aperture);
 }
 
 Trajectory turning() {
@@ -155,17 +171,18 @@ TEST(ObjectPaths, ThingsGoStraightOnAndTurnEvenly) {
 
 TEST(SensorParams, APresetSetsTheCameraAndWhatFollowsChangesIt) {
     SensorParams params;
-    params.seed = 9;
+    params.sensor_seed = 9;
     params.depth_noise = DepthNoise::Redwood;
-    ASSERT_TRUE(setSensorField(params, "preset=webcam"));
+    const FieldList fields = listSensorFields(params);
+    ASSERT_TRUE(setField(fields, "sensor_preset=webcam"));
     EXPECT_EQ(params.jpeg_quality, 75);
-    EXPECT_EQ(params.seed, 9);
+    EXPECT_EQ(params.sensor_seed, 9);
     EXPECT_EQ(params.depth_noise, DepthNoise::Redwood);
-    ASSERT_TRUE(setSensorField(params, "jpeg_quality=60"));
+    ASSERT_TRUE(setField(fields, "jpeg_quality=60"));
     EXPECT_EQ(params.jpeg_quality, 60);
     EXPECT_LT(params.k1, 0.0);
     EXPECT_EQ(sensorPreset(SensorPreset::Phone), SensorParams{});
-    const Status wrong = setSensorField(params, "shutter=1");
+    const Status wrong = setField(fields, "shutter=1");
     ASSERT_FALSE(wrong);
     EXPECT_NE(describe(wrong.error()).find("shutter_s"), std::string::npos);
 }

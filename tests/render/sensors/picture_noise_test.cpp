@@ -78,7 +78,7 @@ TEST(PictureNoise, NoneIsNone) {
 TEST(PictureNoise, DependsOnSeedFrameAndPixelAlone) {
     const auto noise = [](int seed, int frame) {
         SensorParams params = noisy(1000.0, 5.0);
-        params.seed = seed;
+        params.sensor_seed = seed;
         std::vector<float> values(3000, 0.5F);
         addPictureNoise(params, frame, values);
         return values;

@@ -153,12 +153,12 @@ TEST(SensorLens, CornersDarkenByTheFourthPowerOfTheCosine) {
         const std::size_t pixel = static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x);
         const double angle = std::atan(lens.unproject(x + 0.5, y + 0.5).head<2>().norm());
         const double expected = std::pow(std::cos(angle), 4);
-        EXPECT_NEAR(full.brightness(pixel), expected, 1e-6);
-        EXPECT_NEAR(half.brightness(pixel), 0.5 * (1.0 + expected), 1e-6);
+        EXPECT_NEAR(full.lightShare(pixel), expected, 1e-6);
+        EXPECT_NEAR(half.lightShare(pixel), 0.5 * (1.0 + expected), 1e-6);
         const std::vector<float> seen = full.take(std::vector<float>(3 * 320 * 240, 0.8F));
         EXPECT_NEAR(seen[3 * pixel], 0.8 * expected, 1e-6);
     }
-    EXPECT_LT(full.brightness(0), 0.4F);
+    EXPECT_LT(full.lightShare(0), 0.4F);
 }
 
 TEST(SensorLens, WhatTheModelDoesNotReachIsBlackAndCounted) {
@@ -178,6 +178,58 @@ TEST(SensorLens, WhatTheModelDoesNotReachIsBlackAndCounted) {
         std::vector<float>(3 * static_cast<std::size_t>(drawn.width) * drawn.height, 1.0F));
     EXPECT_EQ(seen.front(), 0.0F);
     EXPECT_FLOAT_EQ(seen[3 * (120 * 320 + 160)], 1.0F);
+}
+
+TEST(SensorLens, PresetsRiseToTheCornersOfTheWidestPicture) {
+    for (const SensorPreset preset :
+         {SensorPreset::Ideal, SensorPreset::Phone, SensorPreset::Webcam,
+          SensorPreset::ActionCamera, SensorPreset::MachineVision}) {
+        const SensorParams params = sensorPreset(preset);
+        for (const auto& [width, height] : {std::pair(160, 120), {192, 108}, {90, 160}}) {
+            CameraParams camera;
+            camera.width_px = width;
+            camera.height_px = height;
+            for (const double fov : {60.0, 90.0, 150.0}) {
+                camera.hfov_deg = fov;
+                EXPECT_TRUE(validateLens(camera, params)) << static_cast<int>(preset) << " " << fov;
+                EXPECT_EQ(SensorLens(camera, params).blackCount(), 0U);
+                const Intrinsics lens = makeIntrinsics(camera);
+                const double corner = lens.unproject(0.0, 0.0).head<2>().norm();
+                double before = 0.0;
+                for (double r = 0.001; r < corner; r += 0.001) {
+                    const double s = r * r;
+                    const double now =
+                        r * (1.0 + params.k1 * s + params.k2 * s * s + params.k3 * s * s * s);
+                    ASSERT_GT(now, before) << static_cast<int>(preset) << " at " << r;
+                    before = now;
+                }
+            }
+        }
+    }
+}
+
+// r (1 - r^2 + 0.3 r^4) falls from 0.65 on and rises again from 1.26: what a bent place seems to
+// show behind the fold, it shows a second time.
+TEST(SensorLens, WhatLiesBehindAFoldIsRefused) {
+    const LensDistortion folded = {-1.0, 0.3, 0.0, 0.0, 0.0};
+    const auto derivative = [](double r) { return 1.0 - 3.0 * r * r + 1.5 * std::pow(r, 4); };
+    double fold = 0.0;
+    while (derivative(fold) > 0.0) fold += 1e-4;
+    EXPECT_TRUE(folded.risesTo(fold - 1e-3));
+    EXPECT_FALSE(folded.risesTo(fold + 1e-3));
+    EXPECT_FALSE(folded.risesTo(3.0)) << "where it rises again";
+    const double highest = folded.bend({fold, 0.0}).x();
+    for (double bent = 0.005; bent < 2.0; bent += 0.01) {
+        EXPECT_EQ(folded.straighten({bent, 0.0}).has_value(), bent < highest - 1e-3) << bent;
+    }
+    CameraParams camera = wideCamera();
+    const Status refused = validateLens(camera, bent(-1.0, 0.3));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Usage);
+    EXPECT_NE(refused.error().message.find("hfov_deg"), std::string::npos);
+    EXPECT_GT(SensorLens(camera, bent(-1.0, 0.3)).blackCount(), 0U);
+    camera.hfov_deg = 20.0;
+    EXPECT_TRUE(validateLens(camera, bent(-1.0, 0.3)));
 }
 
 TEST(SensorLens, DrawnRowsHoldWhatRowsLookAt) {

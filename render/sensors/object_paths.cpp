@@ -1,4 +1,4 @@
-#include "render/sensors/object_path.h"
+#include "render/sensors/object_paths.h"
 
 #include <algorithm>
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <Eigen/Core>
+
+#include <string>
+
+namespace dollytrack::render {
+
+/// Numbers exactly and short: hexadecimal floating point, each after a space.
+template <class Vector>
+std::string exactText(const Vector& values) {
+    std::string result;
+    for (Eigen::Index i = 0; i < values.size(); ++i) result += fmt::format(" {:a}", values[i]);
+    return result;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,18 @@
+#include "render/gl/context_choice.h"
+
+#include <utility>
+
+namespace dollytrack::gl {
+
+Result<std::unique_ptr<Context>> openFirst(std::span<const ContextChoice> choices) {
+    std::string tried;
+    for (const ContextChoice& choice : choices) {
+        Result<std::unique_ptr<Context>> context = choice.open();
+        if (context) return context;
+        tried += (tried.empty() ? "" : ", ") + choice.name + " (" + context.error().message + ")";
+    }
+    return fail(ErrorCode::NoOpenGl, "nothing draws without a window; tried: " +
+                                         (tried.empty() ? "nothing, as there is nothing" : tried));
+}
+
+}  // namespace dollytrack::gl

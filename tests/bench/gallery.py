@@ -1,0 +1,100 @@
+"""Makes README's gallery: rooms as they are drawn and as they are path traced, beside each other.
+
+Usage: gallery.py PROGRAM OUT.jpg NAME=SCENE...
+
+PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene the two frames that show the
+most of its things, apart in time, are taken. Prints how alike the pictures are."""
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import cv2
+import numpy as np
+
+SIZE = ["--set", "width_px=480", "--set", "height_px=360"]
+SAMPLES = 256
+GAP, CAPTION = 6, 26
+
+
+def run(*command):
+    result = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if result.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{result.stderr}")
+    return result.stdout
+
+
+def best_frames(dataset, count):
+    """Numbers of the frames whose things take most of the picture, each once, far apart."""
+    shown = {}
+    with open(dataset / "instances.csv", newline="") as rows:
+        for row in csv.DictReader(rows):
+            frame = int(row["frame"])
+            # A thing that fills the picture counts no more than one of a tenth of it.
+            part = min(float(row["visible_px"]) / (480 * 360), 0.1)
+            shown[frame] = shown.get(frame, 0.0) + part
+    frames = sorted(shown, key=lambda frame: (-shown[frame], frame))
+    chosen = []
+    for frame in frames:
+        if all(abs(frame - other) >= len(shown) // 4 for other in chosen):
+            chosen.append(frame)
+        if len(chosen) == count:
+            break
+    return chosen
+
+
+def caption(width, text):
+    strip = np.full((CAPTION, width, 3), 255, np.uint8)
+    cv2.putText(strip, text, (2, CAPTION - 9), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (40, 40, 40), 1,
+                cv2.LINE_AA)
+    return strip
+
+
+def room(program, name, scene, folder):
+    """The room's picture: a row a frame, drawn and path traced."""
+    project = folder / "room.dolly"
+    run(program, "-q", "plan", scene, "-o", project, "--max-frames", 60, *SIZE)
+    look = folder / "look"
+    run(program, "-q", "export", project, "--out", look, "--modalities", "instance", "--formats",
+        "instances")
+    rows, figures = [], []
+    for frame in best_frames(look, 2):
+        sides = {}
+        for mode in ("fast", "reference"):
+            sides[mode] = folder / f"{mode}_{frame}"
+            run(program, "-q", "export", project, "--out", sides[mode], "--range",
+                f"{frame}:{frame + 1}", "--modalities", "rgb", "--formats", "camera_json", "--set",
+                f"render_mode={mode}", "--set", f"reference_samples={SAMPLES}", "--set",
+                "antialias=8x")
+        figures.append(run(program.parent / "picture_agreement", sides["fast"],
+                           sides["reference"]).splitlines()[-1])
+        pictures = [cv2.imread(str(sides[mode] / "rgb" / f"{frame:06}.png"))
+                    for mode in ("fast", "reference")]
+        rows.append(np.hstack([pictures[0], np.full((pictures[0].shape[0], GAP, 3), 255, np.uint8),
+                               pictures[1]]))
+    for line in figures:
+        print(f"{name}: {line}", flush=True)
+    gap = np.full((GAP, rows[0].shape[1], 3), 255, np.uint8)
+    width = rows[0].shape[1]
+    return np.vstack([caption(width, f"{name}: drawn (left), path traced (right)"),
+                      *[part for row in rows for part in (row, gap)]])
+
+
+def main():
+    program, out = pathlib.Path(sys.argv[1]).absolute(), sys.argv[2]
+    blocks = []
+    for one in sys.argv[3:]:
+        name, scene = one.split("=", 1)
+        with tempfile.TemporaryDirectory() as folder:
+            blocks.append(room(program, name, scene, pathlib.Path(folder)))
+    rows = []
+    for left, right in zip(blocks[::2], blocks[1::2]):
+        rows.append(np.hstack([left, np.full((left.shape[0], 3 * GAP, 3), 255, np.uint8), right]))
+    sheet = np.vstack(rows)
+    sheet = cv2.resize(sheet, None, fx=0.6, fy=0.6, interpolation=cv2.INTER_AREA)
+    cv2.imwrite(out, sheet, [cv2.IMWRITE_JPEG_QUALITY, 85])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,77 @@
+#include "planning/plan_params.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+
+namespace dollytrack::planning {
+namespace {
+
+/// Another value of the field than it has.
+void change(const Field& field) {
+    if (const auto* choice = std::get_if<Field::Choice>(&field.value)) {
+        choice->set((choice->get() + 1) % static_cast<int>(choice->info.names.size()));
+    } else if (const auto* on_off = std::get_if<Field::Switch>(&field.value)) {
+        *on_off->value = !*on_off->value;
+    } else if (const auto* whole = std::get_if<Field::Integer>(&field.value)) {
+        *whole->value += *whole->value < whole->info.max ? 1 : -1;
+    } else {
+        const auto& real = std::get<Field::Real>(field.value);
+        *real.value += *real.value < real.info.max ? 0.001 : -0.001;
+    }
+}
+
+TEST(PlanParams, EveryNameIsThereOnce) {
+    PlanParams params;
+    std::set<std::string> names;
+    for (const Field& field : listFields(params)) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+    }
+}
+
+// What shapes pictures and files alone leaves a plan what it is; everything else does not.
+TEST(PlanParams, KnowWhatAPlanDependsOn) {
+    const std::set<std::string> without_a_say = {"imu", "stereo", "picture", "light", "sensor"};
+    const PlanParams standard;
+    PlanParams params;
+    const std::size_t count = listFields(params).size();
+    std::map<std::string, int> seen;
+    for (std::size_t i = 0; i < count; ++i) {
+        PlanParams changed;
+        const Field field = listFields(changed)[i];
+        change(field);
+        EXPECT_FALSE(changed == standard) << field.name;
+        EXPECT_EQ(makeSamePlan(standard, changed), without_a_say.contains(field.section))
+            << field.name;
+        ++seen[field.section];
+    }
+    for (const std::string& section : without_a_say) EXPECT_GT(seen[section], 0) << section;
+}
+
+TEST(PlanParams, APresetSetsOthersAndWhatIsNamedBesideItChangesSingleOnes) {
+    PlanParams params;
+    // JSON sorts its names: k1 comes before sensor_preset there.
+    ASSERT_TRUE(
+        setFromJson(listFields(params), {{"sensor", {{"k1", 0.25}, {"sensor_preset", "webcam"}}}}));
+    SensorParams expected = sensorPreset(SensorPreset::Webcam);
+    expected.k1 = 0.25;
+    EXPECT_EQ(params.sensor, expected);
+    PlanParams again;
+    ASSERT_TRUE(setFromJson(listFields(again), toJson(listFields(params))));
+    EXPECT_EQ(again, params);
+    ASSERT_TRUE(setField(listFields(params), "sensor_preset=ideal"));
+    EXPECT_EQ(params.sensor, sensorPreset(SensorPreset::Ideal));
+
+    ASSERT_TRUE(setFromJson(listFields(params),
+                            {{"light", {{"exposure_ev", 1.5}, {"light_preset", "night"}}}}));
+    LightParams night = lightPreset(LightPreset::Night);
+    night.exposure_ev = 1.5;
+    EXPECT_EQ(params.light, night);
+}
+
+}  // namespace
+}  // namespace dollytrack::planning
