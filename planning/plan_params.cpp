@@ -10,6 +10,7 @@ FieldList listFields(PlanParams& params) {
         params, [&](std::string_view section) { collector.beginSection(section); }, collector);
     FieldList fields = collector.take();
     letSensorPresetSetOthers(fields, params.sensor);
+    letLightPresetSetOthers(fields, params.light);
     return fields;
 }
 
@@ -19,6 +20,7 @@ bool makeSamePlan(const PlanParams& a, const PlanParams& b) {
     c.stereo = a.stereo;
     c.picture = a.picture;
     c.sensor = a.sensor;
+    c.light = a.light;
     return a == c;
 }
 

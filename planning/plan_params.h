@@ -5,6 +5,7 @@
 #include "engine/camera/sensor_params.h"
 #include "engine/core/field_list.h"
 #include "engine/plan/image_score.h"
+#include "engine/scene/light_params.h"
 #include "planning/free_space/free_space_params.h"
 
 namespace dollytrack::planning {
@@ -279,6 +280,7 @@ struct PlanParams {
     ImuParams imu;
     StereoParams stereo;
     PictureParams picture;
+    LightParams light;
     SensorParams sensor;
     int seed = 1;
     bool operator==(const PlanParams&) const = default;
@@ -317,6 +319,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitStereoParams(p.stereo, visit);
     section("picture");
     visitPictureParams(p.picture, visit);
+    section("light");
+    visitLightParams(p.light, visit);
     section("sensor");
     visitSensorParams(p.sensor, visit);
     section("random");

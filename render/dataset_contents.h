@@ -7,6 +7,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
+#include "engine/scene/light_params.h"
 #include "engine/scene/scene.h"
 #include "render/formats/mask_rle.h"
 #include "render/frame_file.h"
@@ -47,6 +48,7 @@ struct DatasetContents {
     std::vector<ObjectMotion> motions = {};  // of the objects that move
     FoldSettings folds = {};
     SensorParams sensor = {};
+    LightParams light = {};
     Rig rig = {};                       // further cameras, that ride on the planned one
     std::filesystem::path folder = {};  // where the images are, for what is made from them
 

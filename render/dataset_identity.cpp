@@ -63,6 +63,12 @@ std::string sensorText(const DatasetContents& contents, SensorParams params) {
     return result;
 }
 
+std::string lightText(LightParams params) {
+    std::string result;
+    for (const Field& field : listLightFields(params)) result += field.valueText() + " ";
+    return result;
+}
+
 }  // namespace
 
 DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
@@ -85,6 +91,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
          fmt::format("{}", fmt::join(settings.flow_distances, " "))},
         {"the stereo baseline", fmt::format("{:a}", settings.stereo_baseline_m)},
         {"the way pictures are made", pictureText(settings.picture)},
+        {"the light", lightText(settings.light)},
         {"the sensors", sensorText(contents, settings.sensor)},
         {"the motions of objects", order.card.whole_motions_sha256},
         {"the weights of the image score", toText(settings.score)},

@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/plan/frame_series.h"
+#include "engine/scene/varied_materials.h"
 #include "render/dataset_files.h"
 #include "render/dataset_identity.h"
 #include "render/dataset_resume.h"
@@ -72,6 +73,7 @@ void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origi
 
 struct DatasetJob::Impl {
     DatasetSettings settings;
+    std::unique_ptr<const Scene> varied;  // where materials vary; `order` is of it then
     DatasetOrder order;
     std::optional<DatasetFolder> folder;
     std::optional<CaptureMetrics> already_counted;  // the folder holds the complete dataset
@@ -86,8 +88,8 @@ struct DatasetJob::Impl {
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
 
-    Impl(DatasetSettings set, DatasetOrder wanted)
-        : settings(std::move(set)), order(std::move(wanted)) {}
+    Impl(DatasetSettings set, std::unique_ptr<const Scene> changed, DatasetOrder wanted)
+        : settings(std::move(set)), varied(std::move(changed)), order(std::move(wanted)) {}
     ~Impl() {
         // Another context may be the current one by now, and would lose its own names.
         if (context && !context->makeCurrent()) {
@@ -187,13 +189,19 @@ DatasetJob::~DatasetJob() = default;
 DatasetJob::DatasetJob(DatasetJob&&) noexcept = default;
 DatasetJob& DatasetJob::operator=(DatasetJob&&) noexcept = default;
 
-Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const Scene& scene,
+Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const Scene& given,
                                      const RayCaster& rays, const Trajectory& trajectory,
                                      const CameraParams& camera, DatasetSettings settings,
                                      DatasetOrigin origin, const JobContext& job) {
+    std::unique_ptr<Scene> varied;
+    if (settings.light.light_variation > 0.0) {
+        varied = std::make_unique<Scene>(given);
+        varyMaterials(*varied, settings.light);
+    }
+    const Scene& scene = varied ? *varied : given;
     Result<DatasetOrder> order = describeOrder(scene, camera, trajectory, settings, origin);
     if (!order) return tl::unexpected(order.error());
-    auto impl = std::make_unique<Impl>(std::move(settings), std::move(*order));
+    auto impl = std::make_unique<Impl>(std::move(settings), std::move(varied), std::move(*order));
     impl->context = std::move(context);
     Result<DatasetFolder> folder =
         DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite);

@@ -10,6 +10,7 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
+#include "engine/scene/light_params.h"
 #include "engine/scene/scene.h"
 #include "render/frame_folds.h"
 #include "render/frame_range.h"
@@ -39,6 +40,7 @@ struct DatasetSettings {
     std::vector<int> flow_distances = {1};  // in frames of the dataset
     double stereo_baseline_m = 0.1;
     PictureParams picture;
+    LightParams light;    // of colour pictures
     SensorParams sensor;  // of rgb_sensor and depth_sensor
     ScoreWeights score;   // of the scores in frames.csv
     FoldSettings folds;   // for cross-validation

@@ -81,6 +81,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.stereo_baseline_m = settings.stereo_baseline_m;
     order.contents.motions = motionsOf(order.contents.frames, origin.motions);
     order.contents.sensor = settings.sensor;
+    order.contents.light = settings.light;
     if (contains(order.contents.modalities, kRgbSensor)) {
         if (Status status = validateLens(camera, settings.sensor); !status) {
             return tl::unexpected(status.error());

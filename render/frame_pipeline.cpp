@@ -27,7 +27,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
                               const ObjectPaths* objects, const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
-    const LightRig rig = makeLightRig(scene, rays, rooms);
+    const LightRig rig = makeLightRig(scene, rays, rooms, resolved(contents_.light));
     const LightVolume light = bakeLightVolume(scene, rays, rig, {}, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     if (picture_.render_mode == RenderMode::Reference) {

@@ -1,6 +1,7 @@
 #include "render/gpu_scene.h"
 
 #include "render/gl/context.h"
+#include "render/pathtrace/sun_rays.h"
 #include "render/surface_kind.h"
 
 #include <GL/glew.h>
@@ -41,22 +42,29 @@ void setNormal(Vertex& vertex, const Eigen::Vector3f& normal) {
     }
 }
 
-Vertex makeVertex(const Scene& scene, const Object& object, const Material& material,
-                  std::uint32_t index) {
+/// See surface.vert.
+std::uint8_t structureTrait(const Object& object, bool shows_outside) {
+    if (shows_outside) return object.structure ? 191 : 64;
+    return object.structure ? 255 : 0;
+}
+
+Vertex makeVertex(const Scene& scene, const Object& object, bool shows_outside,
+                  const Material& material, std::uint32_t index) {
     Vertex vertex{};
     vertex.position = scene.positions[index];
     setNormal(vertex, scene.normals[index]);
     vertex.uv = index < scene.uvs.size() ? scene.uvs[index] : Eigen::Vector2f::Zero();
     // A thing that shines shows the colour it shines in; its strength is apart.
-    const float emission = material.emission.maxCoeff();
+    const Eigen::Vector3f shines = plainEmission(material);
+    const float emission = shines.maxCoeff();
     const Eigen::Vector3f color =
-        emission > 0.0F ? Eigen::Vector3f(material.emission / emission) : material.base_color;
+        emission > 0.0F ? Eigen::Vector3f(shines / emission) : material.base_color;
     for (int c = 0; c < 3; ++c) vertex.base_color[c] = toByte(std::sqrt(std::max(color[c], 0.0F)));
     vertex.base_color[3] = toByte(material.opacity);
     vertex.traits = {
         toByte(material.roughness), toByte(material.metallic),
         emission > 0.0F ? toByte(std::max(emission / 8.0F, 1.0F / 255.0F)) : std::uint8_t{0},
-        object.structure ? std::uint8_t{255} : std::uint8_t{0}};
+        structureTrait(object, shows_outside)};
     vertex.object_id = static_cast<std::uint32_t>(object.id);
     return vertex;
 }
@@ -132,11 +140,15 @@ void describeLayout(GpuScene& scene) {
 /// Sorts the triangles by how they are drawn, then by object.
 class SceneSorter {
   public:
-    explicit SceneSorter(const Scene& scene) : scene_(scene) {
+    explicit SceneSorter(const Scene& scene) : scene_(scene), outside_(showsOutside(scene)) {
         const std::vector<Surface> kinds = surfaceKinds(scene);
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const Material& material = scene.materials[i];
-            keys_.emplace_back(kinds[i], isTextured(scene, material) ? material.texture : -1);
+            const bool mapped =
+                hasMap(scene, material.normal_map) || hasMap(scene, material.roughness_map) ||
+                hasMap(scene, material.metallic_map) || hasMap(scene, material.emission_map);
+            keys_.push_back({kinds[i], isTextured(scene, material) ? material.texture : -1,
+                             mapped && kinds[i] != Surface::Glass ? static_cast<int>(i) : -1});
         }
     }
 
@@ -148,7 +160,12 @@ class SceneSorter {
         first_vertices.push_back(static_cast<std::uint32_t>(vertices.size()));
     }
 
-    using Key = std::pair<Surface, int>;  // with the texture's index
+    struct Key {
+        Surface surface;
+        int texture;  // index in the scene
+        int mapped;   // the material, where it has maps of its own
+        auto operator<=>(const Key&) const = default;
+    };
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> first_vertices;
     std::map<Key, std::vector<std::pair<int, std::vector<std::uint32_t>>>> indices;
@@ -169,8 +186,9 @@ class SceneSorter {
                 const auto [place, added] =
                     known.try_emplace(key, static_cast<std::uint32_t>(vertices.size()));
                 if (added) {
-                    vertices.push_back(
-                        makeVertex(scene_, object, scene_.materials[material], corner));
+                    vertices.push_back(makeVertex(scene_, object,
+                                                  outside_[static_cast<std::size_t>(object.id) - 1],
+                                                  scene_.materials[material], corner));
                 }
                 groups.back().second.push_back(place->second);
             }
@@ -178,8 +196,58 @@ class SceneSorter {
     }
 
     const Scene& scene_;
-    std::vector<Key> keys_;  // by material
+    std::vector<bool> outside_;  // by id - 1
+    std::vector<Key> keys_;      // by material
 };
+
+Eigen::AlignedBox3f boundsOf(const std::uint32_t* corners, std::uint32_t count,
+                             const std::vector<Vertex>& vertices, std::uint32_t first_vertex) {
+    Eigen::AlignedBox3f bounds;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        bounds.extend(vertices[corners[i] - first_vertex].position);
+    }
+    return bounds;
+}
+
+/// Whether two triangles lie in one plane, but for a millimetre and a hundredth.
+bool inOnePlane(const std::uint32_t* a, const std::uint32_t* b,
+                const std::vector<Vertex>& vertices) {
+    const auto corner = [&](const std::uint32_t* of, int i) { return vertices[of[i]].position; };
+    const auto normalOf = [&](const std::uint32_t* of) {
+        return Eigen::Vector3f(
+            (corner(of, 1) - corner(of, 0)).cross(corner(of, 2) - corner(of, 0)).normalized());
+    };
+    const Eigen::Vector3f normal = normalOf(a);
+    if (std::abs(normal.dot(normalOf(b))) < 0.9999F) return false;
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(normal.dot(corner(b, i) - corner(a, 0))) > 0.001F) return false;
+    }
+    return true;
+}
+
+void findGlass(const std::vector<Vertex>& vertices, const std::vector<std::uint32_t>& indices,
+               GpuScene& scene) {
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        if (scene.batches[i].surface != Surface::Glass) continue;
+        for (const Piece& piece : scene.batches[i].pieces) {
+            bool first = true;
+            for (std::uint32_t k = 0; k + 2 < piece.index_count; k += 3) {
+                const std::uint32_t* corners = &indices[piece.first_index + k];
+                if (first || !inOnePlane(corners - 3, corners, vertices)) {
+                    scene.glass.push_back({i, piece.object_id, piece.first_index + k, 0, {}});
+                }
+                first = false;
+                scene.glass.back().index_count += 3;
+                scene.glass_corners.insert(scene.glass_corners.end(), corners, corners + 3);
+            }
+        }
+    }
+    const std::uint32_t* corners = scene.glass_corners.data();
+    for (GlassSheet& sheet : scene.glass) {
+        sheet.bounds = boundsOf(corners, sheet.index_count, vertices, 0);
+        corners += sheet.index_count;
+    }
+}
 
 }  // namespace
 
@@ -198,16 +266,25 @@ Result<GpuScene> uploadScene(const Scene& scene) {
     std::vector<std::uint32_t> indices;
     indices.reserve(3 * scene.triangles.size() * 2);
     std::map<int, unsigned> names;
+    const auto nameOf = [&](int texture) -> unsigned {
+        if (!hasMap(scene, texture)) return 0;
+        unsigned& name = names[texture];
+        if (name == 0) {
+            result.textures.push_back(
+                uploadTexture(scene.textures[static_cast<std::size_t>(texture)]));
+            name = result.textures.back().get();
+        }
+        return name;
+    };
     for (const auto& [key, groups] : sorter.indices) {
         Batch batch;
-        batch.surface = key.first;
-        if (key.second >= 0) {
-            auto& name = names[key.second];
-            if (name == 0) {
-                result.textures.push_back(uploadTexture(scene.textures[key.second]));
-                name = result.textures.back().get();
-            }
-            batch.texture = name;
+        batch.surface = key.surface;
+        batch.texture = nameOf(key.texture);
+        if (key.mapped >= 0) {
+            const Material& material = scene.materials[static_cast<std::size_t>(key.mapped)];
+            batch.maps = BatchMaps{nameOf(material.normal_map),   nameOf(material.roughness_map),
+                                   nameOf(material.metallic_map), nameOf(material.emission_map),
+                                   material.normal_scale,         material.emission};
         }
         for (const auto& [object_id, corners] : groups) {
             batch.pieces.push_back({object_id, static_cast<std::uint32_t>(indices.size()),
@@ -216,6 +293,7 @@ Result<GpuScene> uploadScene(const Scene& scene) {
         }
         result.batches.push_back(std::move(batch));
     }
+    findGlass(sorter.vertices, indices, result);
     // Objects in one piece for silhouettes: another run through the index buffer, grouped by id.
     result.whole_objects.resize(scene.objects.size());
     result.bounds.resize(scene.objects.size());
@@ -236,6 +314,9 @@ Result<GpuScene> uploadScene(const Scene& scene) {
             result.bounds[i].extend(sorter.vertices[corner].position);
         }
     }
+
+    result.whole_windows = wholeWindows(scene);
+    for (const Object& object : scene.objects) result.windows.push_back(sendsDaylight(object));
 
     result.vertices = gl::createBuffer();
     result.indices = gl::createBuffer();
@@ -284,6 +365,14 @@ void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d
         bounds.extend(vertex.position);
     }
     scene.bounds[index] = bounds;
+    const std::uint32_t* corners = scene.glass_corners.data();
+    for (GlassSheet& sheet : scene.glass) {
+        if (sheet.object_id == object.object_id) {
+            sheet.bounds =
+                boundsOf(corners, sheet.index_count, vertices, scene.first_vertices[index]);
+        }
+        corners += sheet.index_count;
+    }
     glNamedBufferSubData(scene.vertices.get(),
                          static_cast<GLintptr>(scene.first_vertices[index] * sizeof(Vertex)),
                          static_cast<GLsizeiptr>(object.vertices.size()), vertices.data());

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::render {
@@ -25,11 +26,31 @@ struct Piece {
     std::uint32_t index_count = 0;
 };
 
+/// What a material's maps add to its numbers; OpenGL names, 0: none.
+struct BatchMaps {
+    unsigned normal = 0;
+    unsigned roughness = 0;
+    unsigned metallic = 0;
+    unsigned emission = 0;
+    float normal_scale = 1.0F;
+    Eigen::Vector3f emission_factor = Eigen::Vector3f::Zero();
+};
+
 /// Pieces that are drawn with the same state.
 struct Batch {
     Surface surface = Surface::Opaque;
-    unsigned texture = 0;  // OpenGL name, 0: none
+    unsigned texture = 0;           // OpenGL name, 0: none
+    std::optional<BatchMaps> maps;  // of the colour picture, not of labels and surfaces
     std::vector<Piece> pieces;
+};
+
+/// Neighbouring triangles of glass in one plane, which are drawn together.
+struct GlassSheet {
+    std::size_t batch = 0;
+    int object_id = 0;
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    Eigen::AlignedBox3f bounds;
 };
 
 /// A scene's triangles and textures in graphics memory, in one vertex and one index buffer.
@@ -44,6 +65,10 @@ struct GpuScene {
     std::vector<Piece> whole_objects;           // by id - 1: every triangle of the object
     std::vector<Eigen::AlignedBox3f> bounds;    // by id - 1, of the triangles themselves
     std::vector<std::uint32_t> first_vertices;  // by id - 1, and one past the last of all
+    std::vector<GlassSheet> glass;              // in drawing order
+    std::vector<std::uint32_t> glass_corners;   // of all sheets, from the first one's on
+    std::vector<bool> windows;        // by id - 1, whose panes take nothing of the sun's light
+    std::vector<bool> whole_windows;  // by id - 1, see wholeWindows()
 };
 
 /// An object as uploadScene() put it there, to be placed elsewhere from.

@@ -3,8 +3,10 @@
 #include "engine/scene/labels.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace dollytrack::render {
 namespace {
@@ -13,6 +15,7 @@ constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's heigh
 constexpr double kBelowCeiling = 0.25;
 constexpr double kFromWall = 1.0;  // m; kLampShade and the largest lamp's radius
 constexpr int kNyuLamp = 35;
+constexpr double kShadesBeyond = 0.5;  // m; eaves and what else stands out a little
 
 /// Under the ceiling that is really there: boxes of rooms include beams and the roof.
 double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double x, double y) {
@@ -56,15 +59,35 @@ double Lamp::radiance() const {
 
 Eigen::Vector3f LightRig::skyRadiance(const Eigen::Vector3d& way) const {
     const double strength = way.z() > -0.05 ? sky_strength : ground_share * sky_strength;
-    return sky_color * static_cast<float>(strength);
+    return (sky_color * static_cast<float>(strength)).cwiseProduct(sky_factor);
 }
 
 bool sendsDaylight(const Object& object) {
     return object.nyu40 == kNyuWindow;
 }
 
+std::vector<bool> showsOutside(const Scene& scene) {
+    std::vector<bool> outside;
+    for (const Object& object : scene.objects) {
+        bool is_sky = false;
+        std::string word;
+        for (const char c : object.name + " ") {
+            if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+                word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+                continue;
+            }
+            for (const char* known : {"sky", "skybox", "skydome", "skysphere"}) {
+                is_sky = is_sky || word == known;
+            }
+            word.clear();
+        }
+        outside.push_back(sendsDaylight(object) || (object.structure && is_sky));
+    }
+    return outside;
+}
+
 LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
-                      std::span<const Eigen::AlignedBox3d> rooms) {
+                      std::span<const Eigen::AlignedBox3d> rooms, const ResolvedLight& light) {
     std::vector<Eigen::AlignedBox3d> boxes(rooms.begin(), rooms.end());
     if (boxes.empty()) boxes.push_back(scene.room_bounds);
     LightRig rig;
@@ -87,6 +110,14 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
             }
         }
     }
+    if (light.lamp_color) rig.lamp_color = *light.lamp_color;
+    rig.lamp_factor = light.lamp_factor;
+    rig.sky_factor = light.sky_factor;
+    rig.backdrop_factor = light.backdrop_factor;
+    rig.exposure_ev = light.exposure_ev;
+    rig.sun = {light.to_sun, light.sun_irradiance, scene.room_bounds};
+    rig.sun.shades.min().array() -= kShadesBeyond;
+    rig.sun.shades.max().array() += kShadesBeyond;
     return rig;
 }
 

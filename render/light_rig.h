@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/scene/resolved_light.h"
 #include "engine/scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -28,6 +29,19 @@ constexpr double kLampShade = 0.4;
 /// Emission is in no unit that files agree on, and brighter than this only in a few.
 constexpr float kBrightestEmission = 8.0F;
 
+/// The sun: a small disc, infinitely far away. Its light falls through windows and open sides.
+struct SunLight {
+    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();        // to its middle, unit vector
+    Eigen::Vector3f irradiance = Eigen::Vector3f::Zero();  // of what faces it; linear RGB
+    /// What lies outside casts no shadow: grounds, skies and what else is not the building.
+    Eigen::AlignedBox3d shades;
+
+    [[nodiscard]] bool shines() const { return irradiance.maxCoeff() > 0.0F; }
+};
+
+/// Sine of the angle between the sun's middle and its edge.
+constexpr double kSunRadius = 0.00465;
+
 /// What lights a scene, in whichever way it is drawn. Files rarely bring lights, so rooms get their
 /// own. Radiance is in units of the lamps' intensity.
 struct LightRig {
@@ -38,10 +52,25 @@ struct LightRig {
     double ground_share = 0.3;    // of the sky's light is thrown back from below the horizon
     double emission_scale = 1.0;  // of the materials' emission
 
+    // What the time of day and the user's wishes change of it, see ResolvedLight.
+    float lamp_factor = 1.0F;  // of lamps and emission
+    Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();
+    Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
+    double exposure_ev = 0.0;
+    SunLight sun;
+
+    /// Of a thing's own emission; see showsOutside().
+    [[nodiscard]] float shineFactor(bool shows_outside) const {
+        return shows_outside ? sky_factor.mean() : lamp_factor;
+    }
+    /// The lamps' colour and strength.
+    [[nodiscard]] Eigen::Vector3f lampLight() const { return lamp_color * lamp_factor; }
+
     /// What comes along this way, from outside towards -way; a unit vector.
     [[nodiscard]] Eigen::Vector3f skyRadiance(const Eigen::Vector3d& way) const;
-    [[nodiscard]] Eigen::Vector3f emissionOf(const Material& material) const {
-        return material.emission.cwiseMin(kBrightestEmission) * static_cast<float>(emission_scale);
+    /// Of emission as the file has it, before lamp_factor.
+    [[nodiscard]] Eigen::Vector3f emissionOf(const Eigen::Vector3f& emission) const {
+        return emission.cwiseMin(kBrightestEmission) * static_cast<float>(emission_scale);
     }
 };
 
@@ -49,10 +78,15 @@ struct LightRig {
 /// are closed by windows that hide the outside, or have no outside at all.
 [[nodiscard]] bool sendsDaylight(const Object& object);
 
+/// Objects that show the day outside, by id - 1: windows, and pictures of a sky that stand behind
+/// them. What these shine with goes with the sky, and the sun passes them.
+[[nodiscard]] std::vector<bool> showsOutside(const Scene& scene);
+
 /// One lamp under the middle of each room's ceiling, more in large rooms; where a lamp of the scene
 /// hangs near such a place, under that. `rooms` are the boxes of the rooms; when it is empty the
-/// scene's room_bounds is the one room.
+/// scene's room_bounds is the one room. What `light` says is done to all of it.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
-                                    std::span<const Eigen::AlignedBox3d> rooms = {});
+                                    std::span<const Eigen::AlignedBox3d> rooms = {},
+                                    const ResolvedLight& light = {});
 
 }  // namespace dollytrack::render

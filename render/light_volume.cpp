@@ -3,10 +3,12 @@
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
+#include "render/pathtrace/sun_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace dollytrack::render {
 namespace {
@@ -31,34 +33,33 @@ struct Bounce {
     std::size_t cell = 0;   // whose light falls on it
 };
 
-Eigen::Vector3f meanTexel(const Texture& texture) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const std::size_t count = texture.rgba.size() / 4;
-    const std::size_t step = std::max<std::size_t>(count / 4096, 1);
-    std::size_t taken = 0;
-    for (std::size_t i = 0; i < count; i += step, ++taken) {
-        for (int c = 0; c < 3; ++c) {
-            const double value = texture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0;
-            sum[c] += value * value;
-        }
-    }
-    return taken == 0 ? Eigen::Vector3f::Ones()
-                      : Eigen::Vector3f((sum / static_cast<double>(taken)).cast<float>());
-}
-
 class Baker {
   public:
     Baker(const Scene& scene, const RayCaster& rays, const LightRig& rig,
           const LightVolumeParams& params)
-        : scene_(scene), rays_(rays), rig_(rig), params_(params) {
+        : scene_(scene), rays_(rays), rig_(rig), neutral_(rig), params_(params) {
         placeGrid();
         const std::size_t count = cellCount();
         volume_.ambient.assign(count, Eigen::Vector3f::Zero());
         volume_.slope.assign(count, Eigen::Vector3f::Zero());
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
-        volume_.lamp_color = rig.lamp_color;
+        volume_.lamp_color = rig.lampLight();
+        volume_.lamps_shine = rig.lamp_factor;
+        volume_.outside_shines = rig.shineFactor(true);
+        volume_.backdrop_factor = rig.backdrop_factor;
+        // What the balance is made for, before anybody's wishes.
+        neutral_.lamp_factor = 1.0F;
+        neutral_.sky_factor.setOnes();
+        if (rig.sun.shines()) {
+            sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
+            sunny_.assign(count * static_cast<std::size_t>(params.rays_per_cell), 0.0F);
+        }
         bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
         in_air_.assign(count, 1);
+        balanced_.assign(count, 0.0F);
+        for (const bool outside : showsOutside(scene)) {
+            shines_.push_back(rig.shineFactor(outside));
+        }
         turns_.resize(count);
         makeSpiral();
         for (const Material& material : scene.materials) {
@@ -69,6 +70,7 @@ class Baker {
                 albedo = albedo.cwiseProduct(meanTexel(scene.textures[material.texture]));
             }
             albedo_.emplace_back(albedo.cwiseMin(0.85F));
+            emission_.push_back(neutral_.emissionOf(meanEmission(scene, material)));
         }
     }
 
@@ -80,6 +82,7 @@ class Baker {
         closeHoles(volume_.lamps);
         volume_.lamps = smoothed(volume_.lamps);
         balance();
+        addSun();
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
             closeHoles(volume_.ambient);
@@ -137,7 +140,12 @@ class Baker {
         std::size_t stuck = 0;
         for (std::size_t k = 0; k < count; ++k) {
             Bounce& bounce = bounces_[i * count + k];
-            bounce = follow(from, (turns_[i] * spiral_[k]).cast<double>().normalized());
+            const Eigen::Vector3d way = (turns_[i] * spiral_[k]).cast<double>().normalized();
+            Eigen::Vector3f wished = rig_.sky_factor;
+            bounce = follow(from, way, wished);
+            balanced_[i] += bounce.sent.mean();
+            bounce.sent = bounce.sent.cwiseProduct(wished);
+            if (sun_rays_) sunny_[i * count + k] = sunOn(bounce, from, way);
             escaped += bounce.distance == 0.0F ? 1 : 0;
             stuck += bounce.distance > 0.0F && bounce.distance < volume_.cell_m ? 1 : 0;
         }
@@ -180,18 +188,35 @@ class Baker {
         return sum.cast<float>();
     }
 
-    [[nodiscard]] Bounce follow(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
+    /// The share of the sun's light that a ray's end gets, its slant included.
+    [[nodiscard]] float sunOn(const Bounce& bounce, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& way) const {
+        if (isSky(bounce)) return 0.0F;
+        const Eigen::Vector3d normal = bounce.normal.cast<double>();
+        const double slant = normal.dot(rig_.sun.way);
+        if (slant <= 0.0) return 0.0F;
+        constexpr double kLift = 1e-3;
+        const Eigen::Vector3d at = from + bounce.distance * way + kLift * normal;
+        return static_cast<float>(slant * sun_rays_->share(at, rig_.sun.way));
+    }
+
+    /// Surfaces have normals.
+    static bool isSky(const Bounce& bounce) { return bounce.normal.isZero(0.0F); }
+
+    /// As it is balanced; `wished` becomes what is sent from there is multiplied by afterwards, and
+    /// stays as it is where it is the sky's.
+    [[nodiscard]] Bounce follow(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
+                                Eigen::Vector3f& wished) const {
         Bounce result;
         const RayHit hit = rays_.cast(from, way);
         if (hit.object_id != 0) {
             result.distance = std::max(static_cast<float>(hit.distance), 1e-6F);
         }
         if (hit.object_id == 0 || sendsDaylight(scene_.object(hit.object_id))) {
-            result.sent = rig_.skyRadiance(way);
+            result.sent = neutral_.skyRadiance(way);
             return result;
         }
         const Triangle& triangle = scene_.triangles[hit.triangle];
-        const Material& material = scene_.materials[scene_.triangle_material[hit.triangle]];
         const Eigen::Vector3f a = scene_.positions[triangle[0]];
         Eigen::Vector3f normal = (scene_.positions[triangle[1]] - a)
                                      .cross(scene_.positions[triangle[2]] - a)
@@ -199,7 +224,8 @@ class Baker {
         if (normal.dot(way.cast<float>()) > 0.0F) normal = -normal;
         result.normal = normal;
         result.albedo = albedo_[scene_.triangle_material[hit.triangle]];
-        result.sent = rig_.emissionOf(material);
+        wished.setConstant(shines_[static_cast<std::size_t>(hit.object_id) - 1]);
+        result.sent = emission_[scene_.triangle_material[hit.triangle]];
         const Eigen::Vector3d at = from + way * hit.distance;
         result.cell = cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
         return result;
@@ -209,6 +235,7 @@ class Baker {
         std::vector<Eigen::Vector3f> next(cellCount());
         std::vector<Eigen::Vector3f> slope(cellCount(), Eigen::Vector3f::Zero());
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        const Eigen::Vector3f lamp_light = rig_.lampLight();
         parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -218,7 +245,7 @@ class Baker {
                     const float lamp = std::max(0.0F, ray.normal.dot(volume_.lamps[ray.cell]));
                     const float facing = 1.0F + volume_.slope[ray.cell].dot(ray.normal);
                     const Eigen::Vector3f falls =
-                        volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lamp_color * lamp;
+                        volume_.ambient[ray.cell] * std::max(0.0F, facing) + lamp_light * lamp;
                     const Eigen::Vector3f light = ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
                     sum += light;
                     aside += light.mean() * spiral_[k];
@@ -343,10 +370,8 @@ class Baker {
         for (std::size_t i = 0; i < cellCount(); ++i) {
             const float lamp = volume_.lamps[i].norm();
             if (lamp == 0.0F || in_air_[i] == 0) continue;
-            float sum = 0.0F;
-            for (std::size_t k = 0; k < count; ++k) sum += bounces_[i * count + k].sent.mean();
             lamps.push_back(lamp);
-            others.push_back(sum * kPi / static_cast<float>(count));
+            others.push_back(balanced_[i] * kPi / static_cast<float>(count));
         }
         const float wanted = kDaylightShare * median(std::move(lamps));
         const float found = median(std::move(others));
@@ -355,30 +380,50 @@ class Baker {
         for (Bounce& bounce : bounces_) bounce.sent *= volume_.dimmed;
     }
 
+    /// What the sun lights sends that on like something that shines.
+    void addSun() {
+        volume_.sun = rig_.sun;
+        volume_.sun.irradiance *= volume_.dimmed;
+        for (std::size_t i = 0; i < sunny_.size(); ++i) {
+            bounces_[i].sent +=
+                bounces_[i].albedo.cwiseProduct(volume_.sun.irradiance) * (sunny_[i] / kPi);
+        }
+    }
+
     /// From what the lit cells receive: dark solids and the outside must not decide.
     void expose() {
         std::vector<float> levels;
         for (std::size_t i = 0; i < cellCount(); ++i) {
             const float lamp = volume_.lamps[i].norm();
-            if (lamp > 0.0F) levels.push_back(volume_.ambient[i].mean() + 0.6F * lamp);
+            if (lamp > 0.0F) {
+                levels.push_back(volume_.ambient[i].mean() + 0.6F * lamp * rig_.lamp_factor);
+            }
         }
         if (levels.empty()) {
             for (const Eigen::Vector3f& ambient : volume_.ambient) levels.push_back(ambient.mean());
         }
         const float middle = median(std::move(levels));
         if (middle > 0.0F) volume_.exposure = kWhiteLevel / middle;
+        volume_.exposure *= static_cast<float>(std::exp2(rig_.exposure_ev));
     }
 
     const Scene& scene_;
     const RayCaster& rays_;
     const LightRig& rig_;
+    LightRig neutral_;
     const LightVolumeParams& params_;
+    std::optional<TracedSurface> surface_;
+    std::optional<SunRays> sun_rays_;  // where there is a sun
+    std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
     std::vector<Bounce> bounces_;
-    std::vector<char> in_air_;             // by cell
-    std::vector<Eigen::Vector3f> spiral_;  // the ways of a cell's rays, before they are turned
-    std::vector<Eigen::Matrix3f> turns_;   // of each cell's spiral, about z
-    std::vector<Eigen::Vector3f> albedo_;
+    std::vector<float> balanced_;            // by cell, what its rays find that sends light
+    std::vector<float> shines_;              // by object's id - 1, times its emission
+    std::vector<char> in_air_;               // by cell
+    std::vector<Eigen::Vector3f> spiral_;    // the ways of a cell's rays, before they are turned
+    std::vector<Eigen::Matrix3f> turns_;     // of each cell's spiral, about z
+    std::vector<Eigen::Vector3f> albedo_;    // by material
+    std::vector<Eigen::Vector3f> emission_;  // likewise
 };
 
 }  // namespace
@@ -386,6 +431,7 @@ class Baker {
 LightRig balanced(LightRig rig, const LightVolume& volume) {
     rig.sky_strength *= volume.dimmed;
     rig.emission_scale *= volume.dimmed;
+    rig.sun.irradiance *= volume.dimmed;
     return rig;
 }
 

@@ -34,6 +34,11 @@ struct LightVolume {
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // sky and emission, to this share of the rig's; see balanced()
     float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey
+    // Of emission that is seen, beside `dimmed`; see showsOutside().
+    float lamps_shine = 1.0F;
+    float outside_shines = 1.0F;
+    Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();  // of the sky that is seen
+    SunLight sun;  // what falls straight in is in none of the above but what it throws back
 
     [[nodiscard]] std::size_t index(int x, int y, int z) const {
         return (static_cast<std::size_t>(z) * cells[1] + y) * cells[0] + x;

@@ -25,11 +25,19 @@ void add(io::Sha256& hash, const std::vector<T>& values) {
 std::vector<float> numbersOf(const Material& material) {
     const Eigen::Vector3f& base = material.base_color;
     const Eigen::Vector3f& emission = material.emission;
-    return {base.x(),           base.y(),
-            base.z(),           emission.x(),
-            emission.y(),       emission.z(),
-            material.opacity,   material.metallic,
-            material.roughness, static_cast<float>(material.texture)};
+    std::vector<float> numbers = {base.x(),           base.y(),
+                                  base.z(),           emission.x(),
+                                  emission.y(),       emission.z(),
+                                  material.opacity,   material.metallic,
+                                  material.roughness, static_cast<float>(material.texture)};
+    if (material.hasMaps()) {  // scenes without any keep the hash they had
+        for (const int index : {material.normal_map, material.roughness_map, material.metallic_map,
+                                material.emission_map}) {
+            numbers.push_back(static_cast<float>(index));
+        }
+        numbers.push_back(material.normal_scale);
+    }
+    return numbers;
 }
 
 }  // namespace

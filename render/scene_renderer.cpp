@@ -2,8 +2,10 @@
 
 #include "render/gl/context.h"
 #include "render/gl/shader.h"
+#include "render/glass_order.h"
 #include "render/gpu_scene.h"
 #include "render/silhouette_counter.h"
+#include "render/sun_shadow.h"
 #include "render/view_uniforms.h"
 
 #include <GL/glew.h>
@@ -11,6 +13,7 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace dollytrack::render {
 namespace {
@@ -61,11 +64,16 @@ struct SceneRenderer::Impl {
     gl::Texture lamps;
     gl::VertexArray no_vertices;
     gl::Program surface;
+    gl::Program mapped;  // surfaces with maps
     gl::Program glass;
+    GlassOrder glass_order;
     gl::Program label;
     gl::Program occlusion;
     gl::Program soften;
     gl::Program lighting;
+    gl::Program sunny;                    // the same with a sun; made when first needed
+    std::optional<SunShadow> sun_shadow;  // where there is a sun
+    bool sun_shadow_is_old = true;
     gl::Program edges;
     gl::Program encode;
     SilhouetteCounter silhouettes;
@@ -75,7 +83,7 @@ struct SceneRenderer::Impl {
     std::vector<GLsizei> counts;  // kept between frames
     std::vector<const void*> offsets;
 
-    void setLight(const LightVolume& new_light) {
+    Status setLight(const LightVolume& new_light) {
         ambient = uploadVolume(new_light, new_light.ambient);
         slope = uploadVolume(new_light, new_light.slope.empty()
                                             ? std::vector<Eigen::Vector3f>(new_light.ambient.size(),
@@ -86,6 +94,26 @@ struct SceneRenderer::Impl {
         light.ambient.clear();
         light.slope.clear();
         light.lamps.clear();
+        sun_shadow.reset();
+        sun_shadow_is_old = true;
+        if (!light.sun.shines()) return {};
+        Result<SunShadow> shadow = SunShadow::create(light.sun);
+        if (!shadow) return tl::unexpected(shadow.error());
+        sun_shadow.emplace(std::move(*shadow));
+        if (sunny.get() != 0) return {};
+        Result<gl::Program> linked = gl::linkProgram("picture.vert", "light.frag", "SUN");
+        if (!linked) return tl::unexpected(linked.error());
+        sunny = std::move(*linked);
+        return {};
+    }
+
+    [[nodiscard]] const gl::Program& lightProgram() const { return sun_shadow ? sunny : lighting; }
+
+    /// Before anything is drawn that the sun may shine on.
+    void updateSunShadow() {
+        if (!sun_shadow || !sun_shadow_is_old) return;
+        sun_shadow->draw(scene);
+        sun_shadow_is_old = false;
     }
 
     void drawSurfaces(const View& view, RenderTarget& target) {
@@ -93,21 +121,37 @@ struct SceneRenderer::Impl {
         const std::array<unsigned, 4> no_id{};
         glClearBufferuiv(GL_COLOR, 4, no_id.data());
         const std::vector<bool> visible = objectsInView(scene, view);
-        drawOpaque(view, visible);
-        // Only colour (blended), label depth and label of glass and of holes.
-        glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glColorMaski(2, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-        glEnablei(GL_BLEND, 0);
-        glBlendFunci(0, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        drawOpaque(view, visible, /*lit=*/true);
+        tintByGlass(view, visible);
+        // Only label depth and label of glass and of holes.
+        for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (const Batch& batch : scene.batches) {
-            if (batch.surface == Surface::Opaque) continue;
-            drawBatch(batch, view, visible, glass, batch.surface == Surface::Glass ? 1.0F : 0);
+            if (batch.surface != Surface::Opaque) drawBatch(batch, view, visible, glass, 0);
         }
-        glDisablei(GL_BLEND, 0);
         for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDisable(GL_DEPTH_TEST);
         glBindVertexArray(no_vertices.get());
+    }
+
+    /// Every sheet of glass before the first thing that is none tints the colour behind it.
+    void tintByGlass(const View& view, const std::vector<bool>& visible) {
+        if (scene.glass.empty()) return;
+        for (unsigned i = 1; i < 5; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+        glEnablei(GL_BLEND, 0);
+        glBlendFunci(0, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        glDepthMask(GL_FALSE);
+        glass_order.visit(scene, view, visible,
+                          [&](const Batch& batch, std::uint32_t first, std::uint32_t count) {
+                              counts = {static_cast<GLsizei>(count)};
+                              offsets = {reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
+                                  static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t))};
+                              bindBatch(batch, glass, 1.0F);
+                              drawCounted(view, glass);
+                          });
+        glDepthMask(GL_TRUE);
+        glDisablei(GL_BLEND, 0);
+        for (unsigned i = 0; i < 5; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
 
     /// What drawSurfaces puts into the images of labels. What may be glass or have holes comes last
@@ -133,7 +177,7 @@ struct SceneRenderer::Impl {
     void drawMaterials(const View& view, const gl::Framebuffer& frame, int width, int height) {
         begin(frame, width, height, 2);
         const std::vector<bool> visible = objectsInView(scene, view);
-        drawOpaque(view, visible);
+        drawOpaque(view, visible, /*lit=*/false);
         for (const Batch& batch : scene.batches) {
             if (batch.surface != Surface::Opaque) drawBatch(batch, view, visible, surface, 0);
         }
@@ -152,19 +196,53 @@ struct SceneRenderer::Impl {
         glBindVertexArray(scene.layout.get());
     }
 
-    /// All but glass; of what has holes, what is there.
-    void drawOpaque(const View& view, const std::vector<bool>& visible) {
+    /// What emission in the surface buffer is a share of.
+    [[nodiscard]] float shine() const {
+        const float most = std::max(light.lamps_shine, light.outside_shines);
+        return most > 0.0F ? most : 1.0F;
+    }
+
+    /// All but glass; of what has holes, what is there. Maps and the light's changes are of
+    /// pictures alone.
+    void drawOpaque(const View& view, const std::vector<bool>& visible, bool lit) {
+        for (const gl::Program* program : {&surface, &mapped}) {
+            glProgramUniform2f(program->get(), 13, lit ? light.lamps_shine / shine() : 1.0F,
+                               lit ? light.outside_shines / shine() : 1.0F);
+        }
         for (const Batch& batch : scene.batches) {
             if (batch.surface == Surface::Glass) continue;
-            drawBatch(batch, view, visible, surface, batch.surface == Surface::CutOut ? 0.5F : 0);
+            const float alpha_cut = batch.surface == Surface::CutOut ? 0.5F : 0;
+            if (lit && batch.maps) {
+                bindMaps(*batch.maps);
+                drawBatch(batch, view, visible, mapped, alpha_cut);
+            } else {
+                drawBatch(batch, view, visible, surface, alpha_cut);
+            }
         }
+    }
+
+    void bindMaps(const BatchMaps& maps) const {
+        const std::array<unsigned, 4> textures = {maps.normal, maps.roughness, maps.metallic,
+                                                  maps.emission};
+        std::array<GLint, 4> there{};
+        for (unsigned i = 0; i < textures.size(); ++i) {
+            there[i] = textures[i] != 0 ? 1 : 0;
+            if (textures[i] != 0) glBindTextureUnit(9 + i, textures[i]);
+        }
+        glProgramUniform4iv(mapped.get(), 10, 1, there.data());
+        glProgramUniform1f(mapped.get(), 11, maps.normal_scale);
+        glProgramUniform3fv(mapped.get(), 12, 1, maps.emission_factor.data());
+    }
+
+    static void bindBatch(const Batch& batch, const gl::Program& program, float alpha) {
+        glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
+        glProgramUniform1f(program.get(), 5, alpha);
+        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
     }
 
     void drawBatch(const Batch& batch, const View& view, const std::vector<bool>& visible,
                    const gl::Program& program, float alpha) {
-        glProgramUniform1i(program.get(), 4, batch.texture != 0 ? 1 : 0);
-        glProgramUniform1f(program.get(), 5, alpha);
-        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
+        bindBatch(batch, program, alpha);
         drawShapes(batch, view, visible, program);
     }
 
@@ -178,7 +256,11 @@ struct SceneRenderer::Impl {
             offsets.push_back(reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
                 static_cast<std::uintptr_t>(piece.first_index) * sizeof(std::uint32_t)));
         }
-        if (counts.empty()) return;
+        if (!counts.empty()) drawCounted(view, program);
+    }
+
+    /// What counts and offsets name.
+    void drawCounted(const View& view, const gl::Program& program) const {
         glUseProgram(program.get());
         setCamera(program.get(), view);
         const StructureCut structure_cut = view.structure_cut.value_or(StructureCut{});
@@ -210,7 +292,7 @@ struct SceneRenderer::Impl {
 
     /// How the looks of a sensor are weighed, see light.frag.
     void setSum(const LightSum& sum) const {
-        const unsigned name = lighting.get();
+        const unsigned name = lightProgram().get();
         const auto set = [&](int location, double a, double b, double c, double d) {
             glProgramUniform4f(name, location, static_cast<float>(a), static_cast<float>(b),
                                static_cast<float>(c), static_cast<float>(d));
@@ -230,6 +312,7 @@ struct SceneRenderer::Impl {
 
     void addLight(const View& view, const LightSum& sum, RenderTarget& target) {
         if (sum.first_row >= sum.last_row) return;
+        updateSunShadow();
         // What darkens corners looks so far beyond the rows.
         constexpr int kBeyond = 160;
         const int first = std::max(sum.first_row - kBeyond, 0);
@@ -241,15 +324,15 @@ struct SceneRenderer::Impl {
         drawOcclusion(view, target);
         glScissor(0, sum.first_row, target.width(), sum.last_row - sum.first_row);
         setSum(sum);
-        glProgramUniform1i(lighting.get(), 12, 1);
+        glProgramUniform1i(lightProgram().get(), 12, 1);
         drawLight(view, target, 1.0F);
-        glProgramUniform1i(lighting.get(), 12, 0);
+        glProgramUniform1i(lightProgram().get(), 12, 0);
         glDisable(GL_SCISSOR_TEST);
     }
 
     /// The light of one look, added to the others of the pixel when it has a share of them.
     void drawLight(const View& view, RenderTarget& target, float share) {
-        const unsigned name = lighting.get();
+        const unsigned name = lightProgram().get();
         const Eigen::Vector3f position = view.pose.position.cast<float>();
         const Eigen::Vector3f low = light.low.cast<float>();
         Eigen::Vector3f scale;
@@ -268,8 +351,11 @@ struct SceneRenderer::Impl {
         if (view.backdrop) backdrop << *view.backdrop, 1.0F;
         glProgramUniform4fv(name, 8, 1, backdrop.data());
         glProgramUniform1i(name, 9, view.orthographic ? 1 : 0);
-        glProgramUniform1f(name, 10, std::numbers::pi_v<float> * light.exposure * light.dimmed);
+        glProgramUniform1f(name, 10,
+                           std::numbers::pi_v<float> * light.exposure * light.dimmed * shine());
         glProgramUniform1f(name, 11, share);
+        glProgramUniform3fv(name, 17, 1, light.backdrop_factor.data());
+        if (sun_shadow) sun_shadow->use(name);
         glBindTextureUnit(0, target.color_.get());
         glBindTextureUnit(4, ambient.get());
         glBindTextureUnit(5, lamps.get());
@@ -277,10 +363,10 @@ struct SceneRenderer::Impl {
         if (share > 0.0F) {
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);
-            drawPicture(target.sum_frame_, target.width(), target.height(), lighting);
+            drawPicture(target.sum_frame_, target.width(), target.height(), lightProgram());
             glDisable(GL_BLEND);
         } else {
-            drawPicture(target.lit_frame_, target.width(), target.height(), lighting);
+            drawPicture(target.lit_frame_, target.width(), target.height(), lightProgram());
         }
         glBindTextureUnit(0, 0);  // the next look draws into it
     }
@@ -320,11 +406,18 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     Result<GpuScene> uploaded = uploadScene(scene);
     if (!uploaded) return tl::unexpected(uploaded.error());
     impl->scene = std::move(*uploaded);
-    impl->setLight(light);
+    if (Status status = impl->setLight(light); !status) return tl::unexpected(status.error());
     impl->no_vertices = gl::createVertexArray();
 
-    const std::array<std::tuple<gl::Program*, const char*, const char*>, 8> programs = {{
+    struct Wanted {
+        gl::Program* program;
+        const char* vertex;
+        const char* fragment;
+        const char* define = "";
+    };
+    const std::array<Wanted, 9> programs = {{
         {&impl->surface, "surface.vert", "surface.frag"},
+        {&impl->mapped, "surface.vert", "surface.frag", "MAPS"},
         {&impl->glass, "surface.vert", "glass.frag"},
         {&impl->label, "surface.vert", "label.frag"},
         {&impl->occlusion, "picture.vert", "occlusion.frag"},
@@ -333,8 +426,8 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
         {&impl->edges, "picture.vert", "smooth_edges.frag"},
         {&impl->encode, "picture.vert", "encode.frag"},
     }};
-    for (const auto& [program, vertex, fragment] : programs) {
-        Result<gl::Program> linked = gl::linkProgram(vertex, fragment);
+    for (const auto& [program, vertex, fragment, define] : programs) {
+        Result<gl::Program> linked = gl::linkProgram(vertex, fragment, define);
         if (!linked) return tl::unexpected(linked.error());
         *program = std::move(*linked);
     }
@@ -352,12 +445,13 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     return SceneRenderer(std::move(impl));
 }
 
-void SceneRenderer::setLight(const LightVolume& light) {
-    impl_->setLight(light);
+Status SceneRenderer::setLight(const LightVolume& light) {
+    return impl_->setLight(light);
 }
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target) {
     glDisable(GL_CULL_FACE);
+    impl_->updateSunShadow();
     if (const auto looks = looksOf(view.antialias); !looks.empty()) {
         impl_->drawLooks(view, looks, target);
     } else {
@@ -404,6 +498,7 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
         resting = impl_->resting.emplace(object_id, copyOf(impl_->scene, object_id)).first;
     }
     render::place(impl_->scene, resting->second, motion);
+    impl_->sun_shadow_is_old = true;
 }
 
 std::vector<bool> SceneRenderer::inView(const View& view) const {

@@ -38,7 +38,7 @@ class SceneRenderer {
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
     /// Other light on the same scene.
-    void setLight(const LightVolume& light);
+    [[nodiscard]] Status setLight(const LightVolume& light);
 
     /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
     /// target has the size of the view's image. Everything is opaque in depth and ids, both sides

@@ -14,6 +14,22 @@ constexpr float kHoleBelow = 0.5F;
     return material.texture >= 0 && scene.textures[material.texture].width > 0;
 }
 
+/// Whether a map of a material is there.
+[[nodiscard]] inline bool hasMap(const Scene& scene, int map) {
+    return map >= 0 && scene.textures[static_cast<std::size_t>(map)].width > 0;
+}
+
+/// What a material shines with where no map says more; nothing where its map is missing.
+[[nodiscard]] inline Eigen::Vector3f plainEmission(const Material& material) {
+    return material.emission_map < 0 ? material.emission : Eigen::Vector3f::Zero();
+}
+
+/// The same of all its surface in the mean.
+[[nodiscard]] Eigen::Vector3f meanEmission(const Scene& scene, const Material& material);
+
+/// Mean of a colour picture, linear (texels taken for squares of what they encode).
+[[nodiscard]] Eigen::Vector3f meanTexel(const Texture& texture);
+
 /// How each material is shown, drawn or traced.
 [[nodiscard]] std::vector<Surface> surfaceKinds(const Scene& scene);
 

@@ -6,6 +6,7 @@
 #include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
 #include "engine/io/sha256.h"
+#include "engine/scene/varied_materials.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +29,7 @@ struct SaidOfScene {
     Eigen::Matrix4d source_from_world = Eigen::Matrix4d::Identity();
     Edits edits;
     SizeRules sizes;
+    LightParams light;    // whose variation changes materials
     bool albedo = false;  // it says what colours there are
 };
 
@@ -51,6 +53,14 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
         if (targets.is_object()) {
             said.sizes.small_volume_m3 = targets.value("small_volume_m3", 0.1);
             said.sizes.size_ratio = targets.value("size_ratio", 5.0);
+        }
+        const auto& parameters = dataset.card.at("parameters");
+        if (parameters.contains("light")) {
+            const nlohmann::json light = {{"light", parameters["light"]}};
+            if (Status status = setFromJson(listLightFields(said.light), light); !status) {
+                return fail(status.error().code, status.error().message,
+                            place + ": " + status.error().where);
+            }
         }
         if (dataset.card.contains("edits")) {
             Result<Edits> edits = editsFromJson(nlohmann::json(dataset.card["edits"]));
@@ -227,6 +237,11 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
     }
     Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if (said->light.light_variation > 0.0) {
+        Scene varied = **scene;
+        varyMaterials(varied, said->light);
+        *scene = std::make_shared<const Scene>(std::move(varied));
+    }
     if ((*scene)->source_sha256 != said->sha256) {
         return fail(ErrorCode::BadInput,
                     "It is not the scene that the dataset was made of, or it has changed since; "

@@ -200,6 +200,7 @@ Result<render::DatasetSummary> renderTrajectory(
     settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
     settings.picture = planned.params.picture;
     settings.sensor = planned.params.sensor;
+    settings.light = planned.params.light;
     settings.score = planned.params.repair.score;
     render::DatasetOrigin origin;
     origin.product_version = DOLLYTRACK_VERSION;

@@ -21,6 +21,38 @@ layout(location = 14) uniform vec4 distortion;   // k1 k2 p1 p2
 layout(location = 15) uniform float distortion_k3;
 layout(location = 16) uniform vec4 row_time;     // slope, offset, half exposure; see weightOfRow
 
+layout(location = 17) uniform vec3 backdrop_factor;
+
+#ifdef SUN
+layout(location = 18) uniform vec3 sun_irradiance;
+layout(location = 19) uniform vec3 to_sun;
+layout(location = 20) uniform mat3 sun_from_world;
+layout(location = 21) uniform vec3 sun_eye;
+layout(location = 22) uniform vec4 sun_scale;  // metres to texture coordinates, depth; m a texel
+layout(location = 23) uniform float sun_blur;  // half width of the soft edge, m
+
+layout(binding = 7) uniform sampler2DShadow sun_depth;
+layout(binding = 8) uniform sampler2D sun_let_through;
+
+// The share of the sun's light that reaches a surface; the edge of a shadow is as soft as the
+// sun's disc makes it a few metres away.
+float sunAt(vec3 p, vec3 n, float slant) {
+    // Off the surface, as far as a texel of the filter may lie above or below it.
+    float lift = (sun_blur + 2.0 * sun_scale.w) * sqrt(max(1.0 - slant * slant, 0.0)) + 0.002;
+    vec3 q = sun_from_world * (p + lift * n - sun_eye);
+    vec2 middle = 0.5 + q.xy * sun_scale.xy;
+    vec2 apart = sun_blur * sun_scale.xy;
+    float depth = 1.0 - q.z * sun_scale.z;
+    float sum = 0.0;
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+            sum += texture(sun_depth, vec3(middle + vec2(x, y) * apart, depth));
+        }
+    }
+    return sum / 9.0 * texture(sun_let_through, middle).r;
+}
+#endif
+
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
@@ -84,7 +116,7 @@ void main() {
         float rise = normalize(ray).z;
         vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
         sky = mix(sky, vec3(0.64, 0.63, 0.61), smoothstep(0.0, 0.12, -rise));
-        vec3 plain = decode(backdrop.a > 0.0 ? backdrop.rgb : sky);
+        vec3 plain = backdrop.a > 0.0 ? decode(backdrop.rgb) : decode(sky) * backdrop_factor;
         if (sensor != 0) {
             out_rgb = weightOfRow() * vec4(beforeToneCurve(plain), 1.0);
         } else {
@@ -95,7 +127,7 @@ void main() {
     vec4 color = texelFetch(colors, pixel, 0);
     vec4 facing = texelFetch(normals, pixel, 0);
     vec3 n = normalize(facing.xyz);
-    float roughness = facing.w;
+    float roughness = abs(facing.w);
     vec3 albedo = color.rgb * color.rgb;
     float metallic = color.a < 0.5 ? color.a * 2.0 : 0.0;
     float emission = color.a > 0.5 ? (color.a - 0.5) * 16.0 : 0.0;
@@ -118,6 +150,11 @@ void main() {
     vec3 open_color = mix(vec3(open), vec3(1.0), 0.35 * albedo * (1.0 - open));
 
     vec3 irradiance = ambient * open_color + lamp_color * (lamp_strength * facing_lamp * mix(1.0, open, 0.5));
+#ifdef SUN
+    float slant = dot(n, to_sun);
+    vec3 sun = slant > 0.0 ? sun_irradiance * sunAt(p, n, slant) : vec3(0.0);
+    irradiance += sun * slant;
+#endif
     vec3 lit = albedo * (1.0 - metallic) * irradiance;
 
     // Highlights of the lamps and a blurred reflection of the room.
@@ -134,6 +171,11 @@ void main() {
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
     vec3 shiny = fresnel * (room * open + lamp_color * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
+
+#ifdef SUN
+    float glint = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_sun), 0.0)));
+    shiny += fresnel * sun * (glint * min(power * 0.06, 2.5));
+#endif
 
     vec3 light = exposure * (lit + shiny) + glow * emission * albedo;
     if (sensor != 0) {

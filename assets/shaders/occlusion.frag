@@ -22,6 +22,21 @@ vec3 pointAt(ivec2 pixel) {
     return orthographic != 0 ? vec3(aside, z) : vec3(aside, 1.0) * z;
 }
 
+// That of the surface without its map, from the neighbours that lie nearest in depth.
+vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
+    vec3 across[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+        vec3 before = pointAt(max(pixel - step, ivec2(0)));
+        vec3 after = pointAt(min(pixel + step, size - 1));
+        bool use_after = abs(after.z - p.z) <= abs(p.z - before.z) && after != p || before == p;
+        across[axis] = use_after ? after - p : p - before;
+    }
+    vec3 n = normalize(cross(across[0], across[1]));
+    vec3 along = orthographic != 0 ? vec3(0.0, 0.0, 1.0) : p;
+    return dot(n, along) > 0.0 ? -n : n;
+}
+
 void main() {
     ivec2 size = textureSize(surface, 0);
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
@@ -30,7 +45,8 @@ void main() {
         out_light = 1.0;
         return;
     }
-    vec3 n = camera_from_world * texelFetch(normals, pixel, 0).xyz;
+    vec4 facing = texelFetch(normals, pixel, 0);
+    vec3 n = facing.w < 0.0 ? flatNormal(p, pixel, size) : camera_from_world * facing.xyz;
     float reach = clamp(kRadius * pixels_per_radian / (orthographic != 0 ? 1.0 : p.z), 4.0, 160.0);
     // The pattern turns from pixel to pixel in a 4 x 4 tile, which the blur that follows averages.
     ivec2 tile = ivec2(gl_FragCoord.xy) & 3;

@@ -18,10 +18,27 @@ layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
 layout(location = 9) uniform float ceiling_z;
 
+layout(location = 13) uniform vec2 emission_share;  // of lamps, and of what shows the outside
+
 layout(binding = 0) uniform sampler2D base_texture;
 
+#ifdef MAPS
+layout(location = 10) uniform ivec4 has_map;  // normal, roughness, metallic, emission
+layout(location = 11) uniform float normal_scale;
+layout(location = 12) uniform vec3 emission_factor;
+
+layout(binding = 9) uniform sampler2D normal_map;
+layout(binding = 10) uniform sampler2D roughness_map;  // green
+layout(binding = 11) uniform sampler2D metallic_map;   // blue
+layout(binding = 12) uniform sampler2D emission_map;
+
+// Less is drowned by what the surface throws back, and has no step of its own in the buffer.
+const float kFaintest = 0.0625;
+#endif
+
 layout(location = 0) out vec4 out_color;     // square root of linear; a: metallic or emission
-layout(location = 1) out vec4 out_normal;    // on the side that is seen; w: roughness
+layout(location = 1) out vec4 out_normal;    // on the side that is seen; w: roughness, negative
+                                             // where a map turned the normal
 layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
 layout(location = 3) out float out_depth;    // planar depth of the label, m
 layout(location = 4) out uint out_id;
@@ -31,19 +48,53 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
+#ifdef MAPS
+vec3 to_u;  // along the surface
+vec3 to_v;
+
+void findFrame() {
+    vec3 right = dFdx(offset_in_world);
+    vec3 down = dFdy(offset_in_world);
+    vec2 uv_right = dFdx(texture_uv) * vec2(1.0, -1.0);  // v grows upwards
+    vec2 uv_down = dFdy(texture_uv) * vec2(1.0, -1.0);
+    float turn = sign(uv_right.x * uv_down.y - uv_right.y * uv_down.x);
+    to_u = (right * uv_down.y - down * uv_right.y) * turn;
+    to_v = (down * uv_right.x - right * uv_down.x) * turn;
+}
+
+// The normal that the map makes of the smoothed one, in the frame that u and v span here.
+vec3 mappedNormal(vec3 n) {
+    vec3 along_u = to_u - dot(to_u, n) * n;
+    vec3 said = 2.0 * texture(normal_map, texture_uv).xyz - 1.0;
+    if (!(dot(along_u, along_u) > 0.0)) return n;
+    along_u = normalize(along_u);
+    vec3 across = cross(n, along_u);
+    if (dot(across, to_v) < 0.0) across = -across;
+    return normalize(normal_scale * (said.x * along_u + said.y * across) +
+                     max(said.z, 0.01) * n);
+}
+#endif
+
 // The normal on the side that is seen, whichever way the file winds the face. That of a smoothed
 // face is turned by the face: near the outline it may look a little past the side by itself, and
 // there it is laid along the outline, for a surface that is seen does not face away.
 vec3 seenNormal(vec3 face, vec3 along) {
     if (dot(face, along) > 0.0) face = -face;
     vec3 n = normalize(normal_in_world);
-    if (dot(n, face) < 0.0) n = -n;
+    float side = dot(n, face) < 0.0 ? -1.0 : 1.0;
+#ifdef MAPS
+    if (has_map.x != 0) n = mappedNormal(n);
+#endif
+    n *= side;
     return normalize(n - max(dot(n, along), 0.0) * along);
 }
 
 void main() {
     // Before anything is left away: neighbours that end early have no place to compare with.
     vec3 face = cross(dFdx(offset_in_world), dFdy(offset_in_world));
+#ifdef MAPS
+    findFrame();
+#endif
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
@@ -57,10 +108,31 @@ void main() {
     }
     vec3 forward = vec3(camera_from_world[0].z, camera_from_world[1].z, camera_from_world[2].z);
     vec3 n = seenNormal(face, depth_span.y > 0.0 ? forward : normalize(offset_in_world));
-    float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * surface_traits.z
+    bool outside = abs(abs(surface_traits.w - 0.5) - 0.25) < 0.1;
+    float share = outside ? emission_share.y : emission_share.x;
+    float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * min(surface_traits.z * share, 1.0)
                                            : 0.49 * surface_traits.y;
+    // What shone as the day does is dark without it.
+    if (outside && surface_traits.z > 0.0) color.rgb *= sqrt(min(share, 1.0));
+    float roughness = surface_traits.x;
+#ifdef MAPS
+    if (has_map.y != 0) roughness *= texture(roughness_map, texture_uv).g;
+    if (has_map.z != 0) special *= texture(metallic_map, texture_uv).b;
+    // The occlusion is that of the surface itself, see occlusion.frag.
+    if (has_map.x != 0) roughness = -max(roughness, 0.001);
+    if (has_map.w != 0) {
+        if (outside) color.rgb *= sqrt(min(share, 1.0));
+        vec3 texel = texture(emission_map, texture_uv).rgb;
+        vec3 emission = min(emission_factor * texel * texel * share, 8.0);
+        float strongest = max(emission.r, max(emission.g, emission.b));
+        if (strongest >= kFaintest) {
+            color.rgb = sqrt(emission / strongest);
+            special = 0.5 + strongest / 16.0;
+        }
+    }
+#endif
     out_color = vec4(color.rgb, special);
-    out_normal = vec4(n, surface_traits.x);
+    out_normal = vec4(n, roughness);
     float z = depthHere();
     out_surface = z;
     out_depth = z;

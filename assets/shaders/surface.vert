@@ -7,7 +7,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 base_color;  // square root of linear
-layout(location = 4) in vec4 traits;      // roughness, metallic, emission (1 = 8), structure
+layout(location = 4) in vec4 traits;      // roughness, metallic, emission (1 = 8); structure: above
+                                        // 1/2, what shows the outside: a quarter off
 layout(location = 5) in uint object_id;
 
 layout(location = 0) uniform mat3 camera_from_world;

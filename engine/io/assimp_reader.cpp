@@ -178,6 +178,14 @@ class TextureList {
     std::map<std::string, int> indices_;
 };
 
+/// A picture that lies on the surface as the colours do; -1: none.
+int mapOf(const aiMaterial& source, aiTextureType type, TextureList& textures) {
+    aiString file;
+    unsigned uv_set = 0;
+    const bool found = source.GetTexture(type, 0, &file, nullptr, &uv_set) == AI_SUCCESS;
+    return found && file.length > 0 && uv_set == 0 ? textures.request(file.C_Str(), true) : -1;
+}
+
 Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textures) {
     Material material;
     aiString name;
@@ -212,17 +220,37 @@ Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textu
     // Some exporters write 0 for "opaque"; nobody models what cannot be seen.
     material.opacity = opaque || !(opacity > 0.0F) ? 1.0F : std::min(opacity, 1.0F);
 
-    // Ke in MTL files is more often a default than a lamp, and a glow map without its picture
-    // would light a whole object: only plain glTF, FBX and DAE emission counts.
+    // Ke in MTL files is more often a default than a lamp: without a map only that of glTF counts.
     aiColor3D emission;
-    const bool has_map = source.GetTextureCount(aiTextureType_EMISSIVE) > 0;
-    if (is_gltf && !has_map && source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == AI_SUCCESS) {
+    material.emission_map = mapOf(source, aiTextureType_EMISSIVE, textures);
+    const bool says = source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == AI_SUCCESS;
+    if (says && (is_gltf || material.emission_map >= 0)) {
         material.emission = {clean(emission.r), clean(emission.g), clean(emission.b)};
+    }
+    // Other formats' exporters write black beside the picture.
+    const bool black = material.emission.isZero(0.0F);
+    if (!is_gltf && material.emission_map >= 0 && black) material.emission.setOnes();
+
+    material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
+    if (float scale = 1.0F;
+        source.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale) == AI_SUCCESS &&
+        std::isfinite(scale)) {
+        material.normal_scale = std::clamp(scale, 0.0F, 10.0F);
+    }
+    if (is_gltf) {  // one picture for both
+        material.roughness_map = mapOf(source, aiTextureType_UNKNOWN, textures);
+        material.metallic_map = material.roughness_map;
+    } else {
+        material.roughness_map = mapOf(source, aiTextureType_DIFFUSE_ROUGHNESS, textures);
+        material.metallic_map = mapOf(source, aiTextureType_METALNESS, textures);
+        if (material.roughness_map >= 0) material.roughness = 1.0F;
+        if (material.metallic_map >= 0) material.metallic = 1.0F;
     }
     source.Get(AI_MATKEY_METALLIC_FACTOR, material.metallic);
     source.Get(AI_MATKEY_ROUGHNESS_FACTOR, material.roughness);
     float shininess = 0.0F;
-    if (!is_gltf && source.Get(AI_MATKEY_SHININESS, shininess) == AI_SUCCESS) {
+    if (!is_gltf && material.roughness_map < 0 &&
+        source.Get(AI_MATKEY_SHININESS, shininess) == AI_SUCCESS) {
         // Blinn exponent to roughness, the usual approximation.
         material.roughness = std::sqrt(2.0F / (std::max(shininess, 0.0F) + 2.0F));
         material.roughness = std::clamp(material.roughness, 0.2F, 0.9F);

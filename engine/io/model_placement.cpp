@@ -10,7 +10,9 @@ void ModelPlacement::addMaterials() {
     first_material_ = scene_.materials.size();
     const auto first_texture = static_cast<int>(scene_.textures.size());
     for (Material material : model_.materials) {
-        if (material.texture >= 0) material.texture += first_texture;
+        visitTextures(material, [&](int& index) {
+            if (index >= 0) index += first_texture;
+        });
         scene_.materials.push_back(std::move(material));
     }
     scene_.textures.insert(scene_.textures.end(), model_.textures.begin(), model_.textures.end());

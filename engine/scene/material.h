@@ -8,7 +8,8 @@
 
 namespace dollytrack {
 
-/// An 8-bit RGBA picture, rows from the top, sRGB encoded.
+/// An 8-bit RGBA picture, rows from the top. Colours are sRGB encoded; what is no colour (normals,
+/// roughness, metallic) is as it is.
 struct Texture {
     std::string name;  // as the scene names it, clean text (core/clean_text.h)
     int width = 0;     // 0 when the file was not found or not readable
@@ -25,6 +26,27 @@ struct Material {
     float metallic = 0.0F;
     float roughness = 0.8F;
     int texture = -1;  // index into Scene::textures, multiplies base_color; -1: none
+
+    // Maps, as glTF 2.0 has them: indices into Scene::textures; -1: none.
+    int normal_map = -1;     // of the tangent frame: u, v upwards, normal
+    float normal_scale = 1;  // of its u and v
+    int roughness_map = -1;  // green, multiplies roughness
+    int metallic_map = -1;   // blue, multiplies metallic
+    int emission_map = -1;   // multiplies emission
+
+    [[nodiscard]] bool hasMaps() const {
+        return normal_map >= 0 || roughness_map >= 0 || metallic_map >= 0 || emission_map >= 0;
+    }
 };
+
+/// Every index of a material's textures, to be changed or looked at.
+template <class AnyMaterial, class Visitor>
+void visitTextures(AnyMaterial& material, Visitor&& visit) {
+    visit(material.texture);
+    visit(material.normal_map);
+    visit(material.roughness_map);
+    visit(material.metallic_map);
+    visit(material.emission_map);
+}
 
 }  // namespace dollytrack

@@ -5,6 +5,7 @@
 #include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/resolved_light.h"
 #include "engine/scene/scene_report.h"
 #include "render/formats/camera_json.h"
 #include "render/formats/fold_files.h"
@@ -170,6 +171,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
                      {"source_from_world", toJson(scene.source_from_world)}};
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
+    root["light"] = toJson(resolved(contents.light));
     root["whole_motion"] = {{"trajectory_sha256", card.whole_trajectory_sha256},
                             {"objects_sha256", card.whole_motions_sha256}};
     root["seed"] = card.seed;

@@ -3,7 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/png_writer.h"
 #include "engine/jobs/parallel.h"
-#include "render/gpu_scene.h"
+#include "render/surface_kind.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace dollytrack::render {
 namespace {
@@ -20,14 +21,25 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr int kJpegQuality = 92;
 
-bool hasPicture(const Scene& scene, const Material& material) {
-    return material.texture >= 0 &&
-           scene.textures[static_cast<std::size_t>(material.texture)].width > 0;
+/// glTF has one picture for roughness and metallic; two are left out.
+int surfaceMap(const Scene& scene, const Material& material) {
+    const bool same = material.roughness_map == material.metallic_map;
+    return same && hasMap(scene, material.roughness_map) ? material.roughness_map : -1;
 }
 
-/// JPEG, as pictures of surfaces mostly were before; PNG where there are holes.
-Result<Bytes> encode(const Texture& texture, bool holes) {
-    if (holes) {
+/// The pictures that a material has in the file.
+std::vector<int> picturesOf(const Scene& scene, const Material& material) {
+    std::vector<int> there;
+    for (const int map : {material.texture, material.normal_map, surfaceMap(scene, material),
+                          material.emission_map}) {
+        if (hasMap(scene, map)) there.push_back(map);
+    }
+    return there;
+}
+
+/// JPEG, as pictures of surfaces mostly were before; PNG where there are holes or numbers.
+Result<Bytes> encode(const Texture& texture, bool exact) {
+    if (exact) {
         return io::encodePng(texture.width, texture.height, io::PngFormat::Rgba8, texture.rgba);
     }
     try {
@@ -48,8 +60,10 @@ Result<Bytes> encode(const Texture& texture, bool holes) {
 /// Adds the textures in use; returns their number in the file by index in the scene.
 Result<std::map<int, int>> addTextures(const Scene& scene, GlbBuilder& builder, Json& root) {
     std::map<int, int> numbers;
+    std::set<int> numeric;
     for (const Material& material : scene.materials) {
-        if (hasPicture(scene, material)) numbers[material.texture] = 0;
+        for (const int map : picturesOf(scene, material)) numbers[map] = 0;
+        numeric.insert({material.normal_map, surfaceMap(scene, material)});
     }
     std::vector<int> used;
     for (auto& [texture, number] : numbers) {
@@ -57,17 +71,17 @@ Result<std::map<int, int>> addTextures(const Scene& scene, GlbBuilder& builder, 
         used.push_back(texture);
     }
     std::vector<Result<Bytes>> pictures(used.size());
-    std::vector<char> holes(used.size());
+    std::vector<char> exact(used.size());
     parallelFor(used.size(), [&](std::size_t i) {
         const Texture& texture = scene.textures[static_cast<std::size_t>(used[i])];
-        holes[i] = hasHoles(texture) ? 1 : 0;
-        pictures[i] = encode(texture, holes[i] != 0);
+        exact[i] = numeric.contains(used[i]) || hasHoles(texture) ? 1 : 0;
+        pictures[i] = encode(texture, exact[i] != 0);
     });
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!pictures[i]) return tl::unexpected(pictures[i].error());
         const int image =
             builder.addImage(cleanText(scene.textures[static_cast<std::size_t>(used[i])].name),
-                             holes[i] != 0 ? "image/png" : "image/jpeg", *pictures[i]);
+                             exact[i] != 0 ? "image/png" : "image/jpeg", *pictures[i]);
         root["textures"].push_back({{"source", image}});
     }
     return numbers;
@@ -90,16 +104,27 @@ Json materialJson(const Scene& scene, const Material& material,
                     {"metallicFactor", share(material.metallic)},
                     {"roughnessFactor", share(material.roughness)}};
     Json json = {{"name", cleanText(material.name)}, {"doubleSided", true}};
-    if (hasPicture(scene, material)) {
+    if (hasMap(scene, material.texture)) {
         surface["baseColorTexture"] = {{"index", textures.at(material.texture)}};
         if (hasHoles(scene.textures[static_cast<std::size_t>(material.texture)])) {
             json["alphaMode"] = "MASK";
         }
     }
+    if (const int map = surfaceMap(scene, material); map >= 0) {
+        surface["metallicRoughnessTexture"] = {{"index", textures.at(map)}};
+    }
+    if (hasMap(scene, material.normal_map)) {
+        json["normalTexture"] = {{"index", textures.at(material.normal_map)},
+                                 {"scale", static_cast<double>(material.normal_scale)}};
+    }
     if (material.opacity < 0.95F) json["alphaMode"] = "BLEND";
     json["pbrMetallicRoughness"] = std::move(surface);
-    const float strength = material.emission.maxCoeff();
+    const bool shines = material.emission_map < 0 || hasMap(scene, material.emission_map);
+    const float strength = shines ? material.emission.maxCoeff() : 0.0F;
     if (strength > 0.0F) {
+        if (material.emission_map >= 0) {
+            json["emissiveTexture"] = {{"index", textures.at(material.emission_map)}};
+        }
         json["emissiveFactor"] =
             toJson(Eigen::Vector3f(material.emission.cwiseMax(0.0F) / std::max(strength, 1.0F)));
         if (strength > 1.0F) {
@@ -139,7 +164,7 @@ Json meshJson(const Scene& scene, const Object& object, GlbBuilder& builder) {
     Json textured;  // made where a material asks for it
     Json primitives = Json::array();
     for (const auto& [material, list] : corners) {
-        const bool picture = hasPicture(scene, scene.materials[material]);
+        const bool picture = !picturesOf(scene, scene.materials[material]).empty();
         if (picture && textured.is_null()) {
             textured = plain;
             textured["TEXCOORD_0"] = builder.addVertices(uvs);

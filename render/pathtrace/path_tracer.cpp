@@ -4,6 +4,7 @@
 #include "engine/scene/srgb.h"
 #include "render/pathtrace/sample_sequence.h"
 #include "render/pathtrace/scene_lights.h"
+#include "render/pathtrace/sun_rays.h"
 #include "render/pathtrace/surface_brdf.h"
 #include "render/tone_curve.h"
 
@@ -41,12 +42,6 @@ struct Frame {
     }
 };
 
-/// A point just off a surface, on the side the ray goes to: farther than floats round there.
-Eigen::Vector3d liftedOff(const SurfacePoint& point, const Eigen::Vector3d& way) {
-    const double lift = 2e-5 * (1.0 + point.position.cwiseAbs().maxCoeff());
-    return point.position + (way.dot(point.face) >= 0.0 ? lift : -lift) * point.face;
-}
-
 /// Veach's power heuristic for a direction that two strategies could have chosen.
 double weightOf(double chosen, double other) {
     if (std::isinf(chosen)) return 1.0;
@@ -62,6 +57,8 @@ struct PathTracer::Impl {
     PathTracerParams params;
     TracedSurface surface;
     SceneLights lights;
+    SunRays sun_rays;
+    std::vector<bool> outside;  // see showsOutside()
 
     Impl(const Scene& of, const RayCaster& by, LightRig lit, const PathTracerParams& with,
          const MovedShape* moved)
@@ -70,7 +67,9 @@ struct PathTracer::Impl {
           rig(std::move(lit)),
           params(with),
           surface(of, moved),
-          lights(of, surface, rig) {}
+          lights(of, surface, rig),
+          sun_rays(of, by, surface, rig.sun),
+          outside(showsOutside(of)) {}
 
     Status add(const RayThrough& ray_through, double near_m,
                const std::optional<Eigen::Vector3f>& backdrop, int samples, RadianceImage& image,
@@ -122,6 +121,23 @@ struct PathTracer::Impl {
                static_cast<float>(share * weight * in.z() / light->density);
     }
 
+    /// The same of the sun, which is met in no other way: it is too small.
+    [[nodiscard]] Eigen::Vector3f sunlight(const SurfacePoint& point, const Frame& frame,
+                                           const SurfaceBrdf& brdf,
+                                           const std::array<double, 2>& where) const {
+        const Frame around(rig.sun.way);
+        const double aside = kSunRadius * std::sqrt(where[0]);
+        const double angle = 2.0 * std::numbers::pi * where[1];
+        const Eigen::Vector3d way = around.toWorld(
+            {aside * std::cos(angle), aside * std::sin(angle), std::sqrt(1.0 - aside * aside)});
+        const Eigen::Vector3d in = frame.toLocal(way);
+        if (in.z() <= 0.0 || way.dot(point.face) <= 0.0) return Eigen::Vector3f::Zero();
+        const Eigen::Vector3f value = brdf.value(in);
+        if (value.maxCoeff() <= 0.0F) return Eigen::Vector3f::Zero();
+        const double share = sun_rays.share(liftedOff(point, way), way);
+        return value.cwiseProduct(rig.sun.irradiance) * static_cast<float>(share * in.z());
+    }
+
     [[nodiscard]] Eigen::Vector3f follow(Eigen::Vector3d origin, Eigen::Vector3d way,
                                          double nearest, const Eigen::Vector3f& backdrop,
                                          SampleSequence& chance) const;
@@ -155,15 +171,22 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
             light += carried.cwiseProduct(seen ? backdrop : rig.skyRadiance(way));
             break;
         }
-        const SurfacePoint point = surface.at(origin, way, hit);
+        SurfacePoint point = surface.at(origin, way, hit);
         if (point.hole) {
             if (++sheets > kMostSheets) break;
             origin = liftedOff(point, way);
             continue;
         }
-        const bool daylight = !seen && sendsDaylight(scene.object(hit.object_id));
-        const Eigen::Vector3f sent =
-            daylight ? rig.skyRadiance(way) : rig.emissionOf(*point.material);
+        const bool window = sendsDaylight(scene.object(hit.object_id));
+        const bool daylight = !seen && window;
+        const bool shows_outside = outside[static_cast<std::size_t>(hit.object_id) - 1];
+        const float shines = rig.shineFactor(shows_outside);
+        const Eigen::Vector3f sent = daylight
+                                         ? rig.skyRadiance(way)
+                                         : Eigen::Vector3f(rig.emissionOf(point.emission) * shines);
+        // What shone as the day does is dark without it.
+        if (shows_outside && !point.emission.isZero(0.0F))
+            point.base_color *= std::min(shines, 1.0F);
         if (sent.maxCoeff() > 0.0F) {
             const double w =
                 params.sample_lights && !std::isinf(density)
@@ -196,8 +219,8 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         }
 
         const Frame frame(point.normal);
-        const SurfaceBrdf brdf(point.base_color, point.material->metallic,
-                               point.material->roughness, frame.toLocal(-way));
+        const SurfaceBrdf brdf(point.base_color, point.metallic, point.roughness,
+                               frame.toLocal(-way));
         if (params.sample_lights) {
             const double lamp = chance.next();
             const auto on_lamp = chance.nextPair();
@@ -208,6 +231,10 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
                 direct(lights.sampleTriangle(point.position, triangle, on_triangle), point, frame,
                        brdf, 1);
             light += carried.cwiseProduct(direct_light);
+        }
+        if (rig.sun.shines()) {
+            chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 12);
+            light += carried.cwiseProduct(sunlight(point, frame, brdf, chance.nextPair()));
         }
         if (++bounces > params.max_bounces) break;
         chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 8);
@@ -275,7 +302,9 @@ Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
                     const Eigen::Vector3f shown =
                         backdrop ? *backdrop : skyBackdrop(static_cast<float>(way.z()));
                     const Eigen::Vector3f linear =
-                        shown.unaryExpr([](float c) { return linearFromSrgb(c); });
+                        shown.unaryExpr([](float c) { return linearFromSrgb(c); })
+                            .cwiseProduct(backdrop ? Eigen::Vector3f(Eigen::Vector3f::Ones())
+                                                   : rig.backdrop_factor);
                     sum[pixel] += follow(ray->origin, way, near_m * length,
                                          inverseToneCurve(linear) / radiance_shown, chance);
                 }

@@ -17,6 +17,10 @@ double areaOf(const std::array<Eigen::Vector3d, 3>& corners) {
 
 SceneLights::SceneLights(const Scene& scene, const TracedSurface& surface, const LightRig& rig)
     : scene_(scene), surface_(surface), rig_(rig) {
+    for (const Material& material : scene.materials) {
+        emission_.push_back(rig.emissionOf(meanEmission(scene, material)).mean());
+    }
+    for (const bool outside : showsOutside(scene)) shines_.push_back(rig.shineFactor(outside));
     double sum = 0.0;
     for (const Object& object : scene.objects) {
         for (std::uint32_t t = object.first_triangle;
@@ -32,15 +36,10 @@ SceneLights::SceneLights(const Scene& scene, const TracedSurface& surface, const
 
 double SceneLights::brightness(int object_id, std::uint32_t triangle) const {
     if (sendsDaylight(scene_.object(object_id))) {
-        return rig_.sky_color.mean() * rig_.sky_strength;
+        return rig_.sky_color.cwiseProduct(rig_.sky_factor).mean() * rig_.sky_strength;
     }
-    return rig_.emissionOf(scene_.materials[scene_.triangle_material[triangle]]).mean();
-}
-
-Eigen::Vector3f SceneLights::sent(int object_id, std::uint32_t triangle,
-                                  const Eigen::Vector3d& way) const {
-    if (sendsDaylight(scene_.object(object_id))) return rig_.skyRadiance(way);
-    return rig_.emissionOf(scene_.materials[scene_.triangle_material[triangle]]);
+    return emission_[scene_.triangle_material[triangle]] *
+           shines_[static_cast<std::size_t>(object_id) - 1];
 }
 
 double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const {
@@ -95,14 +94,19 @@ std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& fr
     const auto& [triangle, object_id] = shining_[index];
     const auto [a, b, c] = surface_.corners(triangle);
     const double root = std::sqrt(where[0]);
-    const Eigen::Vector3d at = a + root * (1.0 - where[1]) * (b - a) + root * where[1] * (c - a);
+    const double v = root * (1.0 - where[1]);
+    const double w = root * where[1];
+    const Eigen::Vector3d at = a + v * (b - a) + w * (c - a);
     LightSample sample;
     sample.distance = (at - from).norm();
     if (sample.distance <= 0.0) return std::nullopt;
     sample.way = (at - from) / sample.distance;
     sample.free = sample.distance;
     sample.density = triangleDensity(object_id, triangle, from, at);
-    sample.radiance = sent(object_id, triangle, sample.way);
+    sample.radiance = sendsDaylight(scene_.object(object_id))
+                          ? rig_.skyRadiance(sample.way)
+                          : Eigen::Vector3f(rig_.emissionOf(surface_.emissionAt(triangle, v, w)) *
+                                            shines_[static_cast<std::size_t>(object_id) - 1]);
     if (!(sample.density > 0.0) || !std::isfinite(sample.density)) return std::nullopt;
     return sample;
 }

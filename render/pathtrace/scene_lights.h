@@ -55,15 +55,11 @@ class SceneLights {
                                          const Eigen::Vector3d& from,
                                          const Eigen::Vector3d& at) const;
 
-    /// What a triangle sends by itself along -way, that is, towards whom looks along `way`.
-    [[nodiscard]] Eigen::Vector3f sent(int object_id, std::uint32_t triangle,
-                                       const Eigen::Vector3d& way) const;
-
   private:
     [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
     [[nodiscard]] double totalChoice(const Eigen::Vector3d& from) const;
     [[nodiscard]] Eigen::Vector3f lampRadiance(const Lamp& lamp) const {
-        return rig_.lamp_color * static_cast<float>(lamp.radiance());
+        return rig_.lampLight() * static_cast<float>(lamp.radiance());
     }
     /// By which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
@@ -77,7 +73,9 @@ class SceneLights {
     const TracedSurface& surface_;
     const LightRig& rig_;
     std::vector<Shining> shining_;
-    std::vector<double> power_;  // summed up to each, W/sr but for a factor
+    std::vector<float> emission_;  // by material, in the mean
+    std::vector<float> shines_;    // by object's id - 1, times that
+    std::vector<double> power_;    // summed up to each, W/sr but for a factor
 };
 
 }  // namespace dollytrack::render

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::render {
@@ -24,11 +25,16 @@ struct SurfacePoint {
     Eigen::Vector3d face = Eigen::Vector3d::UnitZ();    // the triangle's normal, towards the viewer
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // the smoothed one, likewise
     Eigen::Vector3f base_color = Eigen::Vector3f::Ones();
+    Eigen::Vector3f emission = Eigen::Vector3f::Zero();
+    float metallic = 0.0F;
+    float roughness = 1.0F;
     double opacity = 1.0;  // of glass
     bool hole = false;     // of a cut-out: nothing is here
     Surface kind = Surface::Opaque;
-    const Material* material = nullptr;
 };
+
+/// A point just off a surface, on the side the ray goes to: farther than floats round there.
+[[nodiscard]] Eigen::Vector3d liftedOff(const SurfacePoint& point, const Eigen::Vector3d& way);
 
 /// A scene's surfaces with all that shading asks of them. Keeps a reference to the scene.
 class TracedSurface {
@@ -40,12 +46,21 @@ class TracedSurface {
                                   const RayHit& hit) const;
 
     [[nodiscard]] std::array<Eigen::Vector3d, 3> corners(std::uint32_t triangle) const;
+
+    /// What a place on a triangle shines with: corner 0 + v * edge to 1 + w * edge to 2.
+    [[nodiscard]] Eigen::Vector3f emissionAt(std::uint32_t triangle, double v, double w) const;
     /// Whether light may pass somewhere.
     [[nodiscard]] bool anySeenThrough() const { return any_seen_through_; }
 
   private:
-    /// Linear colour and opacity, between the four nearest texels; textures repeat.
-    [[nodiscard]] Eigen::Vector4f texel(const Texture& texture, const Eigen::Vector2f& uv) const;
+    /// What a map says, if there is one.
+    [[nodiscard]] std::optional<Eigen::Vector4f> mapAt(int map, const Eigen::Vector2f& uv,
+                                                       const std::array<float, 256>& decoded) const;
+    [[nodiscard]] Eigen::Vector2f uvAt(const Triangle& triangle, double v, double w) const;
+    /// The normal that a map makes of the smoothed one, which points out of the file's front.
+    [[nodiscard]] Eigen::Vector3d mappedNormal(const Material& material, const Triangle& triangle,
+                                               const Eigen::Vector2f& uv,
+                                               const Eigen::Vector3d& normal) const;
 
     const Scene& scene_;
     const std::vector<Eigen::Vector3f>& positions_;
@@ -53,6 +68,7 @@ class TracedSurface {
     std::vector<Surface> kinds_;
     bool any_seen_through_ = false;
     std::array<float, 256> linear_{};  // of sRGB bytes
+    std::array<float, 256> plain_{};   // of others
 };
 
 /// What a thin sheet of glass throws back, on both its faces together, for the cosine between ray

@@ -48,8 +48,8 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
             }
         }
     }
-    // What shines has the colour that it shines in.
-    const float emission = material.emission.maxCoeff();
+    // What shines all over has the colour that it shines in.
+    const float emission = material.emission_map < 0 ? material.emission.maxCoeff() : 0.0F;
     const Eigen::Vector3f color_of_it =
         emission > 0.0F ? Eigen::Vector3f(material.emission / emission) : material.base_color;
     ColorRange range;

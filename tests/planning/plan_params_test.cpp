@@ -35,7 +35,7 @@ TEST(PlanParams, EveryNameIsThereOnce) {
 
 // What shapes pictures and files alone leaves a plan what it is; everything else does not.
 TEST(PlanParams, KnowWhatAPlanDependsOn) {
-    const std::set<std::string> without_a_say = {"imu", "stereo", "picture", "sensor"};
+    const std::set<std::string> without_a_say = {"imu", "stereo", "picture", "light", "sensor"};
     const PlanParams standard;
     PlanParams params;
     const std::size_t count = listFields(params).size();
@@ -65,6 +65,12 @@ TEST(PlanParams, APresetSetsOthersAndWhatIsNamedBesideItChangesSingleOnes) {
     EXPECT_EQ(again, params);
     ASSERT_TRUE(setField(listFields(params), "sensor_preset=ideal"));
     EXPECT_EQ(params.sensor, sensorPreset(SensorPreset::Ideal));
+
+    ASSERT_TRUE(setFromJson(listFields(params),
+                            {{"light", {{"exposure_ev", 1.5}, {"light_preset", "night"}}}}));
+    LightParams night = lightPreset(LightPreset::Night);
+    night.exposure_ev = 1.5;
+    EXPECT_EQ(params.light, night);
 }
 
 }  // namespace

@@ -111,6 +111,9 @@ TEST_F(DatasetResumeGl, RefusesToMixTwoDatasets) {
     other = settingsFor(out);
     other.range.step = 2;
     refused(other, trajectory, "the frame range");
+    other = settingsFor(out);
+    other.light.exposure_ev = 0.5;
+    refused(other, trajectory, "the light");
     parameters_ = "{}";
     refused(settingsFor(out), trajectory, "the parameters");
     parameters_ = R"({"camera": {"width_px": 160}})";

@@ -341,6 +341,10 @@ void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
         row("Pictures", "How colour pictures are made; all other files are the same",
             {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
     }
+    if (wantsPictures(view, draft)) {
+        row("Light", "What light colour pictures are made in; more of it is among the parameters",
+            {"light_preset", "exposure_ev"});
+    }
     if (wantsSensors(view, draft)) {
         row("Sensors", "What real cameras make of it; more of them is among the parameters",
             {"sensor_preset", "depth_noise"});

@@ -239,7 +239,11 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     const render::LightVolume plain = plainLight(*scene);
     const render::LightVolume& light = request.light ? *request.light : plain;
     if (same) {
-        if (request.light != lit_by) renderer->setLight(light);
+        if (request.light != lit_by) {
+            if (Status status = renderer->setLight(light); !status) {
+                return tl::unexpected<Error>(std::move(status.error()));
+            }
+        }
     } else {
         renderer.reset();  // before the new one: both may not fit
         Result<render::SceneRenderer> made = render::SceneRenderer::create(*scene, light);

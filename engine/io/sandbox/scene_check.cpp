@@ -58,13 +58,18 @@ bool within(float value, float most) {
 
 bool soundMaterial(const Material& material, std::size_t textures) {
     constexpr float kBrightest = 1e6F;
+    constexpr float kSteepestMap = 10.0F;
     const auto color = [](const Eigen::Vector3f& c, float most) {
         return within(c.x(), most) && within(c.y(), most) && within(c.z(), most);
     };
+    bool sound_indices = true;
+    visitTextures(material, [&](int index) {
+        sound_indices = sound_indices && index >= -1 && index < static_cast<std::int64_t>(textures);
+    });
     return color(material.base_color, 1.0F) && color(material.emission, kBrightest) &&
            within(material.opacity, 1.0F) && within(material.metallic, 1.0F) &&
-           within(material.roughness, 1.0F) && material.texture >= -1 &&
-           material.texture < static_cast<std::int64_t>(textures);
+           within(material.roughness, 1.0F) && within(material.normal_scale, kSteepestMap) &&
+           sound_indices;
 }
 
 bool soundTexture(const Texture& texture) {

@@ -64,7 +64,8 @@ void objectMembers(Archive& archive, T& object) {
 
 template <class Archive, class T>
 void materialMembers(Archive& archive, T& material) {
-    auto& [name, base_color, opacity, emission, metallic, roughness, texture] = material;
+    auto& [name, base_color, opacity, emission, metallic, roughness, texture, normal_map,
+           normal_scale, roughness_map, metallic_map, emission_map] = material;
     archive.text(name);
     for (int i = 0; i < 3; ++i) archive.number(base_color[i]);
     archive.number(opacity);
@@ -72,6 +73,11 @@ void materialMembers(Archive& archive, T& material) {
     archive.number(metallic);
     archive.number(roughness);
     archive.number(texture);
+    archive.number(normal_map);
+    archive.number(normal_scale);
+    archive.number(roughness_map);
+    archive.number(metallic_map);
+    archive.number(emission_map);
 }
 
 template <class Archive, class T>
@@ -112,7 +118,7 @@ void sceneMembers(Archive& archive, T& scene) {
     archive.list(nodes, 16, [](Archive& to, auto& node) { nodeMembers(to, node); });
     archive.list(parts, 48, [](Archive& to, auto& part) { partMembers(to, part); });
     archive.list(objects, 30, [](Archive& to, auto& object) { objectMembers(to, object); });
-    archive.list(materials, 48, [](Archive& to, auto& one) { materialMembers(to, one); });
+    archive.list(materials, 68, [](Archive& to, auto& one) { materialMembers(to, one); });
     archive.list(requests, 9, [](Archive& to, auto& request) { requestMembers(to, request); });
     repairMembers(archive, repairs);
     archive.maybe(unit_m, [](Archive& to, auto& unit) { to.number(unit); });

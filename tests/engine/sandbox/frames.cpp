@@ -12,6 +12,11 @@ io::ReadScene smallReadScene() {
     raw.materials[0].name = "oak";
     raw.materials[0].texture = 0;
     raw.materials[1].emission = {4.0F, 4.0F, 3.0F};
+    raw.materials[1].normal_map = 1;
+    raw.materials[1].normal_scale = 0.5F;
+    raw.materials[1].roughness_map = 0;
+    raw.materials[1].metallic_map = 2;
+    raw.materials[1].emission_map = 0;
     for (int i = 0; i < 2; ++i) {
         MeshPart part;
         part.name = i == 0 ? "table_top" : "bulb";

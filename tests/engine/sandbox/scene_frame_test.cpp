@@ -41,7 +41,11 @@ void expectSound(const ReadScene& scene) {
         ASSERT_TRUE(std::isfinite(part.area));
     }
     for (const Material& material : raw.materials) {
-        ASSERT_LT(material.texture, static_cast<int>(raw.textures.size()));
+        for (const int map : {material.texture, material.normal_map, material.roughness_map,
+                              material.metallic_map, material.emission_map}) {
+            ASSERT_TRUE(map >= -1 && map < static_cast<int>(raw.textures.size()));
+        }
+        ASSERT_TRUE(std::isfinite(material.normal_scale));
         ASSERT_TRUE(material.base_color.allFinite() && material.emission.allFinite());
     }
     for (const SourceObject& object : raw.objects) {
@@ -68,6 +72,9 @@ TEST(SceneFrame, BringsEverythingBack) {
     EXPECT_EQ(after->raw.parts[1].positions, before.raw.parts[1].positions);
     EXPECT_EQ(after->raw.parts[1].triangles, before.raw.parts[1].triangles);
     EXPECT_EQ(after->raw.parts[1].area, 2.0);
+    EXPECT_EQ(after->raw.materials[1].normal_map, 1);
+    EXPECT_EQ(after->raw.materials[1].normal_scale, 0.5F);
+    EXPECT_EQ(after->raw.materials[1].metallic_map, 2);
     EXPECT_EQ(after->raw.objects[0].front, before.raw.objects[0].front);
     EXPECT_EQ(after->raw.file_unit_m, 0.01);
     EXPECT_EQ(after->raw.notes, before.raw.notes);

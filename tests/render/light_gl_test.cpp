@@ -1,0 +1,216 @@
+// The sun and the light's settings, in drawn pictures.
+
+#include "engine/scene/varied_materials.h"
+#include "render/pathtrace/path_tracer.h"
+#include "tests/render/dataset_fixture.h"
+#include "tests/render/sunny_room.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+using test::Hole;
+using test::sunAlone;
+using test::sunnyRoom;
+
+CameraParams squareCamera() {
+    CameraParams camera;
+    camera.width_px = 200;
+    camera.height_px = 200;
+    return camera;
+}
+
+/// Looks straight down at the floor from under the ceiling: 100 px a metre, the picture's middle at
+/// x = 1.5, y = 1.5.
+View downwards() {
+    View view = makeView(squareCamera(), Pose{});
+    Eigen::Matrix3d axes;  // right is x, down is -y
+    axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+    view.pose.rotation = Eigen::Quaterniond(axes);
+    view.pose.position = {1.5, 1.5, 2.5};
+    view.orthographic = Orthographic{100.0, 5.0};
+    return view;
+}
+
+class LightGl : public test::GlTest {
+  protected:
+    /// Light before the tone curve.
+    std::vector<float> lightOf(const Scene& scene, const LightVolume& light, const View& view) {
+        if (!context_) context_ = std::move(*gl::createOsMesaContext());
+        std::vector<float> values;
+        auto renderer = OffscreenRenderer::create(std::move(context_), scene, light,
+                                                  view.intrinsics.width, view.intrinsics.height);
+        EXPECT_TRUE(renderer) << describe(renderer.error());
+        if (!renderer) return values;
+        LightSum sum;
+        sum.lens = view.intrinsics;
+        sum.last_row = view.intrinsics.height;
+        EXPECT_TRUE(renderer->scene().beginLight(renderer->target()));
+        EXPECT_TRUE(renderer->scene().addLight(view, sum, renderer->target()));
+        renderer->target().readLight(values);
+        return values;
+    }
+
+    /// No light but the sun's own, as bright as the rig has it.
+    static LightVolume onlySun(const LightRig& rig) {
+        LightVolume light;
+        light.cells = {1, 1, 1};
+        light.ambient.assign(1, Eigen::Vector3f::Zero());
+        light.lamps.assign(1, Eigen::Vector3f::Zero());
+        light.sun = rig.sun;
+        return light;
+    }
+
+    static float at(const std::vector<float>& light, double x, double y, std::size_t c = 0) {
+        const auto column = static_cast<std::size_t>(100.0 + 100.0 * (x - 1.5));
+        const auto row = static_cast<std::size_t>(100.0 - 100.0 * (y - 1.5));
+        return light[3 * (row * 200 + column) + c];
+    }
+};
+
+// The sun at 45 degrees throws the window onto the floor one metre further in.
+TEST_F(LightGl, TheSunDrawsTheWindowOnTheFloor) {
+    const Scene scene = sunnyRoom(Hole::Window);
+    const std::vector<float> light = lightOf(scene, onlySun(sunAlone(scene)), downwards());
+    ASSERT_FALSE(light.empty());
+    const float expected = 0.5F * 4.0F * std::sqrt(0.5F);
+    EXPECT_NEAR(at(light, 1.5, 1.5), expected, 0.03F * expected);
+    EXPECT_NEAR(at(light, 1.5, 1.5, 1), 0.75F * expected, 0.03F * expected);
+    for (const double along : {1.1, 1.5, 1.9}) {
+        for (const double edge : {1.0, 2.0}) {
+            const double inwards = edge < 1.5 ? 0.04 : -0.04;
+            EXPECT_GT(at(light, edge + inwards, along), 0.9F * expected) << edge << along;
+            EXPECT_EQ(at(light, edge - inwards, along), 0.0F) << edge << along;
+            EXPECT_GT(at(light, along, edge + inwards), 0.9F * expected) << edge << along;
+            EXPECT_EQ(at(light, along, edge - inwards), 0.0F) << edge << along;
+        }
+    }
+}
+
+TEST_F(LightGl, NoSunThroughShuttersAndLessThroughGlass) {
+    const Scene closed = sunnyRoom(Hole::Shutter);
+    const std::vector<float> dark = lightOf(closed, onlySun(sunAlone(closed)), downwards());
+    EXPECT_EQ(*std::ranges::max_element(dark), 0.0F);
+    const Scene pane = sunnyRoom(Hole::Pane);
+    const std::vector<float> less = lightOf(pane, onlySun(sunAlone(pane)), downwards());
+    const double through = 0.75 * (1.0 - sheetReflectance(std::sqrt(0.5)));
+    const double expected = through * 0.5 * 4.0 * std::sqrt(0.5);
+    EXPECT_NEAR(at(less, 1.5, 1.5), expected, 0.03 * expected);
+    EXPECT_EQ(at(less, 2.1, 1.5), 0.0F);
+}
+
+// Baked, drawn and traced are the same light, the sun's and what it becomes.
+TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
+    const Scene scene = sunnyRoom(Hole::Window);
+    const RayCaster rays(scene);
+    LightRig rig = sunAlone(scene);
+    rig.sky_strength = 0.5;
+    const LightVolume volume = bakeLightVolume(scene, rays, rig);
+    CameraParams camera = squareCamera();
+    camera.width_px = 40;
+    camera.height_px = 30;
+    const View view = makeView(camera, lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
+    const std::vector<float> drawn = lightOf(scene, volume, view);
+    PathTracerParams params;
+    params.exposure = volume.exposure;
+    const PathTracer tracer(scene, rays, balanced(rig, volume), params);
+    RadianceImage image;
+    ASSERT_TRUE(tracer.add(view, 768, image));
+    const auto differenceTo = [&](float scale) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < image.sum.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float traced = scale * image.sum[i][static_cast<Eigen::Index>(c)] / 768.0F *
+                                     volume.exposure * std::numbers::pi_v<float>;
+                // As the tone curve would: what is very bright must not decide.
+                sum += std::abs(std::min(traced, 1.0F) - std::min(drawn[3 * i + c], 1.0F));
+            }
+        }
+        return sum / static_cast<double>(drawn.size());
+    };
+    EXPECT_LT(differenceTo(1.0F), 0.08);
+    EXPECT_GT(differenceTo(1.5F), 0.12);
+}
+
+class DatasetLightGl : public test::DatasetGlTest {
+  protected:
+    std::string pictureWith(const LightParams& light, const char* name) {
+        DatasetSettings settings;
+        settings.folder = folder_ / name;
+        settings.light = light;
+        settings.modalities = {"rgb", "depth", "instance"};
+        const auto summary = exportWith(settings, test::circle(1));
+        EXPECT_TRUE(summary) << describe(summary.error());
+        return read(settings.folder / "rgb/000000.png");
+    }
+};
+
+TEST_F(DatasetLightGl, TheSameSeedIsTheSamePictureAndAnotherIsNot) {
+    const std::string neutral = pictureWith({}, "neutral");
+    LightParams seeded;
+    seeded.light_seed = 9;  // says nothing without a variation
+    EXPECT_EQ(pictureWith(seeded, "seeded"), neutral);
+    LightParams varied = lightPreset(LightPreset::Evening);
+    varied.light_variation = 0.8;
+    const std::string first = pictureWith(varied, "first");
+    EXPECT_NE(first, neutral);
+    EXPECT_EQ(pictureWith(varied, "again"), first);
+    varied.light_seed = 2;
+    EXPECT_NE(pictureWith(varied, "other"), first);
+    // Depth and labels know nothing of the light.
+    for (const char* file : {"depth/000000.png", "instance/000000.png"}) {
+        EXPECT_EQ(read(folder_ / "first" / file), read(folder_ / "neutral" / file)) << file;
+        EXPECT_FALSE(read(folder_ / "first" / file).empty()) << file;
+    }
+    const auto card = nlohmann::json::parse(read(folder_ / "first/dataset.json"));
+    const auto drawn = nlohmann::json(toJson(resolved([&] {
+        varied.light_seed = 1;
+        return varied;
+    }())));
+    EXPECT_EQ(card.at("light"), drawn);
+}
+
+// Night: what came through the window is gone, to the last bit; the lamps still show the room.
+TEST_F(LightGl, ANightHasNoDaylight) {
+    const Scene scene = sunnyRoom(Hole::Window);
+    const RayCaster rays(scene);
+    LightParams night = lightPreset(LightPreset::Night);
+    const auto volumeOf = [&](const LightParams& params) {
+        LightVolumeParams coarse;
+        coarse.max_cells = 3000;
+        return bakeLightVolume(scene, rays, makeLightRig(scene, rays, {}, resolved(params)),
+                               coarse);
+    };
+    const auto meanOf = [&](const LightVolume& volume) {
+        const std::vector<float> light = lightOf(scene, volume, downwards());
+        double sum = 0.0;
+        for (const float one : light) sum += one;
+        return sum / static_cast<double>(light.size());
+    };
+    const double at_night = meanOf(volumeOf(night));
+    const double by_day = meanOf(volumeOf(lightPreset(LightPreset::Day)));
+    EXPECT_GT(at_night, 0.05);
+    EXPECT_LT(at_night, 0.8 * by_day);
+    night.lamp_strength = 0.0;
+    const LightVolume black = volumeOf(night);
+    for (const Eigen::Vector3f& ambient : black.ambient) ASSERT_EQ(ambient.maxCoeff(), 0.0F);
+    EXPECT_EQ(meanOf(black), 0.0);
+    // The same without lamps is not black by day, nor under an overcast sky.
+    for (const LightPreset preset : {LightPreset::Day, LightPreset::Overcast}) {
+        LightParams lit = lightPreset(preset);
+        lit.lamp_strength = 0.0;
+        EXPECT_GT(meanOf(volumeOf(lit)), 0.05);
+    }
+    // And the sun is the day's alone.
+    EXPECT_TRUE(volumeOf(lightPreset(LightPreset::Day)).sun.shines());
+    EXPECT_FALSE(volumeOf(lightPreset(LightPreset::Overcast)).sun.shines());
+    EXPECT_FALSE(volumeOf({}).sun.shines());
+}
+
+}  // namespace
+}  // namespace dollytrack::render
