@@ -60,7 +60,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         surfaces_.emplace(std::move(*created));
     }
-    if (needs(kNeedsRig)) rig_.emplace(contents_.camera.near_m, antialias());
+    if (needs(kNeedsRig)) {
+        rig_.emplace(contents_.camera.near_m, antialias());
+        if (reference_) return {};
+        for (const RigCamera& camera : contents_.rig) {
+            if (Status status = rig_->prepare(LensModel(camera)); !status) return status;
+        }
+    }
     return {};
 }
 
@@ -186,7 +192,8 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         silhouettes_of_ = record.index;
     }
     if (needs(kNeedsRgb)) target.readRgb(record.rgb);
-    if (needs(kNeedsDepth | kNeedsSensorLight)) target.readDepth(record.depth_m);
+    const bool focuses = needs(kNeedsSensorLight) && focusesByDepth(contents_.sensor);
+    if (needs(kNeedsDepth) || focuses) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, context_, view, record);
     if (reference_ && needs(kNeedsRgb)) {

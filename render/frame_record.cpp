@@ -1,5 +1,7 @@
 #include "render/frame_record.h"
 
+#include <algorithm>
+
 namespace dollytrack::render {
 
 std::size_t FrameRecord::bytes() const {
@@ -7,8 +9,16 @@ std::size_t FrameRecord::bytes() const {
     std::size_t all = of(rgb) + of(depth_m) + of(instance) + of(semantic) + of(normals_in_world) +
                       of(albedo) + of(rgb_right) + of(depth_right_m) + of(sensor_light);
     for (const WholeMask& mask : whole) all += of(mask.inside);
-    for (const std::vector<std::uint8_t>& picture : rig_rgb) all += of(picture);
-    return all;
+    // Depth, ids, normals and classes of one camera at a time; compressed, all cameras'.
+    constexpr std::size_t kLabelBytes = 24;
+    constexpr std::size_t kCompressedBytes = 3;
+    std::size_t largest_px = 0;
+    for (const std::vector<std::uint8_t>& picture : rig_rgb) {
+        const std::size_t pixels = picture.size() / 3;
+        all += of(picture) + kCompressedBytes * pixels;
+        largest_px = std::max(largest_px, pixels);
+    }
+    return all + kLabelBytes * largest_px;
 }
 
 void FrameRecord::labelClasses(const Scene& scene) {

@@ -35,7 +35,7 @@ struct FrameRecord {
 
     std::vector<std::vector<std::uint8_t>> rig_rgb;  // of each camera of the rig, as `rgb`
 
-    /// The memory that its images take.
+    /// The memory that its images take, and those that are made of them while they are written.
     [[nodiscard]] std::size_t bytes() const;
 
     /// Fills `semantic` from `instance`.

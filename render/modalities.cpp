@@ -43,7 +43,7 @@ constexpr std::array<Modality, 18> kModalities = {{
      kNeedsWhole, encodeAmodal, amodalConvention, false},
     {"rgb_sensor", "what a real camera makes of it: blur, lens, noise, see sensor_preset", 2.6,
      false, kNeedsSensorLight, encodeRgbSensor, rgbSensorConvention},
-    {"depth_sensor", "16-bit depth in millimetres as a depth camera delivers it, see sensor_preset",
+    {"depth_sensor", "16-bit depth in millimetres as a depth camera delivers it, see depth_noise",
      1.6, false, kNeedsDepth | kNeedsSurfaces, encodeDepthSensor, depthSensorConvention},
     {kRigModality, "colour, depth, ids, classes and normals of every camera of --rig", 2.6, false,
      kNeedsRig, encodeCameras, camerasConvention, false},

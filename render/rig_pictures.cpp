@@ -145,19 +145,35 @@ std::vector<LensPictures::Side> LensPictures::sidesFor(const LensModel& lens) co
     return sides;
 }
 
+Result<RenderTarget*> LensPictures::targetOf(int width, int height) {
+    auto target = targets_.find({width, height});
+    if (target == targets_.end()) {
+        Result<RenderTarget> created = RenderTarget::create(width, height);
+        if (!created) return tl::unexpected(created.error());
+        target = targets_.emplace(std::pair(width, height), std::move(*created)).first;
+    }
+    return &target->second;
+}
+
+Status LensPictures::prepare(const LensModel& lens) {
+    const auto makeTarget = [&](int width, int height) {
+        return targetOf(width, height).map([](RenderTarget*) {});
+    };
+    if (!lens.measuresRange()) return makeTarget(lens.width(), lens.height());
+    for (const Side& side : sidesFor(lens)) {
+        if (Status status = makeTarget(side.size_px, side.size_px); !status) return status;
+    }
+    return {};
+}
+
 Status LensPictures::drawView(const View& view, SceneRenderer& renderer, const RayCaster& rays,
                               std::vector<std::uint8_t>& rgb) {
-    const std::pair size(view.intrinsics.width, view.intrinsics.height);
-    auto target = targets_.find(size);
-    if (target == targets_.end()) {
-        Result<RenderTarget> created = RenderTarget::create(size.first, size.second);
-        if (!created) return tl::unexpected(created.error());
-        target = targets_.emplace(size, std::move(*created)).first;
-    }
-    if (Status status = renderer.draw(view, target->second); !status) return status;
+    const Result<RenderTarget*> target = targetOf(view.intrinsics.width, view.intrinsics.height);
+    if (!target) return tl::unexpected(target.error());
+    if (Status status = renderer.draw(view, **target); !status) return status;
     std::vector<std::uint16_t> ids;
-    target->second.readIds(ids);
-    target->second.readRgb(rgb);
+    (*target)->readIds(ids);
+    (*target)->readRgb(rgb);
     fillCrackColours(findCracks(view, ids, rays), rgb);
     return {};
 }

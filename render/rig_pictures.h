@@ -27,6 +27,9 @@ class LensPictures {
     LensPictures(double near_m, Antialias antialias,
                  const Eigen::Quaterniond& sides_from_camera = Eigen::Quaterniond::Identity());
 
+    /// Makes what draw() will draw into, so that it does not fail for its size or for memory.
+    [[nodiscard]] Status prepare(const LensModel& lens);
+
     /// 3 bytes a pixel, sRGB; black outside of the lens's image circle. `rays` are of the scene as
     /// the renderer has it.
     [[nodiscard]] Status draw(const LensModel& lens, const Pose& pose, SceneRenderer& renderer,
@@ -43,6 +46,7 @@ class LensPictures {
     [[nodiscard]] std::vector<Side> sidesFor(const LensModel& lens) const;
 
   private:
+    [[nodiscard]] Result<RenderTarget*> targetOf(int width, int height);
     [[nodiscard]] Status drawView(const View& view, SceneRenderer& renderer, const RayCaster& rays,
                                   std::vector<std::uint8_t>& rgb);
 

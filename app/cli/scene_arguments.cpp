@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 
 namespace dollytrack::cli {
 namespace {
@@ -29,6 +30,11 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
         all.push_back(fmt::format("max_length_m={}", *arguments.max_length_m));
     }
     if (arguments.loop) all.emplace_back("loop=true");
+    // As files are read: presets come before what changes single fields of theirs.
+    std::ranges::stable_sort(all, std::less(), [&](const std::string& assignment) {
+        return std::ranges::find(fields, assignment.substr(0, assignment.find('=')), &Field::name) -
+               fields.begin();
+    });
     for (const std::string& assignment : all) {
         if (Status status = setField(fields, assignment); !status) return status;
     }

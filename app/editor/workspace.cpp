@@ -7,6 +7,7 @@
 #include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
+#include "engine/scene/resolved_light.h"
 #include "render/light_rig.h"
 
 #include <algorithm>
@@ -315,16 +316,19 @@ void Workspace::updateLight() {
                    [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
                        return a.min() == b.min() && a.max() == b.max();
                    });
-    const bool same = lit_geometry_ == shown_.geometry && same_rooms;
+    const LightParams& light = shown_.params.light;
+    const bool same = lit_geometry_ == shown_.geometry && same_rooms && lit_params_ == light;
     if (same && (has_their_light_ || lighter_.state().busy)) return;
     has_their_light_ = false;
     lit_geometry_ = shown_.geometry;
     lit_rooms_ = shown_.plan->rooms;
+    lit_params_ = light;
+    (void)lit_->take();  // of other light, in case
     lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
-                    outbox = lit_](const JobContext& job) {
-        render::LightVolume light = render::bakeLightVolume(
-            *scene, *rays, render::makeLightRig(*scene, *rays, rooms), {}, job);
-        if (!job.cancelled()) outbox->put(std::move(light));
+                    light_made = resolved(light), outbox = lit_](const JobContext& job) {
+        render::LightVolume baked = render::bakeLightVolume(
+            *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
+        if (!job.cancelled()) outbox->put(std::move(baked));
     });
 }
 

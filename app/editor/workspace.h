@@ -8,6 +8,7 @@
 #include "engine/document/command_stack.h"
 #include "engine/io/project_file.h"
 #include "engine/jobs/background_worker.h"
+#include "engine/scene/light_params.h"
 #include "render/light_volume.h"
 
 #include <nlohmann/json.hpp>
@@ -175,7 +176,8 @@ class Workspace {
     std::shared_ptr<const render::LightVolume> light_;
     std::uint64_t lit_geometry_ = 0;
     std::vector<Eigen::AlignedBox3d> lit_rooms_;
-    bool has_their_light_ = false;  // of these rooms, of that geometry
+    LightParams lit_params_;
+    bool has_their_light_ = false;  // of these rooms, of that geometry, of these parameters
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -14,6 +13,7 @@
 namespace dollytrack {
 namespace {
 
+constexpr std::size_t kMostCameras = 64;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
 constexpr double kWidestPinhole = 150.0;  // deg, as the planned camera's
@@ -100,6 +100,10 @@ std::string_view lensName(Lens lens) {
 }
 
 Status validate(const Rig& rig) {
+    if (rig.size() > kMostCameras) {
+        return fail(ErrorCode::Usage, fmt::format("A rig has up to {} cameras.", kMostCameras),
+                    rig.back().name);
+    }
     std::set<std::string> names;
     for (const RigCamera& camera : rig) {
         if (!isFolderName(camera.name)) {

@@ -41,7 +41,7 @@ void visitSensorParams(Params& p, Visitor&& visit) {
     visit("sensor_preset", p.sensor_preset,
           ChoiceInfo{{"ideal", "phone", "webcam", "action_camera", "machine_vision"},
                      "Sets shutter, lens, noise and quality of the colour camera; what is named "
-                     "after it changes single ones"});
+                     "beside it changes single ones"});
     visit("shutter_s", p.shutter_s,
           FieldInfo{0, 1, "s", "How long each row is exposed; motion in it is blurred"});
     visit("readout_s", p.readout_s,

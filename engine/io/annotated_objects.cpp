@@ -178,10 +178,8 @@ Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
     std::vector<std::string> names = {object.name};
     names.insert(names.end(), object.nodes.begin(), object.nodes.end());
     names.insert(names.end(), object.meshes.begin(), object.meshes.end());
-    for (const std::string& name : names) {
-        if (const Label label = labels.find(name); label.kind != LabelKind::None) return label;
-    }
-    return {};
+    const std::string* best = labels.mostTelling(names);
+    return best != nullptr ? labels.find(*best) : Label{};
 }
 
 }  // namespace

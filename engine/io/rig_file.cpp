@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace dollytrack::io {
@@ -15,7 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "dollytrack-rig";
-constexpr std::size_t kMostCameras = 64;
 
 Result<Lens> lensOf(std::string_view name) {
     RigCamera camera;
@@ -94,9 +94,6 @@ void readAll(const JsonReader& from, Rig& rig) {
     const JsonReader cameras = from.at("cameras");
     if (from.good() && (!cameras.json().is_array() || cameras.json().empty())) {
         cameras.refuse("A rig has a list of one camera or more.");
-    }
-    if (from.good() && cameras.size() > kMostCameras) {
-        cameras.refuse(fmt::format("A rig has up to {} cameras.", kMostCameras));
     }
     for (std::size_t i = 0; i < cameras.size() && from.good(); ++i) {
         rig.push_back(readCamera(cameras.at(i)));

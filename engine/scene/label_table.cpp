@@ -206,6 +206,15 @@ Status LabelTable::addFile(const std::filesystem::path& path) {
     return add(text, path.filename().string());
 }
 
+const std::string* LabelTable::mostTelling(std::span<const std::string> words) const {
+    for (const LabelKind wanted : {LabelKind::Target, LabelKind::Structure, LabelKind::Weak}) {
+        for (const std::string& word : words) {
+            if (!word.empty() && find(word).kind == wanted) return &word;
+        }
+    }
+    return nullptr;
+}
+
 Label LabelTable::find(std::string_view name) const {
     const auto whole = whole_names_.find(lower(trim(name)));
     if (whole != whole_names_.end()) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,9 @@ class LabelTable {
     Status addFile(const std::filesystem::path& path);
 
     [[nodiscard]] Label find(std::string_view name) const;
+    /// Of several words said of one thing: the first that names a thing; else a part of the
+    /// building, else a vague word. Points into `words`; null where none is known.
+    [[nodiscard]] const std::string* mostTelling(std::span<const std::string> words) const;
     [[nodiscard]] std::size_t size() const { return entries_.size() + whole_names_.size(); }
 
   private:

@@ -30,7 +30,7 @@ template <class Params, class Visitor>
 void visitLightParams(Params& p, Visitor&& visit) {
     visit("light_preset", p.light_preset,
           ChoiceInfo{{"neutral", "day", "evening", "night", "overcast"},
-                     "Sets time, strengths, lamps' temperature and exposure; what is named after "
+                     "Sets time, strengths, lamps' temperature and exposure; what is named beside "
                      "it changes single ones"});
     visit("time_of_day_h", p.time_of_day_h,
           FieldInfo{0, 24, "h",

@@ -144,15 +144,17 @@ class Search {
             above = std::max(above, (p - center).norm());
         }
         const double reach = around_.sphere.radius() + SweptSphere::kMargin;
+        std::vector<Eigen::Vector3d> places;
         for (const Eigen::Vector3d& up :
              directionsInCone(Eigen::Vector3d::UnitZ(), kCeilingHalfAngle, kCeilingDirections)) {
             const RayHit ceiling = around_.views.rays().cast(center + up * above, up);
             if (ceiling.object_id == 0) continue;
             for (const double share : {1.0, 0.6}) {
                 const double distance = above + share * (ceiling.distance - reach / up.z());
-                take(judge_.judge(center + up * distance, Look::Coarse));
+                places.push_back(around_.sphere.inBand(center + up * distance));
             }
         }
+        for (Judged& judged : judgeAll(places, Look::Coarse)) take(std::move(judged));
     }
 
     /// Judges places of a search that takes long: what other threads have nothing better to do for.

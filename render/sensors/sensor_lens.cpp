@@ -126,8 +126,10 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
 }
 
 std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
-    const int begin = std::clamp(static_cast<int>(std::floor(first)) - 1, 0, sensor_.height);
-    const int end = std::clamp(static_cast<int>(std::ceil(last)) + 2, 0, sensor_.height);
+    // Of a very short readout first and last are further off than an int reaches.
+    const double rows = sensor_.height;
+    const int begin = static_cast<int>(std::clamp(std::floor(first) - 1.0, 0.0, rows));
+    const int end = static_cast<int>(std::clamp(std::ceil(last) + 2.0, 0.0, rows));
     float low = 1e9F;
     float high = -1e9F;
     for (int y = begin; y < end; ++y) {

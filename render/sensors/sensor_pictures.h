@@ -21,6 +21,11 @@ namespace dollytrack::render {
 [[nodiscard]] std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
                                                  const FrameRecord& frame);
 
+/// Whether that takes the frame's depth.
+[[nodiscard]] inline bool focusesByDepth(const SensorParams& params) {
+    return params.aperture_mm > 0.0 && params.focus_m <= 0.0;
+}
+
 /// Takes the light of a frame as it falls into the sensor's lens: the mean of looks over shutter
 /// and aperture. A lens point (x, y) sees what lies in focus at the same place, so the picture from
 /// there is shifted by focal length times (x, y) / focus: a thin lens, whose circle of confusion is

@@ -150,6 +150,14 @@ class CamerasTest(FolderCase):
         self.assertFails(self.export(out, "--camera", "a:fov=9"), 2, "fov_deg")
         self.assertFails(self.export(out, "--camera", "a", "--camera", "a"), 2, "same name")
         self.assertFails(self.export(out, "--rig", self.folder / "none.json"), 4, "none.json")
+        many = [word for i in range(65) for word in ("--camera", f"a{i}")]
+        self.assertFails(self.export(out, *many), 2, "up to 64 cameras")
+        # Drawn in sides of a cube larger than any driver's pictures: said before anything goes.
+        self.assertEqual(self.export(out, "--range", "0:1").returncode, 0)
+        large = "a:lens=fisheye,width_px=4096,height_px=4096,fov_deg=220,k1=10,k2=10,k3=10,k4=10"
+        self.assertFails(self.export(out, "--range", "0:1", "--overwrite", "--camera", large), 2,
+                         "cannot be drawn")
+        self.assertTrue((out / "dataset.json").exists(), "the dataset before is as it was")
 
     def test_a_camera_in_a_wall_is_warned_of(self):
         result = self.export(self.folder / "walled", "--modalities", "instance",

@@ -243,6 +243,14 @@ class SensorsTest(FolderCase):
             for corner in (picture[0, 0], picture[0, -1], picture[-1, 0], picture[-1, -1]):
                 self.assertGreater(corner.max(), 0, "nothing is black")
 
+    def test_what_is_set_beside_a_preset_counts_whichever_comes_first(self):
+        said = []
+        for settings in (("k1=-0.1", "sensor_preset=webcam"), ("sensor_preset=webcam", "k1=-0.1")):
+            out = self.export(*settings, more=["--range", "0:1"])
+            said.append(json.loads((out / "dataset.json").read_text())["parameters"]["sensor"])
+        self.assertEqual(said[0], said[1])
+        self.assertEqual((said[0]["k1"], said[0]["jpeg_quality"]), (-0.1, 75))
+
     def test_wrong_settings_are_refused_in_a_sentence(self):
         for words, setting in [(("shutter_s",), "shutter=0.1"), (("looks", "1024"), "looks=0"),
                                (("phone",), "sensor_preset=iphone"), (("k1", "number"), "k1=big")]:

@@ -2,8 +2,8 @@
 
 Usage: gallery.py PROGRAM OUT.jpg NAME=SCENE...
 
-PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene the two frames that show the
-most of its things, apart in time, are taken. Prints how alike the pictures are."""
+PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene the frame that shows the most
+of its things is taken. Prints how alike the two pictures are."""
 import csv
 import pathlib
 import subprocess
@@ -13,8 +13,9 @@ import tempfile
 import cv2
 import numpy as np
 
-SIZE = ["--set", "width_px=480", "--set", "height_px=360"]
-SAMPLES = 256
+WIDTH, HEIGHT = 400, 300
+SIZE = ["--set", f"width_px={WIDTH}", "--set", f"height_px={HEIGHT}"]
+SAMPLES = 128
 GAP, CAPTION = 6, 26
 
 
@@ -25,23 +26,16 @@ def run(*command):
     return result.stdout
 
 
-def best_frames(dataset, count):
-    """Numbers of the frames whose things take most of the picture, each once, far apart."""
+def best_frame(dataset):
+    """Number of the frame whose things take most of the picture."""
     shown = {}
     with open(dataset / "instances.csv", newline="") as rows:
         for row in csv.DictReader(rows):
             frame = int(row["frame"])
             # A thing that fills the picture counts no more than one of a tenth of it.
-            part = min(float(row["visible_px"]) / (480 * 360), 0.1)
+            part = min(float(row["visible_px"]) / (WIDTH * HEIGHT), 0.1)
             shown[frame] = shown.get(frame, 0.0) + part
-    frames = sorted(shown, key=lambda frame: (-shown[frame], frame))
-    chosen = []
-    for frame in frames:
-        if all(abs(frame - other) >= len(shown) // 4 for other in chosen):
-            chosen.append(frame)
-        if len(chosen) == count:
-            break
-    return chosen
+    return min(shown, key=lambda frame: (-shown[frame], frame))
 
 
 def caption(width, text):
@@ -52,33 +46,27 @@ def caption(width, text):
 
 
 def room(program, name, scene, folder):
-    """The room's picture: a row a frame, drawn and path traced."""
+    """The room's pictures, drawn and path traced."""
     project = folder / "room.dolly"
     run(program, "-q", "plan", scene, "-o", project, "--max-frames", 60, *SIZE)
     look = folder / "look"
     run(program, "-q", "export", project, "--out", look, "--modalities", "instance", "--formats",
         "instances")
-    rows, figures = [], []
-    for frame in best_frames(look, 2):
-        sides = {}
-        for mode in ("fast", "reference"):
-            sides[mode] = folder / f"{mode}_{frame}"
-            run(program, "-q", "export", project, "--out", sides[mode], "--range",
-                f"{frame}:{frame + 1}", "--modalities", "rgb", "--formats", "camera_json", "--set",
-                f"render_mode={mode}", "--set", f"reference_samples={SAMPLES}", "--set",
-                "antialias=8x")
-        figures.append(run(program.parent / "picture_agreement", sides["fast"],
-                           sides["reference"]).splitlines()[-1])
-        pictures = [cv2.imread(str(sides[mode] / "rgb" / f"{frame:06}.png"))
-                    for mode in ("fast", "reference")]
-        rows.append(np.hstack([pictures[0], np.full((pictures[0].shape[0], GAP, 3), 255, np.uint8),
-                               pictures[1]]))
-    for line in figures:
-        print(f"{name}: {line}", flush=True)
-    gap = np.full((GAP, rows[0].shape[1], 3), 255, np.uint8)
-    width = rows[0].shape[1]
-    return np.vstack([caption(width, f"{name}: drawn (left), path traced (right)"),
-                      *[part for row in rows for part in (row, gap)]])
+    frame = best_frame(look)
+    sides = {}
+    for mode in ("fast", "reference"):
+        sides[mode] = folder / mode
+        run(program, "-q", "export", project, "--out", sides[mode], "--range",
+            f"{frame}:{frame + 1}", "--modalities", "rgb", "--formats", "camera_json", "--set",
+            f"render_mode={mode}", "--set", f"reference_samples={SAMPLES}", "--set",
+            "antialias=8x")
+    alike = run(program.parent / "picture_agreement", sides["fast"], sides["reference"])
+    print(f"{name}: {alike.splitlines()[-1]}", flush=True)
+    fast, traced = (cv2.imread(str(sides[mode] / "rgb" / f"{frame:06}.png"))
+                    for mode in ("fast", "reference"))
+    both = np.hstack([fast, np.full((HEIGHT, GAP, 3), 255, np.uint8), traced])
+    return np.vstack([caption(both.shape[1], f"{name}: drawn, path traced"), both,
+                      np.full((GAP, both.shape[1], 3), 255, np.uint8)])
 
 
 def main():

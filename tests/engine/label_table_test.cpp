@@ -123,6 +123,17 @@ TEST(LabelTable, BuiltInTableIsReadToItsEnd) {
     EXPECT_EQ(LabelTable::builtIn().find("20000041").kind, LabelKind::Target);
 }
 
+// "wood" says less of a thing than "chair", wherever it stands.
+TEST(LabelTable, TheMostTellingWordNamesAThing) {
+    const LabelTable& table = LabelTable::builtIn();
+    const std::vector<std::string> both = {"wood_thing", "", "wall_2", "chair_01"};
+    ASSERT_EQ(table.find(both[0]).kind, LabelKind::Weak);
+    EXPECT_EQ(table.mostTelling(both), &both[3]);
+    EXPECT_EQ(table.mostTelling(std::span(both).first(3)), &both[2]);
+    EXPECT_EQ(table.mostTelling(std::span(both).first(2)), both.data());
+    EXPECT_EQ(table.mostTelling(std::span(both).subspan(1, 1)), nullptr);
+}
+
 TEST(Names, LoseTheirNumbers) {
     EXPECT_EQ(withoutNumber("Sofa.001"), "Sofa");
     EXPECT_EQ(withoutNumber("chair_2_3"), "chair");

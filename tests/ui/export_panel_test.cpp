@@ -225,6 +225,13 @@ TEST(ExportPanel, ChoosesTheSensor) {
     ASSERT_TRUE(screen.click("choice.webcam"));
     EXPECT_EQ(project.sensor, sensorPreset(SensorPreset::Webcam));
     EXPECT_TRUE(panel.edited.contains("sensor_preset"));
+    // The same one again: what was changed since is as it has it.
+    project.sensor.k1 = 0.3;
+    panel.edited.clear();
+    ASSERT_TRUE(screen.click("export.sensor_preset"));
+    ASSERT_TRUE(screen.click("choice.webcam"));
+    EXPECT_EQ(project.sensor, sensorPreset(SensorPreset::Webcam));
+    EXPECT_TRUE(panel.edited.contains("sensor_preset"));
 }
 
 TEST(ExportPanel, TakesARig) {

@@ -286,7 +286,7 @@ bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
             return choice.colour && isWanted(choice, turned);
         });
     };
-    return wanted(view.modalities, draft.turned_modalities) ||
+    return !draft.rig.empty() || wanted(view.modalities, draft.turned_modalities) ||
            wanted(view.formats, draft.turned_formats);
 }
 

@@ -78,7 +78,7 @@ FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& pat
             const std::string name(choice.info.names[i]);
             if (ImGui::Selectable(name.c_str(), i == now)) {
                 choice.set(i);
-                changed = i != now;
+                changed = true;  // also to the same one: a preset sets others anew
             }
             nameItem("choice." + name);
         }

@@ -34,15 +34,11 @@ std::string nameOf(const Front3dFurniture& piece, const ModelInfo& info) {
 /// room").
 std::string categoryOf(const Front3dFurniture& piece, const ModelInfo& info,
                        const LabelTable& labels) {
-    const std::array<const std::string*, 6> words = {&info.category,    &piece.title,
-                                                     &piece.category,   &info.super_category,
-                                                     &info.category_id, &piece.category_id};
-    for (const LabelKind wanted : {LabelKind::Target, LabelKind::Structure, LabelKind::Weak}) {
-        for (const std::string* word : words) {
-            if (!word->empty() && labels.find(*word).kind == wanted) return *word;
-        }
-    }
-    return {};
+    const std::array<std::string, 6> words = {info.category,    piece.title,
+                                              piece.category,   info.super_category,
+                                              info.category_id, piece.category_id};
+    const std::string* best = labels.mostTelling(words);
+    return best != nullptr ? *best : std::string();
 }
 
 fs::path modelOf(const std::vector<fs::path>& folders,

@@ -275,3 +275,12 @@ class Exporting(Task):
             apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max()
             self.assertLessEqual(apart, 1 if modality == "rgb" else 0, modality)
             self.assertGreater(len(numpy.unique(ours)), 1, "not an empty picture")
+
+    def test_the_preview_has_the_light_that_is_set(self):
+        self.start_project(*SMALL, "--set", "light_preset=night")
+        out, neutral = self.folder / "dataset", self.folder / "neutral"
+        self.by_command_line(out, "--range", "7:8")
+        self.by_command_line(neutral, "--range", "7:8", "--set", "light_preset=neutral")
+        ours = self.saved_preview("rgb", 7).astype(int)
+        self.assertLessEqual(numpy.abs(ours - self.exported(out, "rgb")).max(), 1)
+        self.assertGreater(numpy.abs(ours - self.exported(neutral, "rgb")).mean(), 5)

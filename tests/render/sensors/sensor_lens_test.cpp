@@ -245,5 +245,15 @@ TEST(SensorLens, DrawnRowsHoldWhatRowsLookAt) {
     EXPECT_LT(end - begin, 60);
 }
 
+// A readout of next to no time puts looks at rows that no whole number counts.
+TEST(SensorLens, RowsFarOutsideAreNone) {
+    const SensorLens sensor(wideCamera(), lenses().front());
+    const auto all = sensor.drawnRows(-1e15, 1e15);
+    const auto usual = sensor.drawnRows(0.0, 1e4);
+    EXPECT_EQ(all, usual);
+    const auto [begin, end] = sensor.drawnRows(1e15, 2e15);
+    EXPECT_GE(begin, end);
+}
+
 }  // namespace
 }  // namespace dollytrack::render
