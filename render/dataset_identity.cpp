@@ -21,7 +21,7 @@ std::string sceneText(const Scene& scene, const DatasetCard& card) {
         result += fmt::format("\n{} {} {} {}", object.id, static_cast<int>(object.role),
                               object.first_triangle, object.triangle_count) +
                   exactText(object.box.center) + exactText(object.box.half_size) +
-                  fmt::format(" {:a}", object.box.yaw);
+                  fmt::format(" {}", object.box.yaw);
     }
     return result;
 }
@@ -42,7 +42,7 @@ std::string names(const std::vector<const Row*>& rows) {
 }
 
 std::string toText(const ScoreWeights& score) {
-    return fmt::format("{:a} {:a} {} {}", score.separation, score.continuity, score.window,
+    return fmt::format("{} {} {} {}", score.separation, score.continuity, score.window,
                        score.squared);
 }
 
@@ -82,14 +82,14 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the rooms", hash(roomsText(origin))},
         {"the trajectory", order.card.whole_trajectory_sha256},
         {"the frame range", toText(settings.range)},
-        {"the camera", fmt::format("{} {} {:a} {:a}", camera.width_px, camera.height_px,
+        {"the camera", fmt::format("{} {} {} {}", camera.width_px, camera.height_px,
                                    camera.hfov_deg, camera.near_m)},
-        {"the capture rules", fmt::format("{:a} {:a} {:a}", rules.min_visible_fraction,
+        {"the capture rules", fmt::format("{} {} {}", rules.min_visible_fraction,
                                           rules.min_visible_px, rules.min_box_share)},
-        {"the rate of inertial measurements", fmt::format("{:a}", settings.imu_rate_hz)},
+        {"the rate of inertial measurements", fmt::format("{}", settings.imu_rate_hz)},
         {"the distances of optical flow",
          fmt::format("{}", fmt::join(settings.flow_distances, " "))},
-        {"the stereo baseline", fmt::format("{:a}", settings.stereo_baseline_m)},
+        {"the stereo baseline", fmt::format("{}", settings.stereo_baseline_m)},
         {"the way pictures are made", pictureText(settings.picture)},
         {"the light", lightText(settings.light)},
         {"the sensors", sensorText(contents, settings.sensor)},

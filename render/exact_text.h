@@ -7,11 +7,11 @@
 
 namespace dollytrack::render {
 
-/// Numbers exactly and short: hexadecimal floating point, each after a space.
+/// Numbers exactly and short, in any locale the same, each after a space.
 template <class Vector>
 std::string exactText(const Vector& values) {
     std::string result;
-    for (Eigen::Index i = 0; i < values.size(); ++i) result += fmt::format(" {:a}", values[i]);
+    for (Eigen::Index i = 0; i < values.size(); ++i) result += fmt::format(" {}", values[i]);
     return result;
 }
 

@@ -28,12 +28,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
     const LightRig rig = makeLightRig(scene, rays, rooms, resolved(contents_.light));
-    const LightVolume light = bakeLightVolume(scene, rays, rig, {}, job);
+    LightVolume light = bakeLightVolume(scene, rays, rig, {}, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     if (picture_.render_mode == RenderMode::Reference) {
         reference_.emplace(context_, balanced(rig, light), light.exposure,
                            picture_.reference_samples, job);
     }
+    if (reference_) light.sun = {};  // of what is drawn then only labels are wanted
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));

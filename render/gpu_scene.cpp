@@ -62,7 +62,7 @@ Vertex makeVertex(const Scene& scene, const Object& object, bool shows_outside,
     for (int c = 0; c < 3; ++c) vertex.base_color[c] = toByte(std::sqrt(std::max(color[c], 0.0F)));
     vertex.base_color[3] = toByte(material.opacity);
     vertex.traits = {
-        toByte(material.roughness), toByte(material.metallic),
+        toByte(material.roughness), toByte(plainMetallic(scene, material)),
         emission > 0.0F ? toByte(std::max(emission / 8.0F, 1.0F / 255.0F)) : std::uint8_t{0},
         structureTrait(object, shows_outside)};
     vertex.object_id = static_cast<std::uint32_t>(object.id);

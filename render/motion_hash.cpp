@@ -10,7 +10,7 @@ namespace dollytrack::render {
 std::string trajectoryHash(const Trajectory& trajectory) {
     std::string text;
     for (const TrajectoryFrame& frame : trajectory.frames) {
-        text += fmt::format("{:a} {} {} {}", frame.time_s, frame.path, frame.component,
+        text += fmt::format("{} {} {} {}", frame.time_s, frame.path, frame.component,
                             frame.position_point) +
                 exactText(frame.pose.position) + exactText(frame.pose.rotation.coeffs()) +
                 exactText(frame.target_in_world) + "\n";

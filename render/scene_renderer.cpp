@@ -198,8 +198,7 @@ struct SceneRenderer::Impl {
 
     /// What emission in the surface buffer is a share of.
     [[nodiscard]] float shine() const {
-        const float most = std::max(light.lamps_shine, light.outside_shines);
-        return most > 0.0F ? most : 1.0F;
+        return std::max({light.lamps_shine, light.outside_shines, 1.0F});
     }
 
     /// All but glass; of what has holes, what is there. Maps and the light's changes are of
@@ -207,7 +206,9 @@ struct SceneRenderer::Impl {
     void drawOpaque(const View& view, const std::vector<bool>& visible, bool lit) {
         for (const gl::Program* program : {&surface, &mapped}) {
             glProgramUniform2f(program->get(), 13, lit ? light.lamps_shine / shine() : 1.0F,
-                               lit ? light.outside_shines / shine() : 1.0F);
+                               lit ? std::max(light.outside_shines, 1.0F) / shine() : 1.0F);
+            glProgramUniform1f(program->get(), 14,
+                               lit ? std::sqrt(std::min(light.outside_shines, 1.0F)) : 1.0F);
         }
         for (const Batch& batch : scene.batches) {
             if (batch.surface == Surface::Glass) continue;

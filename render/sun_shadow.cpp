@@ -36,8 +36,9 @@ View viewFromSun(const SunLight& sun) {
     }
     const Eigen::Vector3d size = box.sizes();
     const double wide = std::max({size.x(), size.y(), 0.1});
-    const int pixels = std::clamp(static_cast<int>(std::ceil(wide / kTexel_m / 64.0)) * 64,
-                                  kSmallest_px, kLargest_px);
+    // What a file says may be wider than an int of texels.
+    const int pixels = static_cast<int>(std::clamp(64.0 * std::ceil(wide / kTexel_m / 64.0),
+                                                   1.0 * kSmallest_px, 1.0 * kLargest_px));
     view.pose.rotation = Eigen::Quaterniond(axes);
     view.pose.position =
         axes * Eigen::Vector3d(box.center().x(), box.center().y(), box.min().z() - 0.01);

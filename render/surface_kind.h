@@ -24,7 +24,13 @@ constexpr float kHoleBelow = 0.5F;
     return material.emission_map < 0 ? material.emission : Eigen::Vector3f::Zero();
 }
 
-/// The same of all its surface in the mean.
+/// How much of a material is metal, times its map where it has one; nothing where that is missing.
+[[nodiscard]] inline float plainMetallic(const Scene& scene, const Material& material) {
+    return material.metallic_map < 0 || hasMap(scene, material.metallic_map) ? material.metallic
+                                                                             : 0.0F;
+}
+
+/// plainEmission() of all its surface in the mean.
 [[nodiscard]] Eigen::Vector3f meanEmission(const Scene& scene, const Material& material);
 
 /// Mean of a colour picture, linear (texels taken for squares of what they encode).

@@ -323,12 +323,12 @@ void Workspace::updateLight() {
     lit_geometry_ = shown_.geometry;
     lit_rooms_ = shown_.plan->rooms;
     lit_params_ = light;
-    (void)lit_->take();  // of other light, in case
     lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
-                    light_made = resolved(light), outbox = lit_](const JobContext& job) {
+                    light_made = resolved(light), number = ++light_number_,
+                    outbox = lit_](const JobContext& job) {
         render::LightVolume baked = render::bakeLightVolume(
             *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
-        if (!job.cancelled()) outbox->put(std::move(baked));
+        if (!job.cancelled()) outbox->put({number, std::move(baked)});
     });
 }
 
@@ -359,9 +359,9 @@ void Workspace::poll() {
         outcome && isOpen() && outcome->serial == serial_) {
         take(std::move(*outcome));
     }
-    if (std::optional<render::LightVolume> light = lit_->take();
-        light && isOpen() && lit_geometry_ == shown_.geometry) {
-        light_ = std::make_shared<const render::LightVolume>(std::move(*light));
+    if (std::optional<Lit> lit = lit_->take();
+        lit && lit->number == light_number_ && isOpen() && lit_geometry_ == shown_.geometry) {
+        light_ = std::make_shared<const render::LightVolume>(std::move(lit->light));
         has_their_light_ = true;
     }
     for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));

@@ -177,14 +177,18 @@ class Workspace {
     std::uint64_t lit_geometry_ = 0;
     std::vector<Eigen::AlignedBox3d> lit_rooms_;
     LightParams lit_params_;
+    int light_number_ = 0;
     bool has_their_light_ = false;  // of these rooms, of that geometry, of these parameters
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();
     std::shared_ptr<Tray<SaveOrder>> save_orders_ = std::make_shared<Tray<SaveOrder>>();
     std::shared_ptr<Tray<SaveOutcome>> saved_ = std::make_shared<Tray<SaveOutcome>>();
-    std::shared_ptr<Outbox<render::LightVolume>> lit_ =
-        std::make_shared<Outbox<render::LightVolume>>();
+    struct Lit {
+        int number = 0;  // of the order, see updateLight()
+        render::LightVolume light;
+    };
+    std::shared_ptr<Outbox<Lit>> lit_ = std::make_shared<Outbox<Lit>>();
     BackgroundWorker loader_;
     BackgroundWorker saver_;
     BackgroundWorker lighter_;

@@ -42,7 +42,8 @@ float sunAt(vec3 p, vec3 n, float slant) {
     vec3 q = sun_from_world * (p + lift * n - sun_eye);
     vec2 middle = 0.5 + q.xy * sun_scale.xy;
     vec2 apart = sun_blur * sun_scale.xy;
-    float depth = 1.0 - q.z * sun_scale.z;
+    // Beyond all that casts shadows there is no depth left, and no shadow either.
+    float depth = max(1.0 - q.z * sun_scale.z, 0.0);
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {

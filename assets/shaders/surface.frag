@@ -19,6 +19,7 @@ layout(location = 8) uniform float keep_below_z;
 layout(location = 9) uniform float ceiling_z;
 
 layout(location = 13) uniform vec2 emission_share;  // of lamps, and of what shows the outside
+layout(location = 14) uniform float outside_dark;  // square root of how much less light there is
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -42,6 +43,9 @@ layout(location = 1) out vec4 out_normal;    // on the side that is seen; w: rou
 layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
 layout(location = 3) out float out_depth;    // planar depth of the label, m
 layout(location = 4) out uint out_id;
+
+// Less emission has no step of its own in the buffer.
+const float kLeastShine = 0.03;
 
 float depthHere() {
     return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
@@ -110,21 +114,25 @@ void main() {
     vec3 n = seenNormal(face, depth_span.y > 0.0 ? forward : normalize(offset_in_world));
     bool outside = abs(abs(surface_traits.w - 0.5) - 0.25) < 0.1;
     float share = outside ? emission_share.y : emission_share.x;
-    float special = surface_traits.z > 0.0 ? 0.5 + 0.5 * min(surface_traits.z * share, 1.0)
-                                           : 0.49 * surface_traits.y;
+    float metallic = surface_traits.y;
+#ifdef MAPS
+    if (has_map.z != 0) metallic *= texture(metallic_map, texture_uv).b;
+#endif
+    float shine = 8.0 * surface_traits.z * share;
+    float special = shine > kLeastShine ? 0.5 + min(shine, 8.0) / 16.0 : 0.49 * metallic;
     // What shone as the day does is dark without it.
-    if (outside && surface_traits.z > 0.0) color.rgb *= sqrt(min(share, 1.0));
+    if (outside && surface_traits.z > 0.0) color.rgb *= outside_dark;
     float roughness = surface_traits.x;
 #ifdef MAPS
     if (has_map.y != 0) roughness *= texture(roughness_map, texture_uv).g;
-    if (has_map.z != 0) special *= texture(metallic_map, texture_uv).b;
     // The occlusion is that of the surface itself, see occlusion.frag.
     if (has_map.x != 0) roughness = -max(roughness, 0.001);
     if (has_map.w != 0) {
-        if (outside) color.rgb *= sqrt(min(share, 1.0));
+        if (outside) share *= outside_dark * outside_dark;
         vec3 texel = texture(emission_map, texture_uv).rgb;
         vec3 emission = min(emission_factor * texel * texel * share, 8.0);
         float strongest = max(emission.r, max(emission.g, emission.b));
+        if (outside && strongest > 0.0) color.rgb *= outside_dark;
         if (strongest >= kFaintest) {
             color.rgb = sqrt(emission / strongest);
             special = 0.5 + strongest / 16.0;

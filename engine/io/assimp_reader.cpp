@@ -186,7 +186,8 @@ int mapOf(const aiMaterial& source, aiTextureType type, TextureList& textures) {
     return found && file.length > 0 && uv_set == 0 ? textures.request(file.C_Str(), true) : -1;
 }
 
-Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textures) {
+Material readMaterial(const aiMaterial& source, const std::string& format, TextureList& textures) {
+    const bool is_gltf = format == ".gltf" || format == ".glb";
     Material material;
     aiString name;
     if (source.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = cleanText(name.C_Str());
@@ -231,7 +232,8 @@ Material readMaterial(const aiMaterial& source, bool is_gltf, TextureList& textu
     const bool black = material.emission.isZero(0.0F);
     if (!is_gltf && material.emission_map >= 0 && black) material.emission.setOnes();
 
-    material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
+    // What Collada calls a bump and assimp a normal map is a picture of heights.
+    if (format != ".dae") material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
     if (float scale = 1.0F;
         source.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale) == AI_SUCCESS &&
         std::isfinite(scale)) {
@@ -366,7 +368,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     }
     TextureList textures(scene, raw);
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
-        raw.materials.push_back(readMaterial(*scene.mMaterials[i], is_gltf, textures));
+        raw.materials.push_back(readMaterial(*scene.mMaterials[i], ext, textures));
     }
     if (raw.materials.empty()) raw.materials.emplace_back();
 

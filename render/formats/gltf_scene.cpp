@@ -98,10 +98,13 @@ Json materialJson(const Scene& scene, const Material& material,
     const auto share = [](float value) {
         return static_cast<double>(std::clamp(value, 0.0F, 1.0F));
     };
+    // Metal in some places would be metal all over without its map.
+    const bool whole =
+        material.metallic_map < 0 || surfaceMap(scene, material) == material.metallic_map;
     Json surface = {{"baseColorFactor",
                      {static_cast<double>(color.x()), static_cast<double>(color.y()),
                       static_cast<double>(color.z()), share(material.opacity)}},
-                    {"metallicFactor", share(material.metallic)},
+                    {"metallicFactor", whole ? share(material.metallic) : 0.0},
                     {"roughnessFactor", share(material.roughness)}};
     Json json = {{"name", cleanText(material.name)}, {"doubleSided", true}};
     if (hasMap(scene, material.texture)) {

@@ -104,7 +104,7 @@ SurfacePoint TracedSurface::at(const Eigen::Vector3d& origin, const Eigen::Vecto
         alpha = (*color)[3];
     }
     point.roughness = material.roughness;
-    point.metallic = material.metallic;
+    point.metallic = plainMetallic(scene_, material);
     point.emission = plainEmission(material);
     if (material.hasMaps()) {
         if (const auto map = mapAt(material.roughness_map, uv, plain_))

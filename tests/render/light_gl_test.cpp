@@ -104,6 +104,25 @@ TEST_F(LightGl, NoSunThroughShuttersAndLessThroughGlass) {
     EXPECT_EQ(at(less, 2.1, 1.5), 0.0F);
 }
 
+// Grounds reach further than what casts shadows: beyond these the sun shines.
+TEST_F(LightGl, TheSunShinesBehindTheShadowOfTheBuilding) {
+    dollytrack::test::SceneBuilder builder;
+    builder.object("ground", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
+        .quad({-20, -20, 0}, {40, 0, 0}, {0, 40, 0});
+    builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}})
+        .quad({4, 0, 0}, {0, 3, 0}, {0, 0, 2.6});
+    Scene scene = builder.build();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    LightRig rig = sunAlone(scene);
+    rig.sun.shades = {Eigen::Vector3d(-0.5, -0.5, -0.5), Eigen::Vector3d(4.5, 3.5, 3.1)};
+    View view = downwards();
+    view.pose.position.x() += 5.0;
+    const std::vector<float> light = lightOf(scene, onlySun(rig), view);
+    const float expected = 0.5F * 4.0F * std::sqrt(0.5F);
+    for (const double x : {5.8, 6.3}) EXPECT_EQ(at(light, x - 5.0, 1.5), 0.0F) << x;
+    for (const double x : {6.8, 7.4}) EXPECT_NEAR(at(light, x - 5.0, 1.5), expected, 0.04F) << x;
+}
+
 // Baked, drawn and traced are the same light, the sun's and what it becomes.
 TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
     const Scene scene = sunnyRoom(Hole::Window);

@@ -24,9 +24,9 @@ Texture plainTexture(std::array<std::uint8_t, 4> texel) {
 }
 
 /// A wall 2 x 2 m at x = 1 that faces the origin; u grows along -y, v along z.
-Scene wall() {
+Scene wall(int nyu40 = kNyuWall) {
     SceneBuilder builder;
-    builder.object("wall", {kNyuWall, Role::Structure, {0.5F, 0.5F, 0.5F}})
+    builder.object("wall", {nyu40, Role::Structure, {0.5F, 0.5F, 0.5F}})
         .quad({1, 1, -1}, {0, -2, 0}, {0, 0, 2});
     Scene scene = builder.build();
     scene.materials[0].roughness = 1.0F;
@@ -121,13 +121,13 @@ TEST_F(MaterialMapsGl, TracedSurfacesHaveTheSameMaps) {
     EXPECT_NEAR(point.emission[0], std::pow((188 / 255.0 + 0.055) / 1.055, 2.4), 1e-3);
     EXPECT_EQ(point.emission[1], 0.0F);
     EXPECT_NEAR(point.emission[2], 0.25F, 1e-3F);
-    // A map that was not found says nothing; emission without its picture is none.
+    // A map that was not found says nothing; metal and emission without their pictures are none.
     for (Texture& texture : scene.textures) texture = {};
     const TracedSurface bare(scene, nullptr);
     const SurfacePoint plain = bare.at({0, 0.1, 0.2}, way, rays.cast({0, 0.1, 0.2}, way));
     EXPECT_NEAR(plain.normal.x(), -1.0, 1e-6);
     EXPECT_EQ(plain.roughness, 1.0F);
-    EXPECT_EQ(plain.metallic, 0.5F);
+    EXPECT_EQ(plain.metallic, 0.0F);
     EXPECT_TRUE(plain.emission.isZero(0.0F));
 }
 
@@ -155,8 +155,31 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     EXPECT_LT(glow[0], 0.01F);
     EXPECT_NEAR(glow[1], 2.0F * std::numbers::pi_v<float>, 0.2F);
     material.emission_map = -1;
+    // What is no metal shines all the same.
+    material.metallic = 1.0F;
+    material.metallic_map = 1;
+    EXPECT_NEAR(lightOf(scene, dark)[0], 2.0F * std::numbers::pi_v<float>, 0.2F);
+    material.metallic_map = -1;
     scene.textures.clear();
     EXPECT_NEAR(lightOf(scene, dark)[0], 2.0F * std::numbers::pi_v<float>, 0.2F);
+}
+
+// What shows the outside goes with the sky, once; other things go with the lamps.
+TEST_F(MaterialMapsGl, GlowGoesWithTheLightItStandsFor) {
+    LightVolume evening = lampFrom({0, 0, 0});
+    evening.outside_shines = 0.25F;
+    evening.lamps_shine = 2.0F;
+    // Half a step of the surface buffer, of what shines most, and half a step of the vertex.
+    constexpr float kRounded = (0.5F * 16.0F + 0.5F * 8.0F) / 255.0F * 2.0F;
+    for (const auto& [nyu40, share] : {std::pair(kNyuWindow, 0.25F), std::pair(kNyuWall, 2.0F)}) {
+        Scene scene = wall(nyu40);
+        scene.materials[0].emission = {1.0F, 1.0F, 1.0F};
+        EXPECT_NEAR(lightOf(scene, evening)[0] / std::numbers::pi_v<float>, share, kRounded);
+    }
+    evening.lamps_shine = 0.0F;
+    Scene off = wall();
+    off.materials[0].emission = {1.0F, 1.0F, 1.0F};
+    EXPECT_LT(lightOf(off, evening)[0], 0.01F) << "a lamp that is off";
 }
 
 /// A red pane before a blue one before a white wall, or the other way round in the file.
