@@ -62,7 +62,7 @@ def room(program, name, scene, folder):
             "antialias=8x")
     alike = run(program.parent / "picture_agreement", sides["fast"], sides["reference"])
     print(f"{name}: {alike.splitlines()[-1]}", flush=True)
-    fast, traced = (cv2.imread(str(sides[mode] / "rgb" / f"{frame:06}.png"))
+    fast, traced = (cv2.imread(str(next((sides[mode] / "rgb").glob("*.png"))))
                     for mode in ("fast", "reference"))
     both = np.hstack([fast, np.full((HEIGHT, GAP, 3), 255, np.uint8), traced])
     return np.vstack([caption(both.shape[1], f"{name}: drawn, path traced"), both,
