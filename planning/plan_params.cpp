@@ -14,14 +14,17 @@ FieldList listFields(PlanParams& params) {
     return fields;
 }
 
+PlanParams onlyOfThePlan(PlanParams params) {
+    params.imu = {};
+    params.stereo = {};
+    params.picture = {};
+    params.sensor = {};
+    params.light = {};
+    return params;
+}
+
 bool makeSamePlan(const PlanParams& a, const PlanParams& b) {
-    PlanParams c = b;
-    c.imu = a.imu;
-    c.stereo = a.stereo;
-    c.picture = a.picture;
-    c.sensor = a.sensor;
-    c.light = a.light;
-    return a == c;
+    return onlyOfThePlan(a) == onlyOfThePlan(b);
 }
 
 Status setParameter(nlohmann::json& sections, const std::string& name,

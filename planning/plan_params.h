@@ -327,6 +327,9 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }
 
+/// The same with all that no plan depends on as it is by default.
+[[nodiscard]] PlanParams onlyOfThePlan(PlanParams params);
+
 /// Whether both lead to the same plan: they may differ in what is made of it alone.
 [[nodiscard]] bool makeSamePlan(const PlanParams& a, const PlanParams& b);
 

@@ -41,8 +41,10 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     return {};
 }
 
-/// "fill, width_px": the parameters in which two differ, for a note.
-std::string changedNames(planning::PlanParams a, planning::PlanParams b) {
+/// "fill, width_px": the parameters of the plan in which two differ, for a note.
+std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other) {
+    planning::PlanParams a = planning::onlyOfThePlan(one);
+    planning::PlanParams b = planning::onlyOfThePlan(other);
     const FieldList fields_a = planning::listFields(a);
     const FieldList fields_b = planning::listFields(b);
     std::string names;

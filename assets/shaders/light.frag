@@ -50,7 +50,9 @@ float sunAt(vec3 p, vec3 n, float slant) {
             sum += texture(sun_depth, vec3(middle + vec2(x, y) * apart, depth));
         }
     }
-    return sum / 9.0 * texture(sun_let_through, middle).r;
+    // Beside the far edges of a building half of the filter looks past all of it: that half lets
+    // nothing through, or light would leak along the joints of floors and walls.
+    return max(2.0 * sum / 9.0 - 1.0, 0.0) * texture(sun_let_through, middle).r;
 }
 #endif
 

@@ -96,6 +96,11 @@ TEST_F(LightGl, NoSunThroughShuttersAndLessThroughGlass) {
     const Scene closed = sunnyRoom(Hole::Shutter);
     const std::vector<float> dark = lightOf(closed, onlySun(sunAlone(closed)), downwards());
     EXPECT_EQ(*std::ranges::max_element(dark), 0.0F);
+    // Nor along the joints of floor and walls on the far side, where the sun looks past the room.
+    View far_corner = downwards();
+    far_corner.pose.position = {3.0, 2.0, 2.5};
+    const std::vector<float> corner = lightOf(closed, onlySun(sunAlone(closed)), far_corner);
+    EXPECT_EQ(*std::ranges::max_element(corner), 0.0F);
     const Scene pane = sunnyRoom(Hole::Pane);
     const std::vector<float> less = lightOf(pane, onlySun(sunAlone(pane)), downwards());
     const double through = 0.75 * (1.0 - sheetReflectance(std::sqrt(0.5)));
