@@ -1,6 +1,7 @@
 #include "render/rig_pictures.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/scene/srgb.h"
 #include "render/crack_filling.h"
 #include "render/tone_curve.h"
 
@@ -22,8 +23,7 @@ const std::array<float, 256>& linearOfBytes() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const float c = static_cast<float>(i) / 255.0F;
-            values[i] = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+            values[i] = linearFromSrgb(static_cast<float>(i) / 255.0F);
         }
         return values;
     }();

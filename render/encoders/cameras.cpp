@@ -7,9 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace dollytrack::render {
 namespace {
 
@@ -19,12 +16,7 @@ std::vector<std::uint16_t> normalSteps(const std::vector<Eigen::Vector3f>& norma
     std::vector<std::uint16_t> image(3 * normals.size(), 0);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         if (normals[i].isZero(0.0F)) continue;
-        const Eigen::Vector3d normal = normals[i].cast<double>().normalized();
-        for (int axis = 0; axis < 3; ++axis) {
-            const double share = std::clamp(0.5 * (normal[axis] + 1.0), 0.0, 1.0);
-            image[3 * i + static_cast<std::size_t>(axis)] =
-                static_cast<std::uint16_t>(std::lround(65535.0 * share));
-        }
+        putNormal(normals[i].cast<double>().normalized(), &image[3 * i]);
     }
     return image;
 }

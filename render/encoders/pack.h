@@ -3,6 +3,10 @@
 #include "engine/core/result.h"
 #include "render/frame_file.h"
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,6 +21,16 @@ template <class Value>
 std::span<const std::uint8_t> bytesOf(const std::vector<Value>& values) {
     static_assert(std::is_trivially_copyable_v<Value>);
     return {reinterpret_cast<const std::uint8_t*>(values.data()), sizeof(Value) * values.size()};
+}
+
+/// A share of 0 to 1 in the steps of 16 bits.
+inline std::uint16_t inSteps(double share) {
+    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
+}
+
+/// A unit normal in the three values of a pixel, (n + 1) / 2 each.
+inline void putNormal(const Eigen::Vector3d& normal, std::uint16_t* pixel) {
+    for (int axis = 0; axis < 3; ++axis) pixel[axis] = inSteps(0.5 * (normal[axis] + 1.0));
 }
 
 /// One file, of bytes that may not have come to be.

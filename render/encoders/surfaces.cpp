@@ -6,28 +6,18 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
-
 namespace dollytrack::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::uint16_t inSteps(double share) {
-    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
-}
 
 FrameFiles encodeNormals(const FrameRecord& frame, const char* folder,
                          const Eigen::Matrix3d& from_world) {
     std::vector<std::uint16_t> image(3 * frame.instance.size(), 0);
     for (std::size_t i = 0; i < frame.instance.size(); ++i) {
         if (frame.instance[i] == 0) continue;
-        const Eigen::Vector3d normal =
-            (from_world * frame.normals_in_world[i].cast<double>()).normalized();
-        for (int axis = 0; axis < 3; ++axis) {
-            image[3 * i + static_cast<std::size_t>(axis)] = inSteps(0.5 * (normal[axis] + 1.0));
-        }
+        putNormal((from_world * frame.normals_in_world[i].cast<double>()).normalized(),
+                  &image[3 * i]);
     }
     return oneFile(frameFile(folder, frame.index),
                    io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16, bytesOf(image)));
