@@ -55,14 +55,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         sensor_.emplace(std::move(*created));
     }
-    if (needs(kNeedsSurfaces)) {
-        Result<SurfaceTarget> created =
-            SurfaceTarget::create(contents_.camera.width_px, contents_.camera.height_px);
+    for (std::size_t i = 0; i < targets_.size() && needs(kNeedsSurfaces); ++i) {
+        Result<SurfaceTarget> created = SurfaceTarget::create(*targets_[i]);
         if (!created) return tl::unexpected(created.error());
-        surfaces_.emplace(std::move(*created));
+        surfaces_[i].emplace(std::move(*created));
     }
     if (needs(kNeedsRig)) {
-        rig_.emplace(contents_.camera.near_m, antialias());
+        rig_.emplace(contents_.camera.near_m, picture_.antialias);
         if (reference_) return {};
         for (const RigCamera& camera : contents_.rig) {
             if (Status status = rig_->prepare(LensModel(camera)); !status) return status;
@@ -79,22 +78,23 @@ void FramePipeline::placeObjects(int index) {
 
 Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
     if (needs(kNeedsSurfaces)) {
-        if (Status status = renderer_->drawSurfaces(view, *surfaces_); !status) return status;
-        surfaces_->readNormals(record.normals_in_world);
-        surfaces_->readAlbedo(record.albedo);
+        const SurfaceTarget& surfaces = *surfaces_[drawn_ % surfaces_.size()];
+        surfaces.readNormals(record.normals_in_world);
+        surfaces.readAlbedo(record.albedo);
     }
     if (needs(kNeedsRight)) {
         View right = view;
         right.pose = rightOf(view.pose, contents_.stereo_baseline_m);
-        right.antialias = antialias();
-        if (Status status = renderer_->draw(right, *right_); !status) return status;
-        right_->readRgb(record.rgb_right);
+        right.antialias = picture_.antialias;
+        Status status =
+            reference_ ? renderer_->drawLabels(right, *right_) : renderer_->draw(right, *right_);
+        if (!status) return status;
+        if (!reference_) right_->readRgb(record.rgb_right);
         right_->readDepth(record.depth_right_m);
         fillRightCracks(context_, right, record);
         if (reference_) {
-            if (Status status = reference_->take(right, record.index, record.rgb_right); !status) {
-                return status;
-            }
+            status = reference_->take(right, record.index, record.rgb_right);
+            if (!status) return status;
         }
     }
     return needs(kNeedsRig) ? drawRig(record) : Status();
@@ -138,11 +138,6 @@ Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
     return {};
 }
 
-/// Of what is path traced afterwards only the labels are wanted.
-Antialias FramePipeline::antialias() const {
-    return reference_ ? Antialias::Edges : picture_.antialias;
-}
-
 View FramePipeline::viewOf(int index) const {
     return makeView(contents_.camera,
                     contents_.frames[static_cast<std::size_t>(index)].camera.pose);
@@ -159,13 +154,21 @@ FrameRecord FramePipeline::emptyRecord(int index) const {
     return record;
 }
 
+Status FramePipeline::startNext() {
+    const std::size_t place = started_ % targets_.size();
+    SurfaceTarget* surfaces = needs(kNeedsSurfaces) ? &*surfaces_[place] : nullptr;
+    placeObjects(missing_[started_]);
+    View view = viewOf(missing_[started_++]);
+    if (!needs(kNeedsRgb) || reference_) {  // path traced pictures come later
+        return renderer_->drawLabels(view, *targets_[place], surfaces);
+    }
+    view.antialias = picture_.antialias;
+    return renderer_->draw(view, *targets_[place], surfaces);
+}
+
 Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     while (started_ < std::min(drawn_ + targets_.size(), missing_.size())) {
-        RenderTarget& target = *targets_[started_ % targets_.size()];
-        placeObjects(missing_[started_]);
-        View view = viewOf(missing_[started_++]);
-        if (needs(kNeedsRgb)) view.antialias = antialias();
-        if (Status status = renderer_->draw(view, target); !status) return status;
+        if (Status status = startNext(); !status) return status;
     }
     RenderTarget& target = *targets_[drawn_ % targets_.size()];
     FrameRecord record = emptyRecord(missing_[drawn_]);
@@ -192,7 +195,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         if (Status status = renderer_->startSilhouettes(view, wanted); !status) return status;
         silhouettes_of_ = record.index;
     }
-    if (needs(kNeedsRgb)) target.readRgb(record.rgb);
+    if (needs(kNeedsRgb) && !reference_) target.readRgb(record.rgb);
     const bool focuses = needs(kNeedsSensorLight) && focusesByDepth(contents_.sensor);
     if (needs(kNeedsDepth) || focuses) target.readDepth(record.depth_m);
     if (Status status = drawMore(view, record); !status) return status;

@@ -54,12 +54,12 @@ class FramePipeline {
     [[nodiscard]] const std::vector<ObjectView>& views();
 
   private:
-    [[nodiscard]] Antialias antialias() const;
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);
     /// Puts the things that move where they are in the frame.
     void placeObjects(int index);
+    [[nodiscard]] Status startNext();
     /// What is drawn for some files only.
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
     [[nodiscard]] Status drawInstances(const View& view, FrameRecord& record,
@@ -73,8 +73,8 @@ class FramePipeline {
     std::optional<SceneRenderer> renderer_;
     // Two, so that one frame's triangles are set up while the other's pixels are still computed.
     std::array<std::optional<RenderTarget>, 2> targets_;
+    std::array<std::optional<SurfaceTarget>, 2> surfaces_;  // over them, where they are wanted
     std::optional<RenderTarget> right_;
-    std::optional<SurfaceTarget> surfaces_;
     std::optional<LensPictures> rig_;
     PictureParams picture_;
     std::optional<ReferencePictures> reference_;  // where they are wanted

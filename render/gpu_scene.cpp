@@ -291,6 +291,7 @@ Result<GpuScene> uploadScene(const Scene& scene) {
                                     static_cast<std::uint32_t>(corners.size())});
             indices.insert(indices.end(), corners.begin(), corners.end());
         }
+        result.has_maps = result.has_maps || batch.maps.has_value();
         result.batches.push_back(std::move(batch));
     }
     findGlass(sorter.vertices, indices, result);

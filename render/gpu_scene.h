@@ -62,6 +62,7 @@ struct GpuScene {
     gl::VertexArray positions_layout;  // attribute 0 alone
     std::vector<gl::Texture> textures;
     std::vector<Batch> batches;                 // in drawing order
+    bool has_maps = false;                      // whether any of them has
     std::vector<Piece> whole_objects;           // by id - 1: every triangle of the object
     std::vector<Eigen::AlignedBox3f> bounds;    // by id - 1, of the triangles themselves
     std::vector<std::uint32_t> first_vertices;  // by id - 1, and one past the last of all

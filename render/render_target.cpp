@@ -48,7 +48,7 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     target.depth_ = makeImage(GL_R32F, width, height);
     target.ids_ = makeImage(GL_R16UI, width, height);
     target.z_buffer_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
-    target.occlusion_ = makeImage(GL_R8, half_width, half_height);
+    target.occlusion_ = makeImage(GL_RG32F, half_width, half_height);
     target.soft_occlusion_ = makeImage(GL_R8, half_width, half_height, GL_LINEAR);
     target.lit_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
     target.picture_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
@@ -70,6 +70,11 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     glNamedFramebufferTexture(labels, outputs[3], images[3], 0);
     glNamedFramebufferTexture(labels, outputs[4], images[4], 0);
     glNamedFramebufferTexture(labels, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
+    target.looks_frame_ = gl::createFramebuffer();
+    const unsigned looks = target.looks_frame_.get();
+    for (unsigned i = 0; i < 3; ++i) glNamedFramebufferTexture(looks, outputs[i], images[i], 0);
+    glNamedFramebufferTexture(looks, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
+    glNamedFramebufferDrawBuffers(looks, 3, outputs.data());
     outputs[0] = outputs[1] = outputs[2] = GL_NONE;
     glNamedFramebufferDrawBuffers(labels, outputs.size(), outputs.data());
     target.occlusion_frame_ = frameOver(target.occlusion_);

@@ -43,6 +43,9 @@ class RenderTarget {
 
   private:
     friend class SceneRenderer;
+    friend class SurfacePass;
+    friend class SurfaceTarget;
+    friend class LightPass;
 
     void makeSum();
 
@@ -54,13 +57,14 @@ class RenderTarget {
     gl::Texture depth_;    // planar depth of the label
     gl::Texture ids_;
     gl::Texture z_buffer_;
-    gl::Texture occlusion_;
+    gl::Texture occlusion_;  // and planar depth; of a quarter of the pixels
     gl::Texture soft_occlusion_;
     gl::Texture lit_;
     gl::Texture sum_;  // of several looks, linear; made when first needed
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
-    gl::Framebuffer labels_frame_;  // those of labels alone, of the same images
+    gl::Framebuffer looks_frame_;   // the same without those of labels
+    gl::Framebuffer labels_frame_;  // and these alone
     gl::Framebuffer occlusion_frame_;
     gl::Framebuffer soft_frame_;
     gl::Framebuffer lit_frame_;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/camera/lens_distortion.h"
 #include "engine/core/result.h"
 #include "engine/scene/scene.h"
+#include "render/light_sum.h"
 #include "render/light_volume.h"
 #include "render/render_target.h"
 #include "render/surface_target.h"
@@ -15,18 +15,6 @@
 #include <vector>
 
 namespace dollytrack::render {
-
-/// What one look of many is to a sum of light.
-struct LightSum {
-    Intrinsics lens;            // of the pinhole that the sum is seen through
-    LensDistortion distortion;  // from there to the sensor, whose rows have times of their own
-    double s_per_bent = 0.0;    // from a row's y / z behind the lens to its time; 0: all at once
-    double after_s = 0.0;       // the look's time, that of the middle row being 0
-    double look_step_s = 0.0;   // to the next look
-    double row_exposure_s = 0.0;
-    int first_row = 0;  // of the sum; what lies outside need not be drawn
-    int last_row = 0;   // the first that need not
-};
 
 /// Draws one scene. Needs the OpenGL context current that it was created in; keeps no reference to
 /// the scene.
@@ -43,15 +31,19 @@ class SceneRenderer {
     /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
     /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
     /// of each triangle are drawn, and each pixel shows what its centre sees.
-    [[nodiscard]] Status draw(const View& view, RenderTarget& target);
+    /// With `surfaces`, which lie over the target, also normals and base colours of what is
+    /// labelled.
+    [[nodiscard]] Status draw(const View& view, RenderTarget& target,
+                              SurfaceTarget* surfaces = nullptr);
+
+    /// The same without the picture, which stays what it was.
+    [[nodiscard]] Status drawLabels(const View& view, RenderTarget& target,
+                                    SurfaceTarget* surfaces = nullptr);
 
     /// Starts a sum of looks at linear light, before the tone curve, in the target.
     [[nodiscard]] Status beginLight(RenderTarget& target);
     /// Adds a look. A row takes as much of it as look and row have in common of their times.
     [[nodiscard]] Status addLight(const View& view, const LightSum& sum, RenderTarget& target);
-
-    /// Draws normals and base colours of the same surfaces that draw() labels.
-    [[nodiscard]] Status drawSurfaces(const View& view, SurfaceTarget& target);
 
     /// What each of these objects would cover of the image if nothing stood before it, of those
     /// that reach into it; waits for the drawing.

@@ -1,6 +1,7 @@
 #include "render/surface_target.h"
 
 #include "render/gl/context.h"
+#include "render/render_target.h"
 
 #include <GL/glew.h>
 
@@ -31,10 +32,10 @@ std::array<std::uint8_t, 256> makeSrgbTable() {
 
 }  // namespace
 
-Result<SurfaceTarget> SurfaceTarget::create(int width, int height) {
+Result<SurfaceTarget> SurfaceTarget::create(const RenderTarget& labels) {
     SurfaceTarget target;
-    target.width_ = width;
-    target.height_ = height;
+    const int width = target.width_ = labels.width();
+    const int height = target.height_ = labels.height();
     target.color_ = makeImage(GL_RGBA8, width, height);
     target.normal_ = makeImage(GL_RGBA16_SNORM, width, height);
     target.z_buffer_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
@@ -43,9 +44,11 @@ Result<SurfaceTarget> SurfaceTarget::create(int width, int height) {
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, target.color_.get(), 0);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT1, target.normal_.get(), 0);
     glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
-    // The surface program's other images are left out.
+    glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT3, labels.depth_.get(), 0);
+    glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT4, labels.ids_.get(), 0);
+    // The depth of what is lit is left out.
     const std::array<GLenum, 5> outputs = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_NONE,
-                                           GL_NONE, GL_NONE};
+                                           GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
     glNamedFramebufferDrawBuffers(frame, outputs.size(), outputs.data());
     if (Status status = gl::checkErrors("creating the images of surfaces"); !status) {
         return tl::unexpected(status.error());

@@ -10,11 +10,14 @@
 
 namespace dollytrack::render {
 
+class RenderTarget;
+
 /// Images of what surfaces are, without light: of the same surfaces as RenderTarget's labels, glass
 /// and the holes of textures included. Row 0 is the top of the picture.
 class SurfaceTarget {
   public:
-    [[nodiscard]] static Result<SurfaceTarget> create(int width, int height);
+    /// Of the size of `labels`, whose images of labels are drawn along; it must stay where it is.
+    [[nodiscard]] static Result<SurfaceTarget> create(const RenderTarget& labels);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
@@ -26,7 +29,7 @@ class SurfaceTarget {
     void readAlbedo(std::vector<std::uint8_t>& albedo) const;
 
   private:
-    friend class SceneRenderer;
+    friend class SurfacePass;
 
     int width_ = 0;
     int height_ = 0;

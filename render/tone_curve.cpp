@@ -1,5 +1,7 @@
 #include "render/tone_curve.h"
 
+#include "engine/scene/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,10 @@ std::uint8_t encodedByte(float linear) {
     const float c = std::clamp(linear, 0.0F, 1.0F);
     const float encoded = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
     return static_cast<std::uint8_t>(std::lround(255.0F * encoded));
+}
+
+Eigen::Vector3f decoded(const Eigen::Vector3f& srgb) {
+    return srgb.unaryExpr([](float c) { return linearFromSrgb(c); });
 }
 
 Eigen::Vector3f skyBackdrop(float rise) {

@@ -18,6 +18,9 @@ namespace dollytrack::render {
 /// sRGB's encoding, 0..1 to 0..255.
 [[nodiscard]] std::uint8_t encodedByte(float linear);
 
+/// Linear of sRGB's encoding, 0..1.
+[[nodiscard]] Eigen::Vector3f decoded(const Eigen::Vector3f& srgb);
+
 /// sRGB where a view meets nothing; `rise` is the sine of the way's angle above the horizon.
 [[nodiscard]] Eigen::Vector3f skyBackdrop(float rise);
 

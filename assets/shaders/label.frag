@@ -15,9 +15,11 @@ layout(location = 3) out float out_depth;
 layout(location = 4) out uint out_id;
 
 void main() {
+#ifdef CUT
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
+#endif
     out_depth = depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
                                    : 1.0 / gl_FragCoord.w;
     out_id = surface_id;

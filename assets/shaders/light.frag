@@ -1,6 +1,7 @@
 #version 450 core
 // Lights the surface buffer. Light comes from the baked volume: the light of the lamps, with its
-// direction and soft shadows, and the light that the room's surfaces throw back.
+// direction and soft shadows, and the light that the room's surfaces throw back. Where nothing is
+// hit it is worked out, too, and left: on the processor branches save nothing.
 
 layout(location = 0) uniform mat3 world_from_camera;
 layout(location = 1) uniform vec4 unproject;
@@ -10,18 +11,20 @@ layout(location = 4) uniform vec3 volume_scale;  // volume texture coordinates p
 layout(location = 5) uniform float lift_m;       // off the surface, out of the cell behind it
 layout(location = 6) uniform float exposure;
 layout(location = 7) uniform vec3 lamp_color;
-layout(location = 8) uniform vec4 backdrop;      // rgb where nothing is hit; a > 0: a plain colour
+layout(location = 8) uniform vec4 backdrop;      // linear, where nothing is hit; a = 0: the sky
 layout(location = 9) uniform int orthographic;
 layout(location = 10) uniform float glow;        // of emission, for one unit
-layout(location = 11) uniform float share;       // of one of several looks; 0: the picture itself
 
-layout(location = 12) uniform int sensor;        // 1: light before the tone curve is added up
+#ifdef LOOKS
+layout(location = 11) uniform float share;       // of one of several looks in their mean
+#endif
+
+#ifdef SENSOR  // light before the tone curve is added up
 layout(location = 13) uniform vec4 sum_lens;     // as unproject, of the sum
 layout(location = 14) uniform vec4 distortion;   // k1 k2 p1 p2
 layout(location = 15) uniform float distortion_k3;
 layout(location = 16) uniform vec4 row_time;     // slope, offset, half exposure; see weightOfRow
-
-layout(location = 17) uniform vec3 backdrop_factor;
+#endif
 
 #ifdef SUN
 layout(location = 18) uniform vec3 sun_irradiance;
@@ -63,6 +66,7 @@ layout(binding = 3) uniform sampler2D occlusion;
 layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
 layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps
 layout(binding = 6) uniform sampler3D slope_volume;    // of the ambient light, see light_volume.h
+layout(binding = 13) uniform sampler1D sky_colors;     // linear, by the sine of a way's height
 
 layout(location = 0) out vec4 out_rgb;
 
@@ -72,15 +76,7 @@ vec3 toneCurve(vec3 c) {
     return min(c, 0.55) + 0.45 * high / (high + 0.45);
 }
 
-vec3 encode(vec3 linear) {
-    return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0031308), vec3(1.0 / 2.4)) - 0.055,
-               step(0.0031308, linear));
-}
-
-vec3 decode(vec3 srgb) {
-    return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
-}
-
+#ifdef SENSOR
 // What the tone curve makes this of; of full white something very bright.
 vec3 beforeToneCurve(vec3 shown) {
     vec3 high = min(max(shown - 0.55, 0.0) / 0.45, 0.999);
@@ -104,32 +100,23 @@ float weightOfRow() {
     float middle = row_time.x * bent + row_time.y;
     return hatUpTo(middle + row_time.z) - hatUpTo(middle - row_time.z);
 }
+#endif
 
-// The picture itself is encoded; of several looks the mean is taken of light.
-vec4 shown(vec3 linear) {
-    return vec4(share > 0.0 ? share * linear : encode(linear), 1.0);
+#if !defined(LOOKS) && !defined(SENSOR)
+vec3 encode(vec3 linear) {
+    return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0031308), vec3(1.0 / 2.4)) - 0.055,
+               step(0.0031308, linear));
 }
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float z = texelFetch(surface, pixel, 0).r;
     vec2 aside = gl_FragCoord.xy * unproject.xy + unproject.zw;
     vec3 ray = world_from_camera * (orthographic != 0 ? vec3(0.0, 0.0, 1.0) : vec3(aside, 1.0));
-    if (z <= 0.0) {
-        float rise = normalize(ray).z;
-        vec3 sky = mix(vec3(0.90, 0.93, 0.96), vec3(0.62, 0.77, 0.95), clamp(rise * 1.5, 0.0, 1.0));
-        sky = mix(sky, vec3(0.64, 0.63, 0.61), smoothstep(0.0, 0.12, -rise));
-        vec3 plain = backdrop.a > 0.0 ? decode(backdrop.rgb) : decode(sky) * backdrop_factor;
-        if (sensor != 0) {
-            out_rgb = weightOfRow() * vec4(beforeToneCurve(plain), 1.0);
-        } else {
-            out_rgb = shown(plain);
-        }
-        return;
-    }
     vec4 color = texelFetch(colors, pixel, 0);
     vec4 facing = texelFetch(normals, pixel, 0);
-    vec3 n = normalize(facing.xyz);
+    vec3 n = facing.xyz;
     float roughness = abs(facing.w);
     vec3 albedo = color.rgb * color.rgb;
     float metallic = color.a < 0.5 ? color.a * 2.0 : 0.0;
@@ -181,9 +168,16 @@ void main() {
 #endif
 
     vec3 light = exposure * (lit + shiny) + glow * emission * albedo;
-    if (sensor != 0) {
-        out_rgb = weightOfRow() * vec4(light, 1.0);
-    } else {
-        out_rgb = shown(toneCurve(light));
-    }
+    vec3 plain = backdrop.a > 0.0 ? backdrop.rgb : texture(sky_colors, 0.5 - 0.5 * view.z).rgb;
+    bool hit = z > 0.0;
+#ifdef SENSOR
+    out_rgb = weightOfRow() * vec4(hit ? light : beforeToneCurve(plain), 1.0);
+#else
+    vec3 shown = hit ? toneCurve(light) : plain;
+#ifdef LOOKS
+    out_rgb = vec4(share * shown, 1.0);  // the mean is taken of light
+#else
+    out_rgb = vec4(encode(shown), 1.0);
+#endif
+#endif
 }

@@ -11,7 +11,7 @@ layout(location = 3) uniform int orthographic;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
 
-layout(location = 0) out float out_light;
+layout(location = 0) out vec2 out_light;  // and planar depth, m
 
 const float kRadius = 0.30;  // m
 const int kSamples = 8;
@@ -22,6 +22,7 @@ vec3 pointAt(ivec2 pixel) {
     return orthographic != 0 ? vec3(aside, z) : vec3(aside, 1.0) * z;
 }
 
+#ifdef MAPS
 // That of the surface without its map, from the neighbours that lie nearest in depth.
 vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
     vec3 across[2];
@@ -36,31 +37,37 @@ vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
     vec3 along = orthographic != 0 ? vec3(0.0, 0.0, 1.0) : p;
     return dot(n, along) > 0.0 ? -n : n;
 }
+#endif
 
 void main() {
     ivec2 size = textureSize(surface, 0);
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
     vec3 p = pointAt(pixel);
     if (p.z <= 0.0) {
-        out_light = 1.0;
+        out_light = vec2(1.0, p.z);
         return;
     }
     vec4 facing = texelFetch(normals, pixel, 0);
-    vec3 n = facing.w < 0.0 ? flatNormal(p, pixel, size) : camera_from_world * facing.xyz;
+    vec3 n = camera_from_world * facing.xyz;
+#ifdef MAPS
+    if (facing.w < 0.0) n = flatNormal(p, pixel, size);
+#endif
     float reach = clamp(kRadius * pixels_per_radian / (orthographic != 0 ? 1.0 : p.z), 4.0, 160.0);
     // The pattern turns from pixel to pixel in a 4 x 4 tile, which the blur that follows averages.
     ivec2 tile = ivec2(gl_FragCoord.xy) & 3;
     float turn = float((tile.x * 4 + ((tile.y * 7) & 15)) & 15) * (6.2831853 / 16.0);
+    vec2 way = vec2(cos(turn), sin(turn));
+    const mat2 next = mat2(cos(2.39996323), sin(2.39996323), -sin(2.39996323), cos(2.39996323));
     float hidden = 0.0;
     for (int i = 0; i < kSamples; ++i) {
         float share = (float(i) + 0.5) / float(kSamples);
-        float angle = turn + float(i) * 2.39996323;
-        ivec2 at = pixel + ivec2(round(vec2(cos(angle), sin(angle)) * (share * reach)));
+        ivec2 at = pixel + ivec2(round(way * (share * reach)));
+        way = next * way;
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
         vec3 v = pointAt(at) - p;
         float squared = dot(v, v);
         float fade = max(0.0, 1.0 - squared / (kRadius * kRadius));
         hidden += fade * max(0.0, dot(v, n) - 0.004 * p.z) / (sqrt(squared) + 0.02);
     }
-    out_light = clamp(1.0 - 1.7 * hidden / float(kSamples), 0.0, 1.0);
+    out_light = vec2(clamp(1.0 - 1.7 * hidden / float(kSamples), 0.0, 1.0), p.z);
 }

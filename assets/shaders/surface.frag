@@ -11,8 +11,6 @@ flat in uint surface_id;
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 3) uniform vec2 depth_span;  // see surface.vert
-layout(location = 4) uniform int textured;
-layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: none
 layout(location = 6) uniform vec4 cut_plane;   // structure above it is left away, see view.h
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
@@ -99,17 +97,20 @@ void main() {
 #ifdef MAPS
     findFrame();
 #endif
+#ifdef CUT
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
-    vec4 color = surface_color;
-    if (textured != 0) {
-        vec4 texel = texture(base_texture, texture_uv);
-        if (texel.a < alpha_cut) discard;
-        // Texels are sRGB, close enough to a square; the vertex colour is a square root already.
-        color.rgb *= texel.rgb;
-        color.a *= texel.a;
-    }
+#endif
+    vec3 color = surface_color.rgb;
+#ifdef TEXTURED
+    vec4 texel = texture(base_texture, texture_uv);
+#ifdef HOLES
+    if (texel.a < 0.5) discard;
+#endif
+    // Texels are sRGB, close enough to a square; the vertex colour is a square root already.
+    color *= texel.rgb;
+#endif
     vec3 forward = vec3(camera_from_world[0].z, camera_from_world[1].z, camera_from_world[2].z);
     vec3 n = seenNormal(face, depth_span.y > 0.0 ? forward : normalize(offset_in_world));
     bool outside = abs(abs(surface_traits.w - 0.5) - 0.25) < 0.1;
@@ -121,7 +122,7 @@ void main() {
     float shine = 8.0 * surface_traits.z * share;
     float special = shine > kLeastShine ? 0.5 + min(shine, 8.0) / 16.0 : 0.49 * metallic;
     // What shone as the day does is dark without it.
-    if (outside && surface_traits.z > 0.0) color.rgb *= outside_dark;
+    if (outside && surface_traits.z > 0.0) color *= outside_dark;
     float roughness = surface_traits.x;
 #ifdef MAPS
     if (has_map.y != 0) roughness *= texture(roughness_map, texture_uv).g;
@@ -129,17 +130,17 @@ void main() {
     if (has_map.x != 0) roughness = -max(roughness, 0.001);
     if (has_map.w != 0) {
         if (outside) share *= outside_dark * outside_dark;
-        vec3 texel = texture(emission_map, texture_uv).rgb;
-        vec3 emission = min(emission_factor * texel * texel * share, 8.0);
+        vec3 shining = texture(emission_map, texture_uv).rgb;
+        vec3 emission = min(emission_factor * shining * shining * share, 8.0);
         float strongest = max(emission.r, max(emission.g, emission.b));
-        if (outside && strongest > 0.0) color.rgb *= outside_dark;
+        if (outside && strongest > 0.0) color *= outside_dark;
         if (strongest >= kFaintest) {
-            color.rgb = sqrt(emission / strongest);
+            color = sqrt(emission / strongest);
             special = 0.5 + strongest / 16.0;
         }
     }
 #endif
-    out_color = vec4(color.rgb, special);
+    out_color = vec4(color, special);
     out_normal = vec4(n, roughness);
     float z = depthHere();
     out_surface = z;

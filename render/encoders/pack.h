@@ -25,7 +25,7 @@ std::span<const std::uint8_t> bytesOf(const std::vector<Value>& values) {
 
 /// A share of 0 to 1 in the steps of 16 bits.
 inline std::uint16_t inSteps(double share) {
-    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
+    return static_cast<std::uint16_t>(65535.0 * std::clamp(share, 0.0, 1.0) + 0.5);
 }
 
 /// A unit normal in the three values of a pixel, (n + 1) / 2 each.

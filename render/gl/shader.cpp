@@ -15,11 +15,11 @@ class Stage {
     Stage& operator=(const Stage&) = delete;
     [[nodiscard]] unsigned get() const { return name_; }
 
-    Status compile(std::string_view file, std::string_view define = {}) const {
+    Status compile(std::string_view file, std::span<const std::string> defined = {}) const {
         std::string source(shaderSource(file));
         // The version has to be the first line.
-        if (!define.empty()) {
-            source.insert(source.find('\n') + 1, "#define " + std::string(define) + "\n");
+        for (const std::string& word : defined) {
+            source.insert(source.find('\n') + 1, "#define " + word + "\n");
         }
         const char* text = source.data();
         const auto length = static_cast<GLint>(source.size());
@@ -42,7 +42,7 @@ class Stage {
 }  // namespace
 
 Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
-                            std::string_view define) {
+                            std::span<const std::string> defined) {
     Program program(glCreateProgram());
     const Stage vertex_stage(GL_VERTEX_SHADER);
     if (Status status = vertex_stage.compile(vertex); !status) {
@@ -51,7 +51,7 @@ Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
     const Stage fragment_stage(GL_FRAGMENT_SHADER);
     glAttachShader(program.get(), vertex_stage.get());
     if (!fragment.empty()) {
-        if (Status status = fragment_stage.compile(fragment, define); !status) {
+        if (Status status = fragment_stage.compile(fragment, defined); !status) {
             return tl::unexpected(status.error());
         }
         glAttachShader(program.get(), fragment_stage.get());

@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "render/gl/handle.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,9 @@ namespace dollytrack::gl {
 [[nodiscard]] std::string_view shaderSource(std::string_view name);
 
 /// Compiles and links "<vertex>" with "<fragment>" (file names in assets/shaders; an empty fragment
-/// makes a program that draws no colour). A word in `define` is one to the fragment's preprocessor.
+/// makes a program that draws no colour). The words in `defined` are so to the fragment's preprocessor.
 /// Failed with the compiler's words.
 [[nodiscard]] Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
-                                          std::string_view define = {});
+                                          std::span<const std::string> defined = {});
 
 }  // namespace dollytrack::gl

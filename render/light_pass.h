@@ -1,0 +1,66 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/gl/handle.h"
+#include "render/gl/program_variants.h"
+#include "render/light_sum.h"
+#include "render/light_volume.h"
+#include "render/render_target.h"
+#include "render/sun_shadow.h"
+#include "render/view.h"
+
+#include <optional>
+
+namespace dollytrack::render {
+
+/// Lights surface buffers by what a light volume knows, the sun's shadow, and what stands near.
+class LightPass {
+  public:
+    LightPass();
+
+    /// Other light from now on.
+    [[nodiscard]] Status setLight(const LightVolume& light);
+    /// The sun's shadow is no longer that of the scene.
+    void forgetShadow() { sun_shadow_is_old_ = true; }
+
+    /// Links what is needed and draws the sun's shadow where it is old; before any of the
+    /// following.
+    [[nodiscard]] Status prepare(const GpuScene& scene);
+
+    /// What of the light around reaches corners, of the surfaces in the target.
+    void drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target);
+
+    // The surfaces in the target lit; `shine` is what emission in it is a share of.
+    void drawPicture(const View& view, float shine, RenderTarget& target);
+    /// Added to the target's sum, with this share of it.
+    void addLook(const View& view, float shine, float share, RenderTarget& target);
+    /// Added to it as light before the tone curve, see LightSum.
+    void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);
+
+    /// The sum as a picture.
+    void encodeSum(RenderTarget& target);
+    /// The picture of drawPicture() with smooth edges.
+    void smoothEdges(RenderTarget& target);
+
+  private:
+    [[nodiscard]] unsigned lightProgram(unsigned kind) const;
+    void setLightOf(const View& view, float shine, unsigned program, RenderTarget& target);
+    void draw(const gl::Framebuffer& frame, int width, int height, unsigned program) const;
+    void drawSum(RenderTarget& target, unsigned program);
+
+    LightVolume light_;  // without its cells
+    gl::Texture ambient_;
+    gl::Texture slope_;
+    gl::Texture lamps_;
+    gl::Texture sky_;  // by the sine of a way's height
+    gl::VertexArray no_vertices_;
+    gl::ProgramVariants lighting_;
+    gl::ProgramVariants occlusion_;
+    gl::ProgramVariants soften_;
+    gl::ProgramVariants edges_;
+    gl::ProgramVariants encode_;
+    std::optional<SunShadow> sun_shadow_;  // where there is a sun
+    bool sun_shadow_is_old_ = true;
+};
+
+}  // namespace dollytrack::render
