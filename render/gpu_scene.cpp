@@ -1,5 +1,6 @@
 #include "render/gpu_scene.h"
 
+#include "render/coarse_mesh.h"
 #include "render/gl/context.h"
 #include "render/pathtrace/sun_rays.h"
 #include "render/surface_kind.h"
@@ -249,9 +250,33 @@ void findGlass(const std::vector<Vertex>& vertices, const std::vector<std::uint3
     }
 }
 
+/// Where each piece has its coarse triangles.
+void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32_t>& indices,
+               std::vector<Batch>& batches) {
+    for (Batch& batch : batches) {
+        for (Piece& piece : batch.pieces) {
+            piece.coarse_first = piece.first_index;
+            piece.coarse_count = piece.index_count;
+            if (detail == Detail::Full || batch.surface == Surface::Glass) continue;
+            const std::uint32_t* first = &sorter.first_vertices[piece.object_id - 1];
+            std::vector<std::uint32_t> corners(
+                indices.begin() + piece.first_index,
+                indices.begin() + piece.first_index + piece.index_count);
+            for (std::uint32_t& corner : corners) corner -= first[0];
+            corners = coarseMesh(corners, sorter.vertices[first[0]].position, first[1] - first[0],
+                                 sizeof(Vertex));
+            if (corners.size() == piece.index_count) continue;
+            for (std::uint32_t& corner : corners) corner += first[0];
+            piece.coarse_first = static_cast<std::uint32_t>(indices.size());
+            piece.coarse_count = static_cast<std::uint32_t>(corners.size());
+            indices.insert(indices.end(), corners.begin(), corners.end());
+        }
+    }
+}
+
 }  // namespace
 
-Result<GpuScene> uploadScene(const Scene& scene) {
+Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
     if (scene.objects.size() > 65535) {
         return fail(ErrorCode::BadInput,
                     "the scene has " + std::to_string(scene.objects.size()) +
@@ -288,13 +313,14 @@ Result<GpuScene> uploadScene(const Scene& scene) {
         }
         for (const auto& [object_id, corners] : groups) {
             batch.pieces.push_back({object_id, static_cast<std::uint32_t>(indices.size()),
-                                    static_cast<std::uint32_t>(corners.size())});
+                                    static_cast<std::uint32_t>(corners.size()), 0, 0});
             indices.insert(indices.end(), corners.begin(), corners.end());
         }
         result.has_maps = result.has_maps || batch.maps.has_value();
         result.batches.push_back(std::move(batch));
     }
     findGlass(sorter.vertices, indices, result);
+    addCoarse(sorter, detail, indices, result.batches);
     // Objects in one piece for silhouettes: another run through the index buffer, grouped by id.
     result.whole_objects.resize(scene.objects.size());
     result.bounds.resize(scene.objects.size());
@@ -309,7 +335,7 @@ Result<GpuScene> uploadScene(const Scene& scene) {
     for (std::size_t i = 0; i < whole.size(); ++i) {
         result.whole_objects[i] = {static_cast<int>(i) + 1,
                                    static_cast<std::uint32_t>(indices.size()),
-                                   static_cast<std::uint32_t>(whole[i].size())};
+                                   static_cast<std::uint32_t>(whole[i].size()), 0, 0};
         indices.insert(indices.end(), whole[i].begin(), whole[i].end());
         for (const std::uint32_t corner : whole[i]) {
             result.bounds[i].extend(sorter.vertices[corner].position);

@@ -24,6 +24,9 @@ struct Piece {
     int object_id = 0;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
+    // Of View::coarse; as above where the scene was uploaded without.
+    std::uint32_t coarse_first = 0;
+    std::uint32_t coarse_count = 0;
 };
 
 /// What a material's maps add to its numbers; OpenGL names, 0: none.
@@ -87,7 +90,10 @@ void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d
 /// hold a few by accident.
 [[nodiscard]] bool hasHoles(const Texture& texture);
 
+/// Whether a scene is uploaded with what View::coarse shows.
+enum class Detail { Full, FullAndCoarse };
+
 /// Uploads the scene. BadInput for more than 65535 objects, which 16-bit labels cannot tell apart.
-[[nodiscard]] Result<GpuScene> uploadScene(const Scene& scene);
+[[nodiscard]] Result<GpuScene> uploadScene(const Scene& scene, Detail detail = Detail::Full);
 
 }  // namespace dollytrack::render

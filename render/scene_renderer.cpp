@@ -103,8 +103,9 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolume& light) {
-    Result<GpuScene> uploaded = uploadScene(scene);
+Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolume& light,
+                                            Detail detail) {
+    Result<GpuScene> uploaded = uploadScene(scene, detail);
     if (!uploaded) return tl::unexpected(uploaded.error());
     Result<SurfacePass> surfaces = SurfacePass::create();
     if (!surfaces) return tl::unexpected(surfaces.error());

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/scene/scene.h"
+#include "render/gpu_scene.h"
 #include "render/light_sum.h"
 #include "render/light_volume.h"
 #include "render/render_target.h"
@@ -20,7 +21,8 @@ namespace dollytrack::render {
 /// the scene.
 class SceneRenderer {
   public:
-    [[nodiscard]] static Result<SceneRenderer> create(const Scene& scene, const LightVolume& light);
+    [[nodiscard]] static Result<SceneRenderer> create(const Scene& scene, const LightVolume& light,
+                                                      Detail detail = Detail::Full);
     ~SceneRenderer();
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;

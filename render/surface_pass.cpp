@@ -204,8 +204,9 @@ void SurfacePass::drawShapes(const Batch& batch, const View& view, const std::ve
     offsets_.clear();
     for (const Piece& piece : batch.pieces) {
         if (!visible[static_cast<std::size_t>(piece.object_id) - 1]) continue;
-        counts_.push_back(static_cast<GLsizei>(piece.index_count));
-        offsets_.push_back(offsetOf(piece.first_index));
+        const auto count = view.coarse ? piece.coarse_count : piece.index_count;
+        counts_.push_back(static_cast<GLsizei>(count));
+        offsets_.push_back(offsetOf(view.coarse ? piece.coarse_first : piece.first_index));
     }
     if (!counts_.empty()) drawCounted(view, program);
 }

@@ -45,6 +45,9 @@ struct View {
     std::optional<Eigen::Vector3f> backdrop;
     /// Of the colours; more looks are for exports, and for a preview at rest.
     Antialias antialias = Antialias::Edges;
+    /// Finely divided things in fewer triangles, where the renderer has them; for a view that
+    /// moves.
+    bool coarse = false;
     /// None: a pinhole camera.
     std::optional<Orthographic> orthographic;
 

@@ -62,8 +62,7 @@ struct Relay {
         }
         // The thread leaves alone what is shown.
         Image& image = images[static_cast<std::size_t>(shown)];
-        const Intrinsics& size = image.view.intrinsics;
-        picture.upload(size.width, size.height, image.rgba);
+        picture.upload(image.width, image.height, image.rgba);
         image.texture = picture.get();
     }
 
@@ -86,6 +85,31 @@ bool samePicture(const render::View& a, const render::View& b) {
            a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
            a.backdrop == b.backdrop && a.antialias == b.antialias;
 }
+
+/// A picture that takes longer is drawn with fewer pixels while the view moves.
+constexpr double kFluent_ms = 50.0;
+constexpr int kCoarsest = 3;  // of the pane's pixels a side in one of the picture's
+/// Without a new view for so long it rests. Pictures that come more seldom are no movement.
+constexpr std::chrono::milliseconds kRest(150);
+
+/// The same view in fewer pixels.
+render::View shrunk(render::View view, int by) {
+    Intrinsics& lens = view.intrinsics;
+    const int width = std::max(lens.width / by, 1);
+    const int height = std::max(lens.height / by, 1);
+    const double x = static_cast<double>(width) / lens.width;
+    const double y = static_cast<double>(height) / lens.height;
+    lens = {width, height, x * lens.fx, y * lens.fy, x * lens.cx, y * lens.cy};
+    if (view.orthographic) view.orthographic->px_per_m *= x;
+    return view;
+}
+
+/// Where the viewport's pictures are drawn.
+struct ViewCanvas {
+    std::optional<render::RenderTarget> target;
+    std::optional<render::OverlayCanvas> canvas;
+    std::optional<render::View> drawn;  // what the target holds
+};
 
 /// Overlays on the card, by the pointer they came as.
 struct LayerCache {
@@ -141,13 +165,15 @@ struct RenderThread::Impl {
     std::uint64_t geometry = 0;
     std::shared_ptr<const render::LightVolume> lit_by;
     std::optional<render::SceneRenderer> renderer;
-    std::optional<render::RenderTarget> view_target;
+    ViewCanvas whole;
+    ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
-    std::optional<render::View> drawn_view;  // what view_target holds
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
-    std::optional<render::OverlayCanvas> canvas;
     std::uint64_t serial = 0;
+    double whole_ms = 0.0;  // that the last picture of all pixels took
+    std::chrono::steady_clock::time_point last_view;
+    std::optional<ViewRequest> owed;  // was drawn with fewer pixels; under the mutex
 
     // The window's: what it asked for last, so that asking again for the same costs nothing.
     std::optional<ViewRequest> asked_view;
@@ -160,7 +186,9 @@ struct RenderThread::Impl {
     void loop();
     void release();
     Status loadScene(SceneRequest request);
-    Status drawView(ViewRequest request);
+    Status drawView(ViewRequest request, bool rests);
+    [[nodiscard]] int shrinkBy(const ViewRequest& request, bool rests) const;
+    Status drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
     Status drawPreview(const PreviewRequest& request);
     void say(const Status& status) {
         if (status) return;
@@ -193,16 +221,23 @@ void RenderThread::Impl::loop() {
     std::unique_lock lock(mutex);
     while (true) {
         busy = false;
-        arrived.wait(lock, [this] { return stopping || next_scene || next_view || next_preview; });
+        const auto news = [this] { return stopping || next_scene || next_view || next_preview; };
+        bool rests = false;
+        if (owed) {
+            rests = !arrived.wait_for(lock, kRest, news);
+        } else {
+            arrived.wait(lock, news);
+        }
         if (stopping) break;
         busy = true;
         auto scene_request = std::exchange(next_scene, std::nullopt);
-        auto view_request = std::exchange(next_view, std::nullopt);
+        if (scene_request) owed.reset();
+        auto view_request = std::exchange(rests ? owed : next_view, std::nullopt);
         auto preview_request = std::exchange(next_preview, std::nullopt);
         lock.unlock();
         if (current) {
             if (scene_request) say(loadScene(std::move(*scene_request)));
-            if (view_request && renderer) say(drawView(std::move(*view_request)));
+            if (view_request && renderer) say(drawView(std::move(*view_request), rests));
             if (preview_request && renderer) say(drawPreview(*preview_request));
         }
         wake();
@@ -214,9 +249,9 @@ void RenderThread::Impl::loop() {
 
 void RenderThread::Impl::release() {
     renderer.reset();
-    view_target.reset();
+    whole = {};
+    coarse = {};
     preview_target.reset();
-    canvas.reset();
     layers.entries.clear();
     overlays.reset();
     context.reset();
@@ -231,7 +266,9 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     }
     scene = request.scene;
     geometry = request.geometry;
-    drawn_view.reset();
+    whole.drawn.reset();
+    coarse.drawn.reset();
+    if (!same) whole_ms = 0.0;
     if (!scene) {
         renderer.reset();
         return {};
@@ -246,7 +283,8 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
         }
     } else {
         renderer.reset();  // before the new one: both may not fit
-        Result<render::SceneRenderer> made = render::SceneRenderer::create(*scene, light);
+        Result<render::SceneRenderer> made =
+            render::SceneRenderer::create(*scene, light, render::Detail::FullAndCoarse);
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
         renderer.emplace(std::move(*made));
     }
@@ -257,44 +295,67 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     return {};
 }
 
-Status RenderThread::Impl::drawView(ViewRequest request) {
+/// In how few pixels a view is drawn so that it follows the mouse.
+int RenderThread::Impl::shrinkBy(const ViewRequest& request, bool rests) const {
+    const bool moves = std::chrono::steady_clock::now() - last_view < kRest;
+    if (rests || !moves || whole_ms <= kFluent_ms) return 1;
+    if (whole.drawn && samePicture(*whole.drawn, request.view)) return 1;  // new layers at most
+    return whole_ms <= 4.0 * kFluent_ms ? 2 : kCoarsest;
+}
+
+Status RenderThread::Impl::drawView(ViewRequest request, bool rests) {
     const auto begin = std::chrono::steady_clock::now();
-    const int width = request.view.intrinsics.width;
-    const int height = request.view.intrinsics.height;
     if (!overlays) {
         Result<render::OverlayRenderer> made = render::OverlayRenderer::create();
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
         overlays.emplace(std::move(*made));
     }
-    if (!drawn_view || !samePicture(*drawn_view, request.view)) {
-        drawn_view.reset();
-        if (Status status = fitTarget(view_target, request.view.intrinsics); !status) return status;
-        if (Status status = renderer->draw(request.view, *view_target); !status) return status;
-        drawn_view = request.view;
+    const int shrink = shrinkBy(request, rests);
+    if (Status status = drawOn(shrink == 1 ? whole : coarse, request, shrink); !status) {
+        return status;
     }
-    if (!canvas || canvas->width() != width || canvas->height() != height) {
-        Result<render::OverlayCanvas> made = render::OverlayCanvas::create(width, height);
+    last_view = std::chrono::steady_clock::now();
+    ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
+    image.geometry = geometry;
+    image.view = request.view;
+    image.serial = ++serial;
+    image.milliseconds = std::chrono::duration<double, std::milli>(last_view - begin).count();
+    if (shrink == 1) whole_ms = image.milliseconds;
+    const std::lock_guard lock(mutex);
+    owed.reset();
+    if (shrink > 1) owed = std::move(request);
+    std::swap(views.drawn, views.finished);
+    views.news = true;
+    return {};
+}
+
+Status RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, int shrink) {
+    render::View view = shrunk(request.view, shrink);
+    view.coarse = shrink > 1;
+    const Intrinsics& size = view.intrinsics;
+    if (!on.drawn || !samePicture(*on.drawn, view)) {
+        on.drawn.reset();
+        if (Status status = fitTarget(on.target, size); !status) return status;
+        if (Status status = renderer->draw(view, *on.target); !status) return status;
+        on.drawn = view;
+    }
+    if (!on.canvas || on.canvas->width() != size.width || on.canvas->height() != size.height) {
+        Result<render::OverlayCanvas> made = render::OverlayCanvas::create(size.width, size.height);
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
-        canvas.emplace(std::move(*made));
+        on.canvas.emplace(std::move(*made));
     }
     const std::vector<render::OverlayLayer> prepared = layers.prepare(request.layers);
     if (Status status =
-            overlays->draw(prepared, request.view, *view_target, *canvas, request.pixel_scale);
+            overlays->draw(prepared, view, *on.target, *on.canvas, request.pixel_scale / shrink);
         !status) {
         return status;
     }
     ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
-    view_target->readDepth(image.depth_m);
-    view_target->readIds(image.ids);
-    canvas->readRgba(image.rgba);
-    image.geometry = geometry;
-    image.view = std::move(request.view);
-    image.serial = ++serial;
-    image.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    const std::lock_guard lock(mutex);
-    std::swap(views.drawn, views.finished);
-    views.news = true;
+    on.target->readDepth(image.depth_m);
+    on.target->readIds(image.ids);
+    on.canvas->readRgba(image.rgba);
+    image.width = size.width;
+    image.height = size.height;
     return {};
 }
 
@@ -313,6 +374,8 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     preview_target->readIds(record.instance);
     record.labelClasses(*scene);
     image.rgba = falseColor(record, request.view, request.modality);
+    image.width = record.width;
+    image.height = record.height;
     image.modality = request.modality;
     image.frame = request.frame;
     image.view = request.view;
@@ -408,7 +471,8 @@ bool RenderThread::finalLight() const {
 
 bool RenderThread::busy() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->busy || impl_->next_scene || impl_->next_view || impl_->next_preview;
+    return impl_->busy || impl_->next_scene || impl_->next_view || impl_->next_preview ||
+           impl_->owed;
 }
 
 std::string RenderThread::takeError() {

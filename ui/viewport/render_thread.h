@@ -39,7 +39,9 @@ struct ViewRequest {
 /// A finished picture of the viewport.
 struct ViewImage {
     unsigned texture = 0;  // the window's, row 0 at the top
-    render::View view;     // it was drawn from
+    render::View view;     // as asked for; its pixels are the pane's
+    int width = 0;  // of what follows: less than the view's while it moves and drawing is slow
+    int height = 0;
     std::vector<std::uint8_t> rgba;
     std::vector<float> depth_m;
     std::vector<std::uint16_t> ids;
@@ -54,6 +56,8 @@ enum class Modality { Rgb, Depth, Instance, Semantic, Normal };
 /// A frame exactly as export would make it, and one of its modalities as a texture.
 struct PreviewImage {
     unsigned texture = 0;  // the window's, row 0 at the top
+    int width = 0;
+    int height = 0;
     std::vector<std::uint8_t> rgba;
     Modality modality = Modality::Rgb;
     int frame = -1;
@@ -63,8 +67,10 @@ struct PreviewImage {
 };
 
 /// Draws on a thread with an OpenGL context of its own, so that neither a large scene nor its
-/// upload ever holds up the window. The two share nothing: Mesa's software driver crashes now and
-/// then where one context asks for what another is done with. Pictures travel as pixels.
+/// upload ever holds up the window. Where a picture takes too long to follow the mouse, the view is
+/// drawn with fewer pixels while it moves, and whole when it rests. The two threads share nothing:
+/// Mesa's software driver crashes now and then where one context asks for what another is done
+/// with. Pictures travel as pixels.
 class RenderThread {
   public:
     /// `context` is not current anywhere; `wake` is called from the thread when there is news.
@@ -91,6 +97,7 @@ class RenderThread {
     /// Whether the lit scene is on the card, so that pictures mean something.
     [[nodiscard]] bool ready() const;
     [[nodiscard]] bool finalLight() const;
+    /// Also while the view rests and is yet to be drawn whole.
     [[nodiscard]] bool busy() const;
     /// What went wrong since the last call; empty when nothing did.
     std::string takeError();

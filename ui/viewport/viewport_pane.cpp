@@ -120,23 +120,31 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
 
 }  // namespace
 
+namespace {
+
+/// Where in the image's own pixels one of the pane's lies.
+std::optional<std::size_t> placeOf(const ViewImage& image, const Eigen::Vector2d& pixel) {
+    const Intrinsics& pane = image.view.intrinsics;
+    const int x = static_cast<int>(std::floor(pixel.x() * image.width / pane.width));
+    const int y = static_cast<int>(std::floor(pixel.y() * image.height / pane.height));
+    if (image.serial == 0 || x < 0 || y < 0 || x >= image.width || y >= image.height) return {};
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+           static_cast<std::size_t>(x);
+}
+
+}  // namespace
+
 std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image, const Eigen::Vector2d& pixel) {
-    const int x = static_cast<int>(std::floor(pixel.x()));
-    const int y = static_cast<int>(std::floor(pixel.y()));
-    const Intrinsics& lens = image.view.intrinsics;
-    if (image.serial == 0 || x < 0 || y < 0 || x >= lens.width || y >= lens.height) return {};
-    const double depth = image.depth_m[static_cast<std::size_t>(y) * lens.width + x];
+    const auto place = placeOf(image, pixel);
+    const double depth = place ? image.depth_m[*place] : 0.0;
     if (depth <= 0.0) return {};
     const render::ViewRay ray = image.view.rayThrough(pixel.x(), pixel.y());
     return ray.origin + depth * ray.direction;
 }
 
 int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel) {
-    const int x = static_cast<int>(std::floor(pixel.x()));
-    const int y = static_cast<int>(std::floor(pixel.y()));
-    const Intrinsics& lens = image.view.intrinsics;
-    if (image.serial == 0 || x < 0 || y < 0 || x >= lens.width || y >= lens.height) return 0;
-    return image.ids[static_cast<std::size_t>(y) * lens.width + x];
+    const auto place = placeOf(image, pixel);
+    return place ? image.ids[*place] : 0;
 }
 
 ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
