@@ -32,6 +32,9 @@ struct LightVolume {
     std::vector<Eigen::Vector3f> slope;
     std::vector<Eigen::Vector3f> lamps;  // irradiance vector: sum of strength * direction to it
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
+    /// How much of `lamps` is of the scene's own, which have another colour; empty: nothing.
+    std::vector<float> own_share;
+    Eigen::Vector3f own_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // sky and emission, to this share of the rig's; see balanced()
     float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey
     // Of emission that is seen, beside `dimmed`; see showsOutside().

@@ -18,14 +18,17 @@
 namespace dollytrack::render {
 namespace {
 
-gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values) {
+/// `fourth`: of each cell beside its values; empty: none.
+gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values,
+                         const std::vector<float>& fourth = {}) {
     gl::Texture texture = gl::createTexture(GL_TEXTURE_3D);
     const auto [x, y, z] = light.cells;
     glTextureStorage3D(texture.get(), 1, GL_RGBA16F, x, y, z);
     std::vector<Eigen::Vector4f> padded;
     padded.reserve(values.size());
     for (const Eigen::Vector3f& value : values)
-        padded.emplace_back(value[0], value[1], value[2], 1);
+        padded.emplace_back(value[0], value[1], value[2],
+                            fourth.empty() ? 0.0F : fourth[padded.size()]);
     glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
     glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -89,11 +92,12 @@ struct SceneRenderer::Impl {
                                             ? std::vector<Eigen::Vector3f>(new_light.ambient.size(),
                                                                            Eigen::Vector3f::Zero())
                                             : new_light.slope);
-        lamps = uploadVolume(new_light, new_light.lamps);
+        lamps = uploadVolume(new_light, new_light.lamps, new_light.own_share);
         light = new_light;
         light.ambient.clear();
         light.slope.clear();
         light.lamps.clear();
+        light.own_share.clear();
         sun_shadow.reset();
         sun_shadow_is_old = true;
         if (!light.sun.shines()) return {};
@@ -355,6 +359,7 @@ struct SceneRenderer::Impl {
         glProgramUniform1f(name, 10,
                            std::numbers::pi_v<float> * light.exposure * light.dimmed * shine());
         glProgramUniform1f(name, 11, share);
+        glProgramUniform3fv(name, 24, 1, light.own_color.data());
         glProgramUniform3fv(name, 17, 1, light.backdrop_factor.data());
         if (sun_shadow) sun_shadow->use(name);
         glBindTextureUnit(0, target.color_.get());

@@ -19,6 +19,7 @@ struct LightParams {
     double sky_strength = 1.0;
     double lamp_strength = 1.0;
     double lamp_temperature_K = 0.0;
+    double own_lamps = 1.0;
     double exposure_ev = 0.0;
     double light_variation = 0.0;
     int light_seed = 1;
@@ -49,6 +50,10 @@ void visitLightParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 20000, "K",
                     "Colour of the lamps as a black body's, warm from 2700, at least 1000; 0 as "
                     "in the neutral light"});
+    visit("own_lamps", p.own_lamps,
+          FieldInfo{0, 10, "",
+                    "The light of the scene's own lamps that stand, or hang beside a room's "
+                    "middle, times lamp_strength: 0 none"});
     visit("exposure_ev", p.exposure_ev,
           FieldInfo{-10, 10, "EV", "Brighter than the automatic exposure by powers of two"});
     visit("light_variation", p.light_variation,

@@ -106,6 +106,7 @@ ResolvedLight resolved(const LightParams& params) {
     }
     light.sky_factor = sky * static_cast<float>(drawn.sky_strength);
     light.lamp_factor = static_cast<float>(drawn.lamp_strength);
+    light.own_lamps = static_cast<float>(drawn.own_lamps);
     if (drawn.lamp_temperature_K > 0.0) {
         constexpr float kUsualLuminance = 0.937F;  // of the neutral light's lamps
         light.lamp_color = kUsualLuminance * blackBodyColor(drawn.lamp_temperature_K);

@@ -19,7 +19,8 @@ struct ResolvedLight {
     Eigen::Vector3f sun_irradiance = Eigen::Vector3f::Zero();
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();  // times the neutral light's sky
     float lamp_factor = 1.0F;                              // times its lamps
-    std::optional<Eigen::Vector3f> lamp_color;             // in the place of theirs
+    float own_lamps = 1.0F;                     // times the scene's own lamps, beside lamp_factor
+    std::optional<Eigen::Vector3f> lamp_color;  // in the place of theirs
     /// Times the sky that cameras see where nothing else is.
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
     double exposure_ev = 0.0;
