@@ -85,6 +85,16 @@ std::vector<bool> showsOutside(const Scene& scene) {
     return outside;
 }
 
+void setLight(LightRig& rig, const ResolvedLight& light) {
+    rig.lamp_color = light.lamp_color.value_or(LightRig{}.lamp_color);
+    rig.lamp_factor = rig.emission_factor = light.lamp_factor;
+    rig.sky_factor = light.sky_factor;
+    rig.backdrop_factor = light.backdrop_factor;
+    rig.exposure_ev = light.exposure_ev;
+    rig.sun.way = light.to_sun;
+    rig.sun.irradiance = light.sun_irradiance;
+}
+
 LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                       std::span<const Eigen::AlignedBox3d> rooms, const ResolvedLight& light) {
     std::vector<Eigen::AlignedBox3d> boxes(rooms.begin(), rooms.end());
@@ -114,14 +124,10 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
     }
     if (light.own_lamps > 0.0F) rig.own_lamps = findOwnLamps(scene, rays, taken);
     for (OwnLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
-    if (light.lamp_color) rig.lamp_color = *light.lamp_color;
-    rig.lamp_factor = light.lamp_factor;
-    rig.sky_factor = light.sky_factor;
-    rig.backdrop_factor = light.backdrop_factor;
-    rig.exposure_ev = light.exposure_ev;
-    rig.sun = {light.to_sun, light.sun_irradiance, scene.room_bounds};
+    rig.sun.shades = scene.room_bounds;
     rig.sun.shades.min().array() -= kShadesBeyond;
     rig.sun.shades.max().array() += kShadesBeyond;
+    setLight(rig, light);
     return rig;
 }
 

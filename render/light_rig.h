@@ -60,7 +60,8 @@ struct LightRig {
     double emission_scale = 1.0;  // of the materials' emission
 
     // What the time of day and the user's wishes change of it, see ResolvedLight.
-    float lamp_factor = 1.0F;  // of lamps and emission
+    float lamp_factor = 1.0F;
+    float emission_factor = 1.0F;  // of what else shines by itself
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
     double exposure_ev = 0.0;
@@ -68,7 +69,7 @@ struct LightRig {
 
     /// Of a thing's own emission; see showsOutside().
     [[nodiscard]] float shineFactor(bool shows_outside) const {
-        return shows_outside ? sky_factor.mean() : lamp_factor;
+        return shows_outside ? sky_factor.mean() : emission_factor;
     }
     /// The lamps' colour and strength.
     [[nodiscard]] Eigen::Vector3f lampLight() const { return lamp_color * lamp_factor; }
@@ -79,7 +80,7 @@ struct LightRig {
 
     /// What comes along this way, from outside towards -way; a unit vector.
     [[nodiscard]] Eigen::Vector3f skyRadiance(const Eigen::Vector3d& way) const;
-    /// Of emission as the file has it, before lamp_factor.
+    /// Of emission as the file has it, before shineFactor().
     [[nodiscard]] Eigen::Vector3f emissionOf(const Eigen::Vector3f& emission) const {
         return emission.cwiseMin(kBrightestEmission) * static_cast<float>(emission_scale);
     }
@@ -92,6 +93,9 @@ struct LightRig {
 /// Objects that show the day outside, by id - 1: windows, and pictures of a sky that stand behind
 /// them. What these shine with goes with the sky, and the sun passes them.
 [[nodiscard]] std::vector<bool> showsOutside(const Scene& scene);
+
+/// Sets all that `light` says but own_lamps.
+void setLight(LightRig& rig, const ResolvedLight& light);
 
 /// One lamp under the middle of each room's ceiling, more in large rooms; where a lamp of the scene
 /// hangs near such a place, under that. All other lamps of the scene are its own_lamps. `rooms` are

@@ -23,10 +23,6 @@ constexpr double kOffSurface = 2e-3;    // m; of places that light falls on
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
 constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
 
-/// The longest slope. Light from one half of the world has 1; in cells half outside a window, thin
-/// things would have black sides with it.
-constexpr float kSteepest = 0.75F;
-
 /// Where a ray from a cell ended.
 struct Bounce {
     Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
@@ -48,11 +44,11 @@ class Baker {
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
         volume_.lamp_color = rig.lampLight();
         volume_.own_color = rig.ownLampLight();
-        volume_.lamps_shine = rig.lamp_factor;
+        volume_.lamps_shine = rig.shineFactor(false);
         volume_.outside_shines = rig.shineFactor(true);
         volume_.backdrop_factor = rig.backdrop_factor;
         // What the balance is made for, before anybody's wishes.
-        neutral_.lamp_factor = 1.0F;
+        neutral_.lamp_factor = neutral_.emission_factor = 1.0F;
         neutral_.sky_factor.setOnes();
         if (rig.sun.shines()) {
             sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
@@ -389,7 +385,7 @@ class Baker {
             if (mean <= 0.0F) continue;
             volume_.slope[i] = aside[i] / mean;
             const float length = volume_.slope[i].norm();
-            if (length > kSteepest) volume_.slope[i] *= kSteepest / length;
+            if (params_.limit_slopes && length > kSteepest) volume_.slope[i] *= kSteepest / length;
         }
     }
 

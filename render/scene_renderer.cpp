@@ -18,18 +18,25 @@
 namespace dollytrack::render {
 namespace {
 
+void fillVolume(const gl::Texture& texture, const LightVolume& light,
+                const std::vector<Eigen::Vector3f>& values, const std::vector<float>& fourth) {
+    std::vector<Eigen::Vector4f> padded;
+    padded.reserve(values.size());
+    for (const Eigen::Vector3f& value : values) {
+        padded.emplace_back(value[0], value[1], value[2],
+                            fourth.empty() ? 0.0F : fourth[padded.size()]);
+    }
+    const auto [x, y, z] = light.cells;
+    glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
+}
+
 /// `fourth`: of each cell beside its values; empty: none.
 gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values,
                          const std::vector<float>& fourth = {}) {
     gl::Texture texture = gl::createTexture(GL_TEXTURE_3D);
     const auto [x, y, z] = light.cells;
     glTextureStorage3D(texture.get(), 1, GL_RGBA16F, x, y, z);
-    std::vector<Eigen::Vector4f> padded;
-    padded.reserve(values.size());
-    for (const Eigen::Vector3f& value : values)
-        padded.emplace_back(value[0], value[1], value[2],
-                            fourth.empty() ? 0.0F : fourth[padded.size()]);
-    glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
+    fillVolume(texture, light, values, fourth);
     glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     for (const unsigned axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
@@ -109,6 +116,17 @@ struct SceneRenderer::Impl {
         if (!linked) return tl::unexpected(linked.error());
         sunny = std::move(*linked);
         return {};
+    }
+
+    void changeLight(const LightVolume& changed) {
+        fillVolume(ambient, changed, changed.ambient, {});
+        fillVolume(slope, changed, changed.slope, {});
+        light = changed;
+        light.ambient.clear();
+        light.slope.clear();
+        light.lamps.clear();
+        light.own_share.clear();
+        if (sun_shadow) sun_shadow->setIrradiance(light.sun.irradiance);
     }
 
     [[nodiscard]] const gl::Program& lightProgram() const { return sun_shadow ? sunny : lighting; }
@@ -453,6 +471,10 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
 
 Status SceneRenderer::setLight(const LightVolume& light) {
     return impl_->setLight(light);
+}
+
+void SceneRenderer::changeLight(const LightVolume& light) {
+    impl_->changeLight(light);
 }
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target) {

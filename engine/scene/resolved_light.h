@@ -29,6 +29,13 @@ struct ResolvedLight {
 /// The same for the same parameters, whatever else happens.
 [[nodiscard]] ResolvedLight resolved(const LightParams& params);
 
+/// Whether frames have light of their own, see LightParams::light_varies.
+[[nodiscard]] bool variesByFrame(const LightParams& params);
+
+/// The light of a frame, by its number in the whole trajectory: the scene's, but for what varies by
+/// frame. Each frame draws of its own around what is set.
+[[nodiscard]] ResolvedLight resolvedAt(const LightParams& params, int trajectory_frame);
+
 /// Height of the sun at the equinox at 45 degrees of latitude.
 [[nodiscard]] double sunElevationDeg(double time_of_day_h);
 

@@ -33,7 +33,7 @@ TEST(LightParams, APresetSetsTheLightAndWhatFollowsChangesIt) {
 TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     LightParams params;
     const FieldList fields = listLightFields(params);
-    EXPECT_EQ(fields.size(), 11U);
+    EXPECT_EQ(fields.size(), 12U);
     std::set<std::string> names;
     for (const Field& field : fields) {
         EXPECT_EQ(field.section, "light");
