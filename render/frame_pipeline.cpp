@@ -1,8 +1,6 @@
 #include "render/frame_pipeline.h"
 
 #include "render/crack_filling.h"
-#include "render/light_rig.h"
-#include "render/light_volume.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,12 +25,11 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
                               const ObjectPaths* objects, const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
-    const LightRig rig = makeLightRig(scene, rays, rooms, resolved(contents_.light));
-    LightVolume light = bakeLightVolume(scene, rays, rig, {}, job);
+    lights_.emplace(scene, rays, rooms, contents_.light, LightVolumeParams{}, job);
+    LightVolume light = lights_->volume();
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     if (picture_.render_mode == RenderMode::Reference) {
-        reference_.emplace(context_, balanced(rig, light), light.exposure,
-                           picture_.reference_samples, job);
+        reference_.emplace(context_, *lights_, picture_.reference_samples, job);
     }
     if (reference_) light.sun = {};  // of what is drawn then only labels are wanted
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
@@ -70,10 +67,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     return {};
 }
 
-void FramePipeline::placeObjects(int index) {
+void FramePipeline::prepareFrame(int index) {
     for (const ObjectMotion& motion : context_.moving.motions()) {
         renderer_->place(motion.object_id, motion.by_frame[static_cast<std::size_t>(index)]);
     }
+    if (reference_ || !lights_->vary() || lit_for_ == index) return;
+    renderer_->changeLight(lights_->volumeAt(contents_.sourceFrame(index)));
+    lit_for_ = index;
 }
 
 Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
@@ -157,7 +157,7 @@ FrameRecord FramePipeline::emptyRecord(int index) const {
 Status FramePipeline::startNext() {
     const std::size_t place = started_ % targets_.size();
     SurfaceTarget* surfaces = needs(kNeedsSurfaces) ? &*surfaces_[place] : nullptr;
-    placeObjects(missing_[started_]);
+    prepareFrame(missing_[started_]);
     View view = viewOf(missing_[started_++]);
     if (!needs(kNeedsRgb) || reference_) {  // path traced pictures come later
         return renderer_->drawLabels(view, *targets_[place], surfaces);
@@ -182,7 +182,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     // their order, wherever they come from.
     countRestored(record.index);
     const std::vector<int> wanted = counter_.addFrame(record);
-    placeObjects(record.index);
+    prepareFrame(record.index);
     if (needs(kNeedsWhole)) {
         if (Status status = drawInstances(view, record, wanted); !status) return status;
         const std::span<const ObjectView> views = counter_.lastViews();
@@ -211,7 +211,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
                                       record.sensor_light);
         if (!status) return status;
         // What follows may draw this frame again, or go on with others in their own time.
-        placeObjects(record.index);
+        prepareFrame(record.index);
     }
     ++drawn_;
     return writer.write(std::move(record));

@@ -8,6 +8,7 @@
 #include "render/dataset_contents.h"
 #include "render/frame_context.h"
 #include "render/frame_ledger.h"
+#include "render/frame_lights.h"
 #include "render/frame_writer.h"
 #include "render/reference_pictures.h"
 #include "render/rig_pictures.h"
@@ -57,8 +58,8 @@ class FramePipeline {
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);
-    /// Puts the things that move where they are in the frame.
-    void placeObjects(int index);
+    /// Puts the things that move where they are in the frame, and lights it.
+    void prepareFrame(int index);
     [[nodiscard]] Status startNext();
     /// What is drawn for some files only.
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
@@ -77,6 +78,8 @@ class FramePipeline {
     std::optional<RenderTarget> right_;
     std::optional<LensPictures> rig_;
     PictureParams picture_;
+    std::optional<FrameLights> lights_;
+    int lit_for_ = -1;  // the frame whose light the renderer has, where they differ
     std::optional<ReferencePictures> reference_;  // where they are wanted
     std::optional<SensorPictures> sensor_;        // likewise
     CaptureCounter counter_;

@@ -20,15 +20,25 @@ constexpr unsigned kMaps = 1;  // of occlusion.frag
 
 constexpr int kSkySteps = 4096;  // from straight down to straight up
 
-gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values) {
+/// `fourth`: of each cell beside its values; empty: none.
+void fillVolume(const gl::Texture& texture, const LightVolume& light,
+                const std::vector<Eigen::Vector3f>& values, const std::vector<float>& fourth) {
+    std::vector<Eigen::Vector4f> padded;
+    padded.reserve(values.size());
+    for (const Eigen::Vector3f& value : values) {
+        padded.emplace_back(value[0], value[1], value[2],
+                            fourth.empty() ? 0.0F : fourth[padded.size()]);
+    }
+    const auto [x, y, z] = light.cells;
+    glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
+}
+
+gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vector3f>& values,
+                         const std::vector<float>& fourth = {}) {
     gl::Texture texture = gl::createTexture(GL_TEXTURE_3D);
     const auto [x, y, z] = light.cells;
     glTextureStorage3D(texture.get(), 1, GL_RGBA16F, x, y, z);
-    std::vector<Eigen::Vector4f> padded;
-    padded.reserve(values.size());
-    for (const Eigen::Vector3f& value : values)
-        padded.emplace_back(value[0], value[1], value[2], 1);
-    glTextureSubImage3D(texture.get(), 0, 0, 0, 0, x, y, z, GL_RGBA, GL_FLOAT, padded.data());
+    fillVolume(texture, light, values, fourth);
     glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     for (const unsigned axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
@@ -68,12 +78,9 @@ Status LightPass::setLight(const LightVolume& light) {
     const std::vector<Eigen::Vector3f> none(light.ambient.size(), Eigen::Vector3f::Zero());
     ambient_ = uploadVolume(light, light.ambient);
     slope_ = uploadVolume(light, light.slope.empty() ? none : light.slope);
-    lamps_ = uploadVolume(light, light.lamps);
+    lamps_ = uploadVolume(light, light.lamps, light.own_share);
     sky_ = uploadSky(light.backdrop_factor);
-    light_ = light;
-    light_.ambient.clear();
-    light_.slope.clear();
-    light_.lamps.clear();
+    keep(light);
     sun_shadow_.reset();
     sun_shadow_is_old_ = true;
     if (!light.sun.shines()) return {};
@@ -81,6 +88,23 @@ Status LightPass::setLight(const LightVolume& light) {
     if (!shadow) return tl::unexpected(shadow.error());
     sun_shadow_.emplace(std::move(*shadow));
     return {};
+}
+
+void LightPass::changeLight(const LightVolume& light) {
+    fillVolume(ambient_, light, light.ambient, {});
+    fillVolume(slope_, light, light.slope, {});
+    sky_ = uploadSky(light.backdrop_factor);
+    keep(light);
+    if (sun_shadow_) sun_shadow_->setIrradiance(light.sun.irradiance);
+}
+
+/// All but its cells, which are on the card.
+void LightPass::keep(const LightVolume& light) {
+    light_ = light;
+    light_.ambient.clear();
+    light_.slope.clear();
+    light_.lamps.clear();
+    light_.own_share.clear();
 }
 
 unsigned LightPass::lightProgram(unsigned kind) const {
@@ -151,6 +175,7 @@ void LightPass::setLightOf(const View& view, float shine, unsigned program, Rend
     glProgramUniform1i(program, 9, view.orthographic ? 1 : 0);
     glProgramUniform1f(program, 10,
                        std::numbers::pi_v<float> * light_.exposure * light_.dimmed * shine);
+    glProgramUniform3fv(program, 24, 1, light_.own_color.data());
     if (sun_shadow_) sun_shadow_->use(program);
     glBindTextureUnit(0, target.color_.get());
     glBindTextureUnit(4, ambient_.get());

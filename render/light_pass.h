@@ -20,6 +20,8 @@ class LightPass {
 
     /// Other light from now on.
     [[nodiscard]] Status setLight(const LightVolume& light);
+    /// The same light in other strengths: the sun stays where it is, and so do the lamps.
+    void changeLight(const LightVolume& light);
     /// The sun's shadow is no longer that of the scene.
     void forgetShadow() { sun_shadow_is_old_ = true; }
 
@@ -43,6 +45,7 @@ class LightPass {
     void smoothEdges(RenderTarget& target);
 
   private:
+    void keep(const LightVolume& light);
     [[nodiscard]] unsigned lightProgram(unsigned kind) const;
     void setLightOf(const View& view, float shine, unsigned program, RenderTarget& target);
     void draw(const gl::Framebuffer& frame, int width, int height, unsigned program) const;

@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's height around itself
 constexpr double kBelowCeiling = 0.25;
-constexpr double kFromWall = 1.0;  // m; kLampShade and the largest lamp's radius
-constexpr int kNyuLamp = 35;
+constexpr double kFromWall = 1.0;      // m; kLampShade and the largest lamp's radius
 constexpr double kShadesBeyond = 0.5;  // m; eaves and what else stands out a little
 
 /// Under the ceiling that is really there: boxes of rooms include beams and the roof.
@@ -26,10 +25,10 @@ double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double
     return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
 }
 
-/// Where a lamp of the scene hangs near the place, else the place itself.
-Eigen::Vector2d hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
-                         const Eigen::Vector2d& place) {
-    Eigen::Vector2d nearest = place;
+/// The lamp of the scene that hangs near the place, if there is one.
+const Object* hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
+                       const Eigen::Vector2d& place) {
+    const Object* nearest = nullptr;
     double distance = kLampSpacing / 3.0;
     // One on a wall lights the room from its middle: what is so near hides nothing of a lamp.
     Eigen::AlignedBox3d middle = room;
@@ -42,7 +41,7 @@ Eigen::Vector2d hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
         const double away = (center.head<2>() - place).norm();
         if (away >= distance) continue;
         distance = away;
-        nearest = center.head<2>();
+        nearest = &object;
     }
     return nearest;
 }
@@ -86,11 +85,22 @@ std::vector<bool> showsOutside(const Scene& scene) {
     return outside;
 }
 
+void setLight(LightRig& rig, const ResolvedLight& light) {
+    rig.lamp_color = light.lamp_color.value_or(LightRig{}.lamp_color);
+    rig.lamp_factor = rig.emission_factor = light.lamp_factor;
+    rig.sky_factor = light.sky_factor;
+    rig.backdrop_factor = light.backdrop_factor;
+    rig.exposure_ev = light.exposure_ev;
+    rig.sun.way = light.to_sun;
+    rig.sun.irradiance = light.sun_irradiance;
+}
+
 LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                       std::span<const Eigen::AlignedBox3d> rooms, const ResolvedLight& light) {
     std::vector<Eigen::AlignedBox3d> boxes(rooms.begin(), rooms.end());
     if (boxes.empty()) boxes.push_back(scene.room_bounds);
     LightRig rig;
+    std::vector<bool> taken(scene.objects.size(), false);  // lamps that are a room's
     for (const Eigen::AlignedBox3d& room : boxes) {
         if (room.isEmpty()) continue;
         const Eigen::Vector3d size = room.sizes();
@@ -100,24 +110,24 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
         for (int i = 0; i < across; ++i) {
             for (int j = 0; j < along; ++j) {
                 Lamp lamp;
-                const Eigen::Vector2d at =
-                    hungNear(scene, room,
-                             {room.min().x() + (i + 0.5) / across * size.x(),
-                              room.min().y() + (j + 0.5) / along * size.y()});
+                Eigen::Vector2d at(room.min().x() + (i + 0.5) / across * size.x(),
+                                   room.min().y() + (j + 0.5) / along * size.y());
+                if (const Object* hangs = hungNear(scene, room, at)) {
+                    at = hangs->box.center.head<2>();
+                    taken[static_cast<std::size_t>(hangs->id) - 1] = true;
+                }
                 lamp.position = {at.x(), at.y(), lampHeight(rays, room, at.x(), at.y())};
                 lamp.radius_m = std::clamp(0.12 * std::min(size.x(), size.y()), 0.15, 0.6);
                 rig.lamps.push_back(lamp);
             }
         }
     }
-    if (light.lamp_color) rig.lamp_color = *light.lamp_color;
-    rig.lamp_factor = light.lamp_factor;
-    rig.sky_factor = light.sky_factor;
-    rig.backdrop_factor = light.backdrop_factor;
-    rig.exposure_ev = light.exposure_ev;
-    rig.sun = {light.to_sun, light.sun_irradiance, scene.room_bounds};
+    if (light.own_lamps > 0.0F) rig.own_lamps = findOwnLamps(scene, rays, taken);
+    for (OwnLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
+    rig.sun.shades = scene.room_bounds;
     rig.sun.shades.min().array() -= kShadesBeyond;
     rig.sun.shades.max().array() += kShadesBeyond;
+    setLight(rig, light);
     return rig;
 }
 

@@ -14,15 +14,14 @@ namespace dollytrack::render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr double kReach = 9.0;          // m; farther lamps add too little to be worth a ray
-constexpr int kShadowRays = 6;          // per lamp and cell
-constexpr int kNearestLamps = 4;        // considered per cell
+constexpr double kReach = 9.0;    // m; farther lamps add too little to be worth a ray
+constexpr int kShadowRays = 6;    // per lamp and cell
+constexpr int kNearestLamps = 4;  // considered per cell
+constexpr std::size_t kNearestOwnLamps = 6;
+constexpr int kOwnShadowRays = 9;
+constexpr double kOffSurface = 2e-3;    // m; of places that light falls on
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
 constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
-
-/// The longest slope. Light from one half of the world has 1; in cells half outside a window, thin
-/// things would have black sides with it.
-constexpr float kSteepest = 0.75F;
 
 /// Where a ray from a cell ended.
 struct Bounce {
@@ -44,11 +43,12 @@ class Baker {
         volume_.slope.assign(count, Eigen::Vector3f::Zero());
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
         volume_.lamp_color = rig.lampLight();
-        volume_.lamps_shine = rig.lamp_factor;
+        volume_.own_color = rig.ownLampLight();
+        volume_.lamps_shine = rig.shineFactor(false);
         volume_.outside_shines = rig.shineFactor(true);
         volume_.backdrop_factor = rig.backdrop_factor;
         // What the balance is made for, before anybody's wishes.
-        neutral_.lamp_factor = 1.0F;
+        neutral_.lamp_factor = neutral_.emission_factor = 1.0F;
         neutral_.sky_factor.setOnes();
         if (rig.sun.shines()) {
             sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
@@ -83,12 +83,14 @@ class Baker {
         volume_.lamps = smoothed(volume_.lamps);
         balance();
         addSun();
+        if (!rig_.own_lamps.empty()) gatherOwnLamps();
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
             closeHoles(volume_.ambient);
             closeHoles(volume_.slope);
         }
         smoothAmbient();
+        joinOwnLamps();
         expose();
         return std::move(volume_);
     }
@@ -188,6 +190,100 @@ class Baker {
         return sum.cast<float>();
     }
 
+    void gatherOwnLamps() {
+        own_.assign(cellCount(), Eigen::Vector3f::Zero());
+        parallelRanges(own_.size(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Random random(18, i);
+                own_[i] = ownLampsAt(i, random);
+            }
+        });
+        closeHoles(own_);
+    }
+
+    [[nodiscard]] Eigen::Vector3f ownLampsAt(std::size_t i, Random& random) const {
+        const Eigen::Vector3d from = center(i);
+        std::vector<std::pair<double, const OwnLamp*>> near;  // by what they would give unshaded
+        for (const OwnLamp& lamp : rig_.own_lamps) {
+            const double squared = (lamp.position - from).squaredNorm();
+            if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
+        }
+        std::sort(near.begin(), near.end());  // lamps are in one array
+        if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const auto& [unshaded, lamp] : near) {
+            const Eigen::Vector3d at = litPlace(i, *lamp);
+            const Eigen::Vector3d way = lamp->position - at;
+            // What is nearer than the grid can tell is the lamp itself.
+            const double least = std::max(lamp->radius_m, 0.5 * volume_.cell_m);
+            const double squared = std::max(way.squaredNorm(), least * least);
+            sum += way.normalized() *
+                   (lamp->intensity / squared * visibleShare(from, at, *lamp, random));
+        }
+        return sum.cast<float>();
+    }
+
+    /// Light of a lamp so near falls off steeply, and the volume is looked up off the surfaces: a
+    /// cell beside one has the light that falls there. The place on the nearest surface that the
+    /// lamp shines on, but its own; else the cell's middle.
+    [[nodiscard]] Eigen::Vector3d litPlace(std::size_t i, const OwnLamp& lamp) const {
+        const Eigen::Vector3d from = center(i);
+        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        Eigen::Vector3d nearest = from;
+        double least = 2.1 * volume_.cell_m;  // twice what look-ups are off, as cells interpolate
+        for (std::size_t k = 0; k < count; ++k) {
+            const Bounce& ray = bounces_[i * count + k];
+            if (isSky(ray) || ray.distance > 4.0 * volume_.cell_m) continue;
+            const Eigen::Vector3d way = (turns_[i] * spiral_[k]).cast<double>().normalized();
+            const Eigen::Vector3d normal = ray.normal.cast<double>();
+            const double off = -ray.distance * normal.dot(way);
+            if (off >= least || lamp.shade.contains(from + ray.distance * way)) continue;
+            const Eigen::Vector3d on = from - (off - kOffSurface) * normal;
+            if (normal.dot(lamp.position - on) <= 0.0) continue;
+            least = off;
+            nearest = on;
+        }
+        return nearest;
+    }
+
+    /// Of the ball, from places in the cell as far as they are seen from its middle.
+    [[nodiscard]] double visibleShare(const Eigen::Vector3d& cell, const Eigen::Vector3d& at,
+                                      const OwnLamp& lamp, Random& random) const {
+        int asked = 0;
+        int visible = 0;
+        for (int k = 0; k < kOwnShadowRays; ++k) {
+            Eigen::Vector3d aside;
+            Eigen::Vector3d on_ball;
+            for (int axis = 0; axis < 3; ++axis) aside[axis] = random.uniform(-0.5, 0.5);
+            for (int axis = 0; axis < 3; ++axis) on_ball[axis] = random.uniform(-1.0, 1.0);
+            // Along the surface, where there is one.
+            const Eigen::Vector3d off = cell - at;
+            if (off.squaredNorm() > 1e-8) aside -= off * (off.dot(aside) / off.squaredNorm());
+            const Eigen::Vector3d from = k == 0 ? at : at + volume_.cell_m * aside;
+            if (k != 0 && !rays_.sees(cell, from)) continue;
+            ++asked;
+            const Eigen::Vector3d to =
+                lamp.position + 0.8 * lamp.radius_m / std::max(on_ball.norm(), 1.0) * on_ball;
+            const double distance = (to - from).norm();
+            const Eigen::Vector3d way = (to - from) / distance;
+            const double end = lamp.shadowedFor(from, way, distance);
+            if (end <= 0.0 || rays_.sees(from, from + end * way)) ++visible;
+        }
+        return static_cast<double>(visible) / asked;
+    }
+
+    /// One vector for all lamps is what the pictures are lit by.
+    void joinOwnLamps() {
+        if (own_.empty()) return;
+        volume_.own_share.assign(own_.size(), 0.0F);
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            const float own = own_[i].norm();
+            if (own == 0.0F) continue;
+            volume_.own_share[i] = own / (own + volume_.lamps[i].norm());
+            volume_.lamps[i] += own_[i];
+        }
+    }
+
     /// The share of the sun's light that a ray's end gets, its slant included.
     [[nodiscard]] float sunOn(const Bounce& bounce, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& way) const {
@@ -236,6 +332,7 @@ class Baker {
         std::vector<Eigen::Vector3f> slope(cellCount(), Eigen::Vector3f::Zero());
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         const Eigen::Vector3f lamp_light = rig_.lampLight();
+        const Eigen::Vector3f own_light = rig_.ownLampLight();
         parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -244,8 +341,11 @@ class Baker {
                     const Bounce& ray = bounces_[i * count + k];
                     const float lamp = std::max(0.0F, ray.normal.dot(volume_.lamps[ray.cell]));
                     const float facing = 1.0F + volume_.slope[ray.cell].dot(ray.normal);
-                    const Eigen::Vector3f falls =
+                    Eigen::Vector3f falls =
                         volume_.ambient[ray.cell] * std::max(0.0F, facing) + lamp_light * lamp;
+                    if (!own_.empty()) {
+                        falls += own_light * std::max(0.0F, ray.normal.dot(own_[ray.cell]));
+                    }
                     const Eigen::Vector3f light = ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
                     sum += light;
                     aside += light.mean() * spiral_[k];
@@ -285,7 +385,7 @@ class Baker {
             if (mean <= 0.0F) continue;
             volume_.slope[i] = aside[i] / mean;
             const float length = volume_.slope[i].norm();
-            if (length > kSteepest) volume_.slope[i] *= kSteepest / length;
+            if (params_.limit_slopes && length > kSteepest) volume_.slope[i] *= kSteepest / length;
         }
     }
 
@@ -416,6 +516,7 @@ class Baker {
     std::optional<SunRays> sun_rays_;  // where there is a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
+    std::vector<Eigen::Vector3f> own_;  // as lamps, of the scene's own; empty without these
     std::vector<Bounce> bounces_;
     std::vector<float> balanced_;            // by cell, what its rays find that sends light
     std::vector<float> shines_;              // by object's id - 1, times its emission

@@ -17,8 +17,13 @@ struct LightVolumeParams {
     double cell_m = 0.12;    // wanted; grows where the scene would need more than max_cells
     int max_cells = 60'000;  // bounds time and memory
     int rays_per_cell = 32;
-    int bounces = 12;  // cheap; white rooms still gain by the tenth
+    int bounces = 12;          // cheap; white rooms still gain by the tenth
+    bool limit_slopes = true;  // to kSteepest; not of a part of a light, as the others dilute it
 };
+
+/// The longest slope. Light from one half of the world has 1; in cells half outside a window, thin
+/// things would have black sides with it.
+constexpr float kSteepest = 0.75F;
 
 /// Light in the air of a scene on a regular grid, x fastest: what the lamps send, with soft
 /// shadows, and what surfaces, windows and emitting things send from all around, in spherical
@@ -32,6 +37,9 @@ struct LightVolume {
     std::vector<Eigen::Vector3f> slope;
     std::vector<Eigen::Vector3f> lamps;  // irradiance vector: sum of strength * direction to it
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
+    /// How much of `lamps` is of the scene's own, which have another colour; empty: nothing.
+    std::vector<float> own_share;
+    Eigen::Vector3f own_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // sky and emission, to this share of the rig's; see balanced()
     float exposure = 1.0F;  // brings a white surface in the middle of the rooms to light grey
     // Of emission that is seen, beside `dimmed`; see showsOutside().

@@ -16,17 +16,18 @@ struct ReferencePictures::Still {
     std::optional<PathTracer> tracer;
 };
 
-ReferencePictures::ReferencePictures(const FrameContext& context, LightRig rig, float exposure,
+ReferencePictures::ReferencePictures(const FrameContext& context, const FrameLights& lights,
                                      int samples, JobContext job)
-    : context_(context),
-      rig_(std::move(rig)),
-      exposure_(exposure),
-      samples_(samples),
-      job_(std::move(job)) {}
+    : context_(context), lights_(lights), samples_(samples), job_(std::move(job)) {}
+
+float ReferencePictures::exposureAt(int frame) const {
+    return lights_.exposureAt(context_.contents.sourceFrame(frame));
+}
 
 const PathTracer& ReferencePictures::tracerAt(int frame) {
     const MovingObjects& moving = context_.moving;
-    if (still_ && (!moving.any() || frame == prepared_frame_)) return *still_->tracer;
+    if (still_ && ((!moving.any() && !lights_.vary()) || frame == prepared_frame_))
+        return *still_->tracer;
     const Scene& scene = context_.contents.scene;
     auto still = std::make_shared<Still>();
     still->rays = moving.raysAt(frame);
@@ -41,9 +42,9 @@ const PathTracer& ReferencePictures::tracerAt(int frame) {
         }
     }
     PathTracerParams params;
-    params.exposure = exposure_;
-    still->tracer.emplace(scene, *still->rays, rig_, params,
-                          still->shape ? &*still->shape : nullptr);
+    params.exposure = exposureAt(frame);
+    still->tracer.emplace(scene, *still->rays, lights_.rigAt(context_.contents.sourceFrame(frame)),
+                          params, still->shape ? &*still->shape : nullptr);
     still_ = std::move(still);
     prepared_frame_ = frame;
     return *still_->tracer;
@@ -52,7 +53,7 @@ const PathTracer& ReferencePictures::tracerAt(int frame) {
 Status ReferencePictures::take(const View& view, int frame, std::vector<std::uint8_t>& rgb) {
     RadianceImage image;
     if (Status status = tracerAt(frame).add(view, samples_, image, job_); !status) return status;
-    rgb = developed(image, exposure_);
+    rgb = developed(image, exposureAt(frame));
     return {};
 }
 
@@ -63,7 +64,7 @@ Status ReferencePictures::takePart(const View& view, int frame, int number, int 
     image.samples = number * samples;
     if (Status status = tracerAt(frame).add(view, samples, image, job_); !status) return status;
     light = std::move(image.sum);
-    const float scale = exposure_ * std::numbers::pi_v<float> / static_cast<float>(samples);
+    const float scale = exposureAt(frame) * std::numbers::pi_v<float> / static_cast<float>(samples);
     for (Eigen::Vector3f& one : light) one *= scale;
     return {};
 }
@@ -83,7 +84,7 @@ Status ReferencePictures::take(const LensModel& lens, const Pose& pose, int fram
     image.width = lens.width();
     image.height = lens.height();
     Status status = tracerAt(frame).add(rayThrough, near_m, samples_, image, job_);
-    if (status) rgb = developed(image, exposure_);
+    if (status) rgb = developed(image, exposureAt(frame));
     return status;
 }
 

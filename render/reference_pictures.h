@@ -4,7 +4,7 @@
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
 #include "render/frame_context.h"
-#include "render/light_rig.h"
+#include "render/frame_lights.h"
 #include "render/pathtrace/path_tracer.h"
 #include "render/view.h"
 
@@ -17,9 +17,8 @@ namespace dollytrack::render {
 /// Path traced pictures of a dataset's frames, in place of drawn ones.
 class ReferencePictures {
   public:
-    /// `rig` and `exposure` as the drawn pictures have them, see balanced(). `context` must outlive
-    /// this; the job can cancel.
-    ReferencePictures(const FrameContext& context, LightRig rig, float exposure, int samples,
+    /// `context` and `lights` must outlive this; the job can cancel.
+    ReferencePictures(const FrameContext& context, const FrameLights& lights, int samples,
                       JobContext job);
 
     /// The view with things where they are in the frame, 3 bytes a pixel, sRGB. Error: Cancelled.
@@ -36,10 +35,10 @@ class ReferencePictures {
   private:
     struct Still;  // a scene at one time, ready to be traced
     [[nodiscard]] const PathTracer& tracerAt(int frame);
+    [[nodiscard]] float exposureAt(int frame) const;
 
     const FrameContext& context_;
-    LightRig rig_;
-    float exposure_;
+    const FrameLights& lights_;
     int samples_;
     JobContext job_;
     int prepared_frame_ = -1;

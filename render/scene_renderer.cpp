@@ -132,6 +132,11 @@ Status SceneRenderer::setLight(const LightVolume& light) {
     return impl_->setLight(light);
 }
 
+void SceneRenderer::changeLight(const LightVolume& light) {
+    impl_->surfaces.setLight(light);
+    impl_->light.changeLight(light);
+}
+
 Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
     if (Status status = impl_->prepare(view); !status) return status;
     if (const auto looks = looksOf(view.antialias); !looks.empty()) {

@@ -17,6 +17,9 @@ class SunShadow {
     /// Draws what the sun sees; again when things have moved.
     void draw(const GpuScene& scene);
 
+    /// The same sun, as bright as this.
+    void setIrradiance(const Eigen::Vector3f& irradiance) { sun_.irradiance = irradiance; }
+
     /// Sets the uniforms and textures of light.frag.
     void use(unsigned program) const;
 

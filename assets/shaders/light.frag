@@ -26,6 +26,8 @@ layout(location = 15) uniform float distortion_k3;
 layout(location = 16) uniform vec4 row_time;     // slope, offset, half exposure; see weightOfRow
 #endif
 
+layout(location = 24) uniform vec3 own_color;    // of the scene's own lamps
+
 #ifdef SUN
 layout(location = 18) uniform vec3 sun_irradiance;
 layout(location = 19) uniform vec3 to_sun;
@@ -64,7 +66,7 @@ layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
 layout(binding = 3) uniform sampler2D occlusion;
 layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
-layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps
+layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps; a: own share
 layout(binding = 6) uniform sampler3D slope_volume;    // of the ambient light, see light_volume.h
 layout(binding = 13) uniform sampler1D sky_colors;     // linear, by the sine of a way's height
 
@@ -126,7 +128,9 @@ void main() {
     vec3 at = (p + n * lift_m - volume_low) * volume_scale;
     vec3 around = texture(ambient_volume, at).rgb;
     vec3 slope = texture(slope_volume, at).xyz;
-    vec3 lamp = texture(lamp_volume, at).xyz;
+    vec4 lamps = texture(lamp_volume, at);
+    vec3 lamp = lamps.xyz;
+    vec3 lamp_light = mix(lamp_color, own_color, lamps.a);
 
     float lamp_strength = length(lamp);
     vec3 to_lamp = lamp_strength > 0.0 ? lamp / lamp_strength : n;
@@ -139,7 +143,8 @@ void main() {
     // Light thrown around in a corner of a bright colour darkens less.
     vec3 open_color = mix(vec3(open), vec3(1.0), 0.35 * albedo * (1.0 - open));
 
-    vec3 irradiance = ambient * open_color + lamp_color * (lamp_strength * facing_lamp * mix(1.0, open, 0.5));
+    vec3 irradiance = ambient * open_color +
+                      lamp_light * (lamp_strength * facing_lamp * mix(1.0, open, 0.5));
 #ifdef SUN
     float slant = dot(n, to_sun);
     vec3 sun = slant > 0.0 ? sun_irradiance * sunAt(p, n, slant) : vec3(0.0);
@@ -159,7 +164,7 @@ void main() {
     float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
     // Radiance has half as much again of the irradiance's slope.
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
-    vec3 shiny = fresnel * (room * open + lamp_color * (lamp_strength * shine *
+    vec3 shiny = fresnel * (room * open + lamp_light * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
 
 #ifdef SUN

@@ -16,6 +16,7 @@ enum Nyu40 : int {
     kNyuDoor = 8,
     kNyuWindow = 9,
     kNyuCeiling = 22,
+    kNyuLamp = 35,
     kNyuOtherStructure = 38,
     kNyuOtherFurniture = 39,
     kNyuOtherProp = 40,

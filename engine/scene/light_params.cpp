@@ -43,6 +43,7 @@ void letLightPresetSetOthers(FieldList& fields, LightParams& params) {
         LightParams chosen = lightPreset(params.light_preset);
         chosen.sun_azimuth_deg = params.sun_azimuth_deg;
         chosen.light_variation = params.light_variation;
+        chosen.light_varies = params.light_varies;
         chosen.light_seed = params.light_seed;
         params = chosen;
     });

@@ -8,6 +8,9 @@ namespace dollytrack {
 /// any room the same.
 enum class LightPreset { Neutral, Day, Evening, Night, Overcast };
 
+/// What a variation is drawn for: once, or again for each frame what needs no other shadows.
+enum class LightVaries { Scene, Frame };
+
 /// The light that colour pictures are made in; depth, labels and all else are the same. Strengths
 /// are shares of what the neutral light has, the sun's of a clear noon. How bright a picture comes
 /// out follows the light in the rooms and exposure_ev.
@@ -19,8 +22,10 @@ struct LightParams {
     double sky_strength = 1.0;
     double lamp_strength = 1.0;
     double lamp_temperature_K = 0.0;
+    double own_lamps = 1.0;
     double exposure_ev = 0.0;
     double light_variation = 0.0;
+    LightVaries light_varies = LightVaries::Scene;
     int light_seed = 1;
 
     bool operator==(const LightParams&) const = default;
@@ -49,12 +54,21 @@ void visitLightParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 20000, "K",
                     "Colour of the lamps as a black body's, warm from 2700, at least 1000; 0 as "
                     "in the neutral light"});
+    visit("own_lamps", p.own_lamps,
+          FieldInfo{0, 10, "",
+                    "The light of the scene's own lamps that stand, or hang beside a room's "
+                    "middle, times lamp_strength: 0 none"});
     visit("exposure_ev", p.exposure_ev,
           FieldInfo{-10, 10, "EV", "Brighter than the automatic exposure by powers of two"});
     visit("light_variation", p.light_variation,
           FieldInfo{0, 1, "",
                     "Draws time, sun, strengths, temperature, exposure and, a little, colour and "
                     "roughness of materials around what is set: 0 none, 1 the widest"});
+    visit("light_varies", p.light_varies,
+          ChoiceInfo{{"scene", "frame"},
+                     "What is drawn for: the scene, or each frame anew its strengths of sun, sky "
+                     "and lamps, temperature and exposure; time, azimuth and materials stay the "
+                     "scene's, and so does the light that the editor shows"});
     visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Of the variation"});
 }
 

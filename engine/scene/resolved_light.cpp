@@ -25,23 +25,28 @@ double within(double value, double low, double high) {
     return std::clamp(value, low, high);
 }
 
-LightParams vary(const LightParams& set) {
-    LightParams drawn = set;
-    const double v = set.light_variation;
-    if (v <= 0.0) return drawn;
+/// `frame`: 0 for what is the scene's, else one more than the frame's number.
+double spreadOf(const LightParams& set, std::uint64_t frame, std::uint64_t stream, double most) {
     // Each has its own stream: another field more or less leaves the others as they are.
+    Random random(static_cast<std::uint64_t>(set.light_seed), 16 * frame + stream);
+    return random.uniform(-most, most) * set.light_variation;
+}
+
+void varySun(const LightParams& set, LightParams& drawn) {
+    drawn.time_of_day_h = within(set.time_of_day_h + spreadOf(set, 0, 1, 2.5), 0.0, 24.0);
+    drawn.sun_azimuth_deg = within(set.sun_azimuth_deg + spreadOf(set, 0, 2, 40.0), -360.0, 360.0);
+}
+
+void varyStrengths(const LightParams& set, std::uint64_t frame, LightParams& drawn) {
     const auto spread = [&](std::uint64_t stream, double most) {
-        return Random(static_cast<std::uint64_t>(set.light_seed), stream).uniform(-most, most) * v;
+        return spreadOf(set, frame, stream, most);
     };
-    drawn.time_of_day_h = within(set.time_of_day_h + spread(1, 2.5), 0.0, 24.0);
-    drawn.sun_azimuth_deg = within(set.sun_azimuth_deg + spread(2, 40.0), -360.0, 360.0);
     drawn.sun_strength = within(set.sun_strength * std::exp2(spread(3, 0.7)), 0.0, 10.0);
     drawn.sky_strength = within(set.sky_strength * std::exp2(spread(4, 0.7)), 0.0, 20.0);
     drawn.lamp_strength = within(set.lamp_strength * std::exp2(spread(5, 1.0)), 0.0, 10.0);
     const double usual = set.lamp_temperature_K > 0.0 ? set.lamp_temperature_K : kUsualLamp_K;
     drawn.lamp_temperature_K = within(usual * std::exp2(spread(6, 0.5)), kWarmest_K, 20000.0);
     drawn.exposure_ev = within(set.exposure_ev + spread(7, 0.7), -10.0, 10.0);
-    return drawn;
 }
 
 /// What the air lets through of red, green and blue: Rayleigh's and aerosols' optical depths at
@@ -89,9 +94,11 @@ Eigen::Vector3f blackBodyColor(double temperature_K) {
     return (rgb_from_xyz * xyz).cwiseMax(0.0).cast<float>();
 }
 
-ResolvedLight resolved(const LightParams& params) {
+namespace {
+
+ResolvedLight lightOf(const LightParams& params) {
     ResolvedLight light;
-    light.drawn = vary(params);
+    light.drawn = params;
     const LightParams& drawn = light.drawn;
     light.sun_elevation_deg = sunElevationDeg(drawn.time_of_day_h);
     const double height = light.sun_elevation_deg * kRadians;
@@ -106,6 +113,7 @@ ResolvedLight resolved(const LightParams& params) {
     }
     light.sky_factor = sky * static_cast<float>(drawn.sky_strength);
     light.lamp_factor = static_cast<float>(drawn.lamp_strength);
+    light.own_lamps = static_cast<float>(drawn.own_lamps);
     if (drawn.lamp_temperature_K > 0.0) {
         constexpr float kUsualLuminance = 0.937F;  // of the neutral light's lamps
         light.lamp_color = kUsualLuminance * blackBodyColor(drawn.lamp_temperature_K);
@@ -113,6 +121,29 @@ ResolvedLight resolved(const LightParams& params) {
     light.backdrop_factor = sky * static_cast<float>(std::min(drawn.sky_strength, 1.0));
     light.exposure_ev = drawn.exposure_ev;
     return light;
+}
+
+}  // namespace
+
+bool variesByFrame(const LightParams& params) {
+    return params.light_varies == LightVaries::Frame && params.light_variation > 0.0;
+}
+
+ResolvedLight resolved(const LightParams& params) {
+    LightParams drawn = params;
+    if (params.light_variation > 0.0) {
+        varySun(params, drawn);
+        if (!variesByFrame(params)) varyStrengths(params, 0, drawn);
+    }
+    return lightOf(drawn);
+}
+
+ResolvedLight resolvedAt(const LightParams& params, int trajectory_frame) {
+    if (!variesByFrame(params)) return resolved(params);
+    LightParams drawn = params;
+    varySun(params, drawn);
+    varyStrengths(params, static_cast<std::uint64_t>(trajectory_frame) + 1, drawn);
+    return lightOf(drawn);
 }
 
 nlohmann::ordered_json toJson(const ResolvedLight& light) {

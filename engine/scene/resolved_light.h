@@ -19,7 +19,8 @@ struct ResolvedLight {
     Eigen::Vector3f sun_irradiance = Eigen::Vector3f::Zero();
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();  // times the neutral light's sky
     float lamp_factor = 1.0F;                              // times its lamps
-    std::optional<Eigen::Vector3f> lamp_color;             // in the place of theirs
+    float own_lamps = 1.0F;                     // times the scene's own lamps, beside lamp_factor
+    std::optional<Eigen::Vector3f> lamp_color;  // in the place of theirs
     /// Times the sky that cameras see where nothing else is.
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
     double exposure_ev = 0.0;
@@ -27,6 +28,13 @@ struct ResolvedLight {
 
 /// The same for the same parameters, whatever else happens.
 [[nodiscard]] ResolvedLight resolved(const LightParams& params);
+
+/// Whether frames have light of their own, see LightParams::light_varies.
+[[nodiscard]] bool variesByFrame(const LightParams& params);
+
+/// The light of a frame, by its number in the whole trajectory: the scene's, but for what varies by
+/// frame. Each frame draws of its own around what is set.
+[[nodiscard]] ResolvedLight resolvedAt(const LightParams& params, int trajectory_frame);
 
 /// Height of the sun at the equinox at 45 degrees of latitude.
 [[nodiscard]] double sunElevationDeg(double time_of_day_h);

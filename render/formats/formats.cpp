@@ -102,7 +102,7 @@ Json framesConvention(const DatasetContents& /*contents*/) {
             {"format",
              "a row a frame: clearance (m), mean speed (m/s) and turning (deg/s) since the frame "
              "before, targets of 120 px or more (at 640 x 480), those shown well, and the image "
-             "score from their boxes"}};
+             "score from their boxes; where light_varies is frame, the light of each"}};
 }
 
 Files writeImu(const DatasetContents& contents) {

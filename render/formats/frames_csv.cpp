@@ -1,5 +1,7 @@
 #include "render/formats/frames_csv.h"
 
+#include "engine/scene/resolved_light.h"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -35,6 +37,16 @@ std::string motionText(const TrajectoryFrame* before, const TrajectoryFrame& fra
     return fmt::format("{:.6g},{:.6g},", step / seconds, turn * 180.0 / std::numbers::pi / seconds);
 }
 
+constexpr const char* kLightColumns =
+    ",lamp_strength,lamp_temperature_K,sky_strength,sun_strength,exposure_ev";
+
+std::string lightText(const LightParams& light, int trajectory_frame) {
+    const LightParams drawn = resolvedAt(light, trajectory_frame).drawn;
+    return fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}", drawn.lamp_strength,
+                       drawn.lamp_temperature_K, drawn.sky_strength, drawn.sun_strength,
+                       drawn.exposure_ev);
+}
+
 }  // namespace
 
 std::string framesCsvText(const DatasetContents& contents) {
@@ -47,16 +59,19 @@ std::string framesCsvText(const DatasetContents& contents) {
     const std::vector<double> scores = imageScores(trajectory, boxes, contents.score);
     std::string text =
         "frame,time_s,trajectory_frame,room,path,key_frame,clearance_m,speed_mps,turn_dps,targets,"
-        "well_shown,score\n";
+        "well_shown,score";
+    const bool light_varies = variesByFrame(contents.light);
+    text += light_varies ? fmt::format("{}\n", kLightColumns) : "\n";
     const TrajectoryFrame* before = nullptr;
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const DatasetFrame& frame = contents.frames[i];
         const TrajectoryFrame& camera = frame.camera;
-        fmt::format_to(std::back_inserter(text), "{},{:.9g},{},{},{},{},{:.6g},{}{},{},{:.6g}\n", i,
-                       camera.time_s, frame.source_frame, frame.room, camera.path,
+        fmt::format_to(std::back_inserter(text), "{},{:.9g},{},{},{},{},{:.6g},{}{},{},{:.6g}{}\n",
+                       i, camera.time_s, frame.source_frame, frame.room, camera.path,
                        camera.position_point >= 0 ? 1 : 0, frame.clearance_m,
                        motionText(before, camera), boxes[i].size(), frame.well_shown.size(),
-                       scores[i]);
+                       scores[i],
+                       light_varies ? lightText(contents.light, frame.source_frame) : "");
         before = &camera;
     }
     return text;

@@ -51,8 +51,51 @@ double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const 
     return lamp.intensity * down / (squared + lamp.radius_m * lamp.radius_m);
 }
 
+double SceneLights::choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const {
+    const double squared = (lamp.position - from).squaredNorm();
+    return squared > lamp.radius_m * lamp.radius_m ? lamp.intensity / squared : 0.0;
+}
+
+double SceneLights::cone(const OwnLamp& lamp, const Eigen::Vector3d& from) {
+    const double sine2 = lamp.radius_m * lamp.radius_m / (lamp.position - from).squaredNorm();
+    return 2.0 * kPi * sine2 / (1.0 + std::sqrt(1.0 - sine2));
+}
+
+std::optional<double> SceneLights::toBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+                                          const Eigen::Vector3d& way) {
+    const Eigen::Vector3d middle = lamp.position - from;
+    const double along = middle.dot(way);
+    const double outside = middle.squaredNorm() - lamp.radius_m * lamp.radius_m;
+    const double root2 = along * along - outside;
+    if (outside <= 0.0 || along <= 0.0 || root2 < 0.0) return std::nullopt;
+    return along - std::sqrt(root2);
+}
+
+LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+                                    const std::array<double, 2>& where) const {
+    const Eigen::Vector3d middle = lamp.position - from;
+    const double squared = middle.squaredNorm();
+    const double sine2 = lamp.radius_m * lamp.radius_m / squared;
+    // Evenly over the cone that the ball fills: 1 - cosine goes evenly up to that of its edge.
+    const double below = where[0] * sine2 / (1.0 + std::sqrt(1.0 - sine2));
+    const double cosine = 1.0 - below;
+    const double sine = std::sqrt(below * (1.0 + cosine));
+    const double angle = 2.0 * kPi * where[1];
+    const Eigen::Vector3d z = middle / std::sqrt(squared);
+    const Eigen::Vector3d x = z.unitOrthogonal();
+    LightSample sample;
+    sample.way =
+        (sine * (std::cos(angle) * x + std::sin(angle) * z.cross(x)) + cosine * z).normalized();
+    sample.distance = toBall(lamp, from, sample.way).value_or(middle.dot(sample.way));
+    sample.free = lamp.shadowedFor(from, sample.way, sample.distance);
+    sample.density = choice(lamp, from) / totalChoice(from) / cone(lamp, from);
+    sample.radiance = lampRadiance(lamp);
+    return sample;
+}
+
 double SceneLights::totalChoice(const Eigen::Vector3d& from) const {
     double sum = 0.0;
+    for (const OwnLamp& lamp : rig_.own_lamps) sum += choice(lamp, from);
     for (const Lamp& lamp : rig_.lamps) sum += choice(lamp, from);
     return sum;
 }
@@ -70,6 +113,15 @@ std::optional<LightSample> SceneLights::sampleLamp(const Eigen::Vector3d& from, 
         left -= share;
         if (left < 0.0) break;
     }
+    const OwnLamp* ball = nullptr;
+    for (const OwnLamp& lamp : rig_.own_lamps) {
+        if (left < 0.0) break;
+        const double share = choice(lamp, from);
+        if (share <= 0.0) continue;
+        ball = &lamp;
+        left -= share;
+    }
+    if (ball != nullptr) return sampleBall(*ball, from, where);
     const double radius = chosen->radius_m * std::sqrt(where[0]);
     const double angle = 2.0 * kPi * where[1];
     const Eigen::Vector3d way =

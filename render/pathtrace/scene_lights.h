@@ -37,6 +37,13 @@ class SceneLights {
     template <class Visit>
     void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
                     double end, Visit&& visit) const {
+        for (const OwnLamp& lamp : rig_.own_lamps) {
+            const std::optional<double> distance = toBall(lamp, from, way);
+            if (!distance) continue;
+            const double free = lamp.shadowedFor(from, way, *distance);
+            if (free < begin || free >= end) continue;
+            visit(lampRadiance(lamp), choice(lamp, from) / totalChoice(from) / cone(lamp, from));
+        }
         if (way.z() <= 0.0) return;
         for (const Lamp& lamp : rig_.lamps) {
             const double distance = (lamp.position.z() - from.z()) / way.z();
@@ -57,9 +64,21 @@ class SceneLights {
 
   private:
     [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
+    [[nodiscard]] double choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const;
+    /// The solid angle of the ball, from outside of it.
+    [[nodiscard]] static double cone(const OwnLamp& lamp, const Eigen::Vector3d& from);
+    /// Where a ray from outside meets the ball, if it does.
+    [[nodiscard]] static std::optional<double> toBall(const OwnLamp& lamp,
+                                                      const Eigen::Vector3d& from,
+                                                      const Eigen::Vector3d& way);
+    [[nodiscard]] LightSample sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+                                         const std::array<double, 2>& where) const;
     [[nodiscard]] double totalChoice(const Eigen::Vector3d& from) const;
     [[nodiscard]] Eigen::Vector3f lampRadiance(const Lamp& lamp) const {
         return rig_.lampLight() * static_cast<float>(lamp.radiance());
+    }
+    [[nodiscard]] Eigen::Vector3f lampRadiance(const OwnLamp& lamp) const {
+        return rig_.ownLampLight() * static_cast<float>(lamp.radiance());
     }
     /// By which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;

@@ -49,6 +49,18 @@ class FramesReport {
                        text(expected)});
     }
 
+    /// A number from `low` to `high` must be there.
+    void within(std::size_t frame, const std::string& column, double low, double high) {
+        const std::optional<double> found = table_.rows.number(frame, column);
+        const double rounding = kRounding * std::max(std::abs(low), std::abs(high));
+        if (found && *found >= low - rounding && *found <= high + rounding) return;
+        findings_.add({fmt::format("{}:{}", kFile, frame + 2),
+                       static_cast<int>(frame),
+                       {},
+                       column + (found ? fmt::format(" {:.6g}", *found) : std::string(" nothing")),
+                       fmt::format("{:.6g} to {:.6g}", low, high)});
+    }
+
   private:
     const FramesTable& table_;
     Findings& findings_;
@@ -98,6 +110,39 @@ void compareMotion(const Subject& subject, const FramesTable& table, FramesRepor
         if (!table.clearances_m.empty()) {
             report.compare(i, "clearance_m", table.clearances_m[i]);
         }
+    }
+}
+
+/// Light that varies by frame stays around what is set: as many times brighter or darker, or, of
+/// the exposure, as much more or less.
+void compareLight(const StoredDataset& dataset, const FramesTable& table, FramesReport& report) {
+    const auto set = dataset.card.at("parameters").value("light", nlohmann::ordered_json());
+    if (!set.is_object() || set.value("light_varies", "") != "frame") return;
+    const double variation = set.value("light_variation", 0.0);
+    if (variation <= 0.0) return;
+    struct Column {
+        const char* name;
+        double most;  // powers of two
+    };
+    for (const auto& [name, most] :
+         {Column{"lamp_strength", 1.0}, Column{"lamp_temperature_K", 0.5},
+          Column{"sky_strength", 0.7}, Column{"sun_strength", 0.7}, Column{"exposure_ev", 0.7}}) {
+        double middle = set.value(name, 0.0);
+        const std::string column = name;
+        if (column == "lamp_temperature_K" && middle == 0.0) middle = 5500.0;
+        const double times = std::exp2(most * variation);
+        double low = middle / times;
+        double high = middle * times;
+        if (column == "exposure_ev") {
+            low = middle - most * variation;
+            high = middle + most * variation;
+        } else if (column == "lamp_temperature_K") {
+            low = std::max(low, 1000.0);
+            high = std::min(std::max(high, low), 20000.0);
+        } else {
+            high = std::min(high, column == "sky_strength" ? 20.0 : 10.0);
+        }
+        for (std::size_t i = 0; i < table.rows.rows(); ++i) report.within(i, column, low, high);
     }
 }
 
@@ -162,6 +207,7 @@ CheckWork beginFrames(const Subject& subject, Findings& findings) {
     work.finish = [&subject, table](Findings& found) {
         FramesReport report(*table, found);
         compareMotion(subject, *table, report);
+        compareLight(subject.dataset, *table, report);
         compareImages(subject.dataset, *table, report);
     };
     return work;

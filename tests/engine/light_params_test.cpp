@@ -33,7 +33,7 @@ TEST(LightParams, APresetSetsTheLightAndWhatFollowsChangesIt) {
 TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     LightParams params;
     const FieldList fields = listLightFields(params);
-    EXPECT_EQ(fields.size(), 10U);
+    EXPECT_EQ(fields.size(), 12U);
     std::set<std::string> names;
     for (const Field& field : fields) {
         EXPECT_EQ(field.section, "light");
@@ -43,6 +43,7 @@ TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     LightParams other = lightPreset(LightPreset::Evening);
     other.light_variation = 0.25;
     other.light_seed = 12;
+    other.own_lamps = 3.0;
     other.sun_azimuth_deg = -90.0;
     ASSERT_TRUE(setFromJson(fields, toJson(listLightFields(other))));
     EXPECT_EQ(params, other);
