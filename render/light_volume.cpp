@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace dollytrack::render {
 namespace {
@@ -56,6 +57,7 @@ class Baker {
         }
         bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
         in_air_.assign(count, 1);
+        sees_sky_.assign(count, 0);
         balanced_.assign(count, 0.0F);
         for (const bool outside : showsOutside(scene)) {
             shines_.push_back(rig.shineFactor(outside));
@@ -79,10 +81,13 @@ class Baker {
             for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
         });
         if (job.cancelled()) return {};
+        linkCells();
+        leaveOutside();
         closeHoles(volume_.lamps);
         volume_.lamps = smoothed(volume_.lamps);
         balance();
         addSun();
+        gatherSent();
         if (!rig_.own_lamps.empty()) gatherOwnLamps();
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
@@ -153,8 +158,62 @@ class Baker {
         }
         // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
         // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
+        sees_sky_[i] = escaped > 0 ? 1 : 0;
         const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
         in_air_[i] = in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count) ? 0 : 1;
+    }
+
+    /// Along which axes nothing stands between a cell and the next one.
+    void linkCells() {
+        open_.assign(cellCount(), 0);
+        parallelRanges(open_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                for (unsigned axis = 0; axis < 3; ++axis) {
+                    const auto length = static_cast<std::size_t>(volume_.cells[axis]);
+                    if (i / step(axis) % length + 1 == length) continue;
+                    if (rays_.sees(center(i), center(i + step(axis)))) open_[i] |= 1U << axis;
+                }
+            }
+        });
+    }
+
+    /// From a cell to the next one along an axis.
+    [[nodiscard]] std::size_t step(unsigned axis) const {
+        std::size_t cells = 1;
+        for (unsigned k = 0; k < axis; ++k) cells *= static_cast<std::size_t>(volume_.cells[k]);
+        return cells;
+    }
+
+    /// Calls visit(j) for the cells next to i that nothing stands before.
+    template <class Visit>
+    void visitOpen(std::size_t i, Visit&& visit) const {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const std::size_t away = step(axis);
+            if ((open_[i] >> axis & 1U) != 0) visit(i + away);
+            if (i >= away && (open_[i - away] >> axis & 1U) != 0) visit(i - away);
+        }
+    }
+
+    /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
+    /// a wall: the day there must not shine through where the wall is thinner than cells.
+    void leaveOutside() {
+        std::vector<char> reached(cellCount(), 0);
+        std::vector<std::size_t> next;
+        const auto reach = [&](std::size_t i) {
+            if (std::exchange(reached[i], 1) == 0) next.push_back(i);
+        };
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            if (volume_.lamps[i].squaredNorm() > 0.0F) reach(i);
+        }
+        if (next.empty()) return;
+        while (!next.empty()) {
+            const std::size_t i = next.back();
+            next.pop_back();
+            visitOpen(i, reach);
+        }
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            if (reached[i] == 0 && sees_sky_[i] != 0) in_air_[i] = 0;
+        }
     }
 
     [[nodiscard]] Eigen::Vector3f lampsAt(const Eigen::Vector3d& from, Random& random) const {
@@ -327,6 +386,52 @@ class Baker {
         return result;
     }
 
+    /// What sky, shining things and sunlit places send straight to each cell. Few of its rays find
+    /// a small bright one: what they find is shared with the cells around, as far as these are open
+    /// to each other.
+    void gatherSent() {
+        constexpr int kPasses = 8;  // as wide as a cell and a half
+        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        sent_.resize(cellCount());
+        sent_aside_.resize(cellCount());
+        parallelRanges(sent_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                Eigen::Vector3f aside = Eigen::Vector3f::Zero();
+                for (std::size_t k = 0; k < count; ++k) {
+                    const Eigen::Vector3f& sent = bounces_[i * count + k].sent;
+                    sum += sent;
+                    aside += sent.mean() * spiral_[k];
+                }
+                sent_[i] = sum;
+                sent_aside_[i] = turns_[i] * aside;
+            }
+        });
+        for (int pass = 0; pass < kPasses; ++pass) {
+            sent_ = shared(sent_);
+            sent_aside_ = shared(sent_aside_);
+        }
+    }
+
+    /// The mean of each cell of the air and those open to it.
+    [[nodiscard]] std::vector<Eigen::Vector3f> shared(
+        const std::vector<Eigen::Vector3f>& values) const {
+        std::vector<Eigen::Vector3f> result = values;
+        parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (in_air_[i] == 0) continue;
+                float cells = 1.0F;
+                visitOpen(i, [&](std::size_t j) {
+                    if (in_air_[j] == 0) return;
+                    result[i] += values[j];
+                    ++cells;
+                });
+                result[i] /= cells;
+            }
+        });
+        return result;
+    }
+
     void bounce() {
         std::vector<Eigen::Vector3f> next(cellCount());
         std::vector<Eigen::Vector3f> slope(cellCount(), Eigen::Vector3f::Zero());
@@ -346,14 +451,16 @@ class Baker {
                     if (!own_.empty()) {
                         falls += own_light * std::max(0.0F, ray.normal.dot(own_[ray.cell]));
                     }
-                    const Eigen::Vector3f light = ray.sent + ray.albedo.cwiseProduct(falls) / kPi;
+                    const Eigen::Vector3f light = ray.albedo.cwiseProduct(falls) / kPi;
                     sum += light;
                     aside += light.mean() * spiral_[k];
                 }
+                sum += sent_[i];
                 next[i] = sum * (kPi / static_cast<float>(count));
                 // Of radiance l0 + l1 . way, pi * l0 + 2/3 pi * l1 . n falls on a surface; l1 is
                 // three times the mean of radiance * way.
-                if (sum.mean() > 0.0F) slope[i] = turns_[i] * aside * (2.0F / sum.mean());
+                const Eigen::Vector3f mean_way = turns_[i] * aside + sent_aside_[i];
+                if (sum.mean() > 0.0F) slope[i] = mean_way * (2.0F / sum.mean());
             }
         });
         volume_.ambient = std::move(next);
@@ -518,13 +625,17 @@ class Baker {
     LightVolume volume_;
     std::vector<Eigen::Vector3f> own_;  // as lamps, of the scene's own; empty without these
     std::vector<Bounce> bounces_;
-    std::vector<float> balanced_;            // by cell, what its rays find that sends light
-    std::vector<float> shines_;              // by object's id - 1, times its emission
-    std::vector<char> in_air_;               // by cell
-    std::vector<Eigen::Vector3f> spiral_;    // the ways of a cell's rays, before they are turned
-    std::vector<Eigen::Matrix3f> turns_;     // of each cell's spiral, about z
-    std::vector<Eigen::Vector3f> albedo_;    // by material
-    std::vector<Eigen::Vector3f> emission_;  // likewise
+    std::vector<float> balanced_;              // by cell, what its rays find that sends light
+    std::vector<float> shines_;                // by object's id - 1, times its emission
+    std::vector<char> in_air_;                 // by cell
+    std::vector<char> sees_sky_;               // by cell
+    std::vector<std::uint8_t> open_;           // by cell, see linkCells(); a bit an axis
+    std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
+    std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
+    std::vector<Eigen::Vector3f> spiral_;      // the ways of a cell's rays, before they are turned
+    std::vector<Eigen::Matrix3f> turns_;       // of each cell's spiral, about z
+    std::vector<Eigen::Vector3f> albedo_;      // by material
+    std::vector<Eigen::Vector3f> emission_;    // likewise
 };
 
 }  // namespace

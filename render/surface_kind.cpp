@@ -1,5 +1,7 @@
 #include "render/surface_kind.h"
 
+#include "engine/scene/srgb.h"
+
 #include <algorithm>
 
 namespace dollytrack::render {
@@ -17,8 +19,8 @@ Eigen::Vector3f meanTexel(const Texture& texture) {
     std::size_t taken = 0;
     for (std::size_t i = 0; i < count; i += step, ++taken) {
         for (int c = 0; c < 3; ++c) {
-            const double value = texture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0;
-            sum[c] += value * value;
+            sum[c] += linearFromSrgb(
+                static_cast<float>(texture.rgba[4 * i + static_cast<std::size_t>(c)]) / 255.0F);
         }
     }
     return taken == 0 ? Eigen::Vector3f::Ones()

@@ -45,6 +45,9 @@ layout(location = 4) out uint out_id;
 // Less emission has no step of its own in the buffer.
 const float kLeastShine = 0.03;
 
+// Linear light of sRGB's encoding, by a cubic that is within 0.002 of it.
+vec3 decode(vec3 srgb) { return srgb * (srgb * (srgb * 0.305306 + 0.682171) + 0.012523); }
+
 float depthHere() {
     return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
                               : 1.0 / gl_FragCoord.w;
@@ -108,8 +111,7 @@ void main() {
 #ifdef HOLES
     if (texel.a < 0.5) discard;
 #endif
-    // Texels are sRGB, close enough to a square; the vertex colour is a square root already.
-    color *= texel.rgb;
+    color *= sqrt(decode(texel.rgb));
 #endif
     vec3 forward = vec3(camera_from_world[0].z, camera_from_world[1].z, camera_from_world[2].z);
     vec3 n = seenNormal(face, depth_span.y > 0.0 ? forward : normalize(offset_in_world));
@@ -131,7 +133,7 @@ void main() {
     if (has_map.w != 0) {
         if (outside) share *= outside_dark * outside_dark;
         vec3 shining = texture(emission_map, texture_uv).rgb;
-        vec3 emission = min(emission_factor * shining * shining * share, 8.0);
+        vec3 emission = min(emission_factor * decode(shining) * share, 8.0);
         float strongest = max(emission.r, max(emission.g, emission.b));
         if (outside && strongest > 0.0) color *= outside_dark;
         if (strongest >= kFaintest) {
