@@ -7,6 +7,13 @@
 
 namespace dollytrack::render {
 
+namespace {
+
+/// Pictures that are drawn when the frame's labels are there already.
+constexpr unsigned kNeedsLater = kNeedsRight | kNeedsRig | kNeedsSensorLight;
+
+}  // namespace
+
 FramePipeline::FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
                              const PictureParams& picture,
                              std::map<int, std::vector<ObjectView>> restored)
@@ -25,7 +32,9 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
                               const ObjectPaths* objects, const JobContext& job) {
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
-    lights_.emplace(scene, rays, rooms, contents_.light, LightVolumeParams{}, job);
+    LightParams wanted = contents_.light;
+    if (!needs(kNeedsRgb | kNeedsLater)) wanted.light_varies = LightVaries::Scene;
+    lights_.emplace(scene, rays, rooms, wanted, LightVolumeParams{}, job);
     LightVolume light = lights_->volume();
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     if (picture_.render_mode == RenderMode::Reference) {
@@ -67,10 +76,13 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     return {};
 }
 
-void FramePipeline::prepareFrame(int index) {
+void FramePipeline::placeObjects(int index) {
     for (const ObjectMotion& motion : context_.moving.motions()) {
         renderer_->place(motion.object_id, motion.by_frame[static_cast<std::size_t>(index)]);
     }
+}
+
+void FramePipeline::lightFrame(int index) {
     if (reference_ || !lights_->vary() || lit_for_ == index) return;
     renderer_->changeLight(lights_->volumeAt(contents_.sourceFrame(index)));
     lit_for_ = index;
@@ -157,7 +169,8 @@ FrameRecord FramePipeline::emptyRecord(int index) const {
 Status FramePipeline::startNext() {
     const std::size_t place = started_ % targets_.size();
     SurfaceTarget* surfaces = needs(kNeedsSurfaces) ? &*surfaces_[place] : nullptr;
-    prepareFrame(missing_[started_]);
+    placeObjects(missing_[started_]);
+    lightFrame(missing_[started_]);
     View view = viewOf(missing_[started_++]);
     if (!needs(kNeedsRgb) || reference_) {  // path traced pictures come later
         return renderer_->drawLabels(view, *targets_[place], surfaces);
@@ -182,7 +195,8 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     // their order, wherever they come from.
     countRestored(record.index);
     const std::vector<int> wanted = counter_.addFrame(record);
-    prepareFrame(record.index);
+    placeObjects(record.index);
+    if (needs(kNeedsLater)) lightFrame(record.index);
     if (needs(kNeedsWhole)) {
         if (Status status = drawInstances(view, record, wanted); !status) return status;
         const std::span<const ObjectView> views = counter_.lastViews();
@@ -211,7 +225,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
                                       record.sensor_light);
         if (!status) return status;
         // What follows may draw this frame again, or go on with others in their own time.
-        prepareFrame(record.index);
+        placeObjects(record.index);
     }
     ++drawn_;
     return writer.write(std::move(record));

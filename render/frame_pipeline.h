@@ -58,8 +58,10 @@ class FramePipeline {
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);
-    /// Puts the things that move where they are in the frame, and lights it.
-    void prepareFrame(int index);
+    /// Puts the things that move where they are in the frame.
+    void placeObjects(int index);
+    /// Where frames differ in light.
+    void lightFrame(int index);
     [[nodiscard]] Status startNext();
     /// What is drawn for some files only.
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);

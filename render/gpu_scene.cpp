@@ -31,6 +31,7 @@ struct Vertex {
 static_assert(sizeof(Vertex) == 40);
 
 constexpr int kMaxTextureSize = 2048;
+constexpr float kAnisotropy = 8.0F;
 
 std::uint8_t toByte(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
@@ -111,6 +112,10 @@ gl::Texture uploadTexture(const Texture& source) {
     glGenerateTextureMipmap(name.get());
     glTextureParameteri(name.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(name.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // Floors and walls are looked along. By the processor it would cost as much again as all else.
+    if (GLEW_EXT_texture_filter_anisotropic && !gl::drawsByProcessor()) {
+        glTextureParameterf(name.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT, kAnisotropy);
+    }
     glTextureParameteri(name.get(), GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTextureParameteri(name.get(), GL_TEXTURE_WRAP_T, GL_REPEAT);
     return name;

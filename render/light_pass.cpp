@@ -93,7 +93,7 @@ Status LightPass::setLight(const LightVolume& light) {
 void LightPass::changeLight(const LightVolume& light) {
     fillVolume(ambient_, light, light.ambient, {});
     fillVolume(slope_, light, light.slope, {});
-    sky_ = uploadSky(light.backdrop_factor);
+    if (light.backdrop_factor != light_.backdrop_factor) sky_ = uploadSky(light.backdrop_factor);
     keep(light);
     if (sun_shadow_) sun_shadow_->setIrradiance(light.sun.irradiance);
 }

@@ -25,7 +25,7 @@ class LightPass {
     /// The sun's shadow is no longer that of the scene.
     void forgetShadow() { sun_shadow_is_old_ = true; }
 
-    /// Links what is needed and draws the sun's shadow where it is old; before any of the
+    /// Links what may be needed and draws the sun's shadow where it is old; before any of the
     /// following.
     [[nodiscard]] Status prepare(const GpuScene& scene);
 

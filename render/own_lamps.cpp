@@ -16,6 +16,7 @@ constexpr double kSmallest = 0.03;  // radius of a ball, m
 constexpr double kLargest = 0.12;
 constexpr double kAround = 0.01;     // m; a round shade touches its box
 constexpr double kFromWall = 0.005;  // m; what the shade keeps from walls, tables and floors
+constexpr double kThinnest = 0.005;  // m; half of a shade between walls
 constexpr double kLong = 0.12;       // m, half of it; what hangs so from a ceiling has a cord
 constexpr double kTouches = 0.06;    // m; to what a thing stands on or hangs from
 
@@ -76,17 +77,19 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
                 object.box.toWorld(in_box + sign * wanted * Eigen::Vector3d::Unit(axis));
             const Eigen::Vector3d way = (to - lamp.position).normalized();
             const double free = distanceTo(scene, rays, lamp.position, way, wanted, blocks);
-            reach[side] = free < wanted ? free - kFromWall : wanted;
+            reach[side] = std::max(free < wanted ? free - kFromWall : wanted, kThinnest);
             // What stands does so on the box's own floor: light must not get below that.
             if (axis == 2 && side == 0) {
-                reach[side] = std::min(reach[side], wanted - kAround - kFromWall);
+                reach[side] =
+                    std::max(std::min(reach[side], wanted - kAround - kFromWall), kThinnest);
             }
         }
         low[axis] = in_box[axis] - reach[0];
         high[axis] = in_box[axis] + reach[1];
-        const double radius = std::min(lamp.radius_m, 0.5 * (reach[0] + reach[1]));
-        moved[axis] = std::clamp(in_box[axis], low[axis] + radius, high[axis] - radius);
-        lamp.radius_m = std::max(radius, 0.01);
+        // In the middle where the ball only just fits.
+        lamp.radius_m = std::min(lamp.radius_m, 0.5 * (reach[0] + reach[1]));
+        moved[axis] =
+            std::min(std::max(in_box[axis], low[axis] + lamp.radius_m), high[axis] - lamp.radius_m);
     }
     lamp.position = object.box.toWorld(moved);
     lamp.shade = object.box;
@@ -122,9 +125,14 @@ double OwnLamp::shadowedFor(const Eigen::Vector3d& from, const Eigen::Vector3d& 
 
 std::vector<OwnLamp> findOwnLamps(const Scene& scene, const RayCaster& rays,
                                   const std::vector<bool>& taken) {
+    const auto isTaken = [&](const Object& object) {
+        return taken[static_cast<std::size_t>(object.id) - 1];
+    };
     std::vector<const Object*> found;
+    std::vector<const Object*> wholes;  // others may be parts of
     for (const Object& object : scene.objects) {
-        if (object.nyu40 != kNyuLamp || taken[static_cast<std::size_t>(object.id) - 1]) continue;
+        if (isTaken(object)) wholes.push_back(&object);
+        if (object.nyu40 != kNyuLamp || isTaken(object)) continue;
         if (object.triangle_count == 0 || !scene.room_bounds.contains(object.box.center)) continue;
         found.push_back(&object);
     }
@@ -134,10 +142,13 @@ std::vector<OwnLamp> findOwnLamps(const Scene& scene, const RayCaster& rays,
     std::vector<OwnLamp> lamps;
     for (const Object* object : found) {
         // Bulbs and feet are things of their own in some files.
-        const bool is_part = std::ranges::any_of(lamps, [&](const OwnLamp& whole) {
-            return scene.object(whole.object_id).box.contains(object->box.center, kAround);
+        const bool is_part = std::ranges::any_of(wholes, [&](const Object* whole) {
+            return whole->box.contains(object->box.center, kAround) ||
+                   (isTaken(*whole) && object->box.contains(whole->box.center, kAround));
         });
-        if (!is_part) lamps.push_back(lampOf(scene, rays, *object));
+        if (is_part) continue;
+        wholes.push_back(object);
+        lamps.push_back(lampOf(scene, rays, *object));
         if (lamps.size() == kMostOwnLamps) break;
     }
     return lamps;

@@ -49,8 +49,13 @@ struct SceneRenderer::Impl {
         return light.prepare(scene);
     }
 
-    void drawPicture(const View& view, RenderTarget& target) {
-        surfaces.drawSurfaces(scene, view, target);
+    /// @param labels  whether to draw these in the same pass
+    void drawPicture(const View& view, bool labels, RenderTarget& target) {
+        if (labels) {
+            surfaces.drawSurfaces(scene, view, target);
+        } else {
+            surfaces.drawLook(scene, view, target);
+        }
         light.drawOcclusion(scene, view, target);
         light.drawPicture(view, surfaces.shine(), target);
         light.smoothEdges(target);
@@ -143,14 +148,15 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget
         impl_->drawLooks(view, looks, target);
         impl_->drawLabels(view, target, surfaces);
     } else {
-        impl_->drawPicture(view, target);
+        impl_->drawPicture(view, surfaces == nullptr, target);
         if (surfaces != nullptr) impl_->drawLabels(view, target, surfaces);
     }
     return gl::checkErrors("drawing");
 }
 
 Status SceneRenderer::drawLabels(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
-    if (Status status = impl_->prepare(view); !status) return status;
+    glDisable(GL_CULL_FACE);
+    if (Status status = impl_->surfaces.prepare(impl_->scene, view); !status) return status;
     impl_->drawLabels(view, target, surfaces);
     return gl::checkErrors("drawing labels");
 }

@@ -33,7 +33,7 @@ constexpr float kHoleBelow = 0.5F;
 /// plainEmission() of all its surface in the mean.
 [[nodiscard]] Eigen::Vector3f meanEmission(const Scene& scene, const Material& material);
 
-/// Mean of a colour picture, linear (texels taken for squares of what they encode).
+/// Mean of a colour picture, linear.
 [[nodiscard]] Eigen::Vector3f meanTexel(const Texture& texture);
 
 /// How each material is shown, drawn or traced.

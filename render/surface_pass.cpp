@@ -102,9 +102,9 @@ float SurfacePass::shine() const {
 Status SurfacePass::prepare(const GpuScene& scene, const View& view) {
     if (Status status = label_.link(wordsOf(view)); !status) return status;
     for (const Batch& batch : scene.batches) {
-        for (const bool picture : {true, false}) {
-            Status status = surface_.link(wordsOf(view) | wordsOf(batch, picture));
-            if (!status) return status;
+        const unsigned material = wordsOf(batch, false);
+        for (const unsigned words : {wordsOf(batch, true), material, material & ~kHoles}) {
+            if (Status status = surface_.link(wordsOf(view) | words); !status) return status;
         }
     }
     return {};
@@ -174,9 +174,9 @@ void SurfacePass::drawMaterials(const GpuScene& scene, const View& view, Surface
     drawOpaque(scene, view, visible, Use::Materials);
     for (const Batch& batch : scene.batches) {
         if (batch.surface == Surface::Opaque) continue;
-        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
-        const unsigned words = wordsOf(batch, false) & ~kHoles;
-        drawShapes(batch, view, visible, surface_.get(wordsOf(view) | words));
+        const unsigned program = surface_.get(wordsOf(view) | (wordsOf(batch, false) & ~kHoles));
+        bindSurface(batch, program, Use::Materials);
+        drawShapes(batch, view, visible, program);
     }
     glDisable(GL_DEPTH_TEST);
 }
@@ -188,14 +188,18 @@ void SurfacePass::drawOpaque(const GpuScene& scene, const View& view,
     for (const Batch& batch : scene.batches) {
         if (batch.surface == Surface::Glass) continue;
         const unsigned program = surface_.get(wordsOf(view) | wordsOf(batch, picture));
-        glProgramUniform2f(program, 13, picture ? lamps_shine_ / shine() : 1.0F,
-                           picture ? std::max(outside_shines_, 1.0F) / shine() : 1.0F);
-        glProgramUniform1f(program, 14,
-                           picture ? std::sqrt(std::min(outside_shines_, 1.0F)) : 1.0F);
-        if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
+        bindSurface(batch, program, use);
         if (picture && batch.maps) bindMaps(*batch.maps, program);
         drawShapes(batch, view, visible, program);
     }
+}
+
+void SurfacePass::bindSurface(const Batch& batch, unsigned program, Use use) const {
+    const bool picture = use == Use::Picture;
+    glProgramUniform2f(program, 13, picture ? lamps_shine_ / shine() : 1.0F,
+                       picture ? std::max(outside_shines_, 1.0F) / shine() : 1.0F);
+    glProgramUniform1f(program, 14, picture ? std::sqrt(std::min(outside_shines_, 1.0F)) : 1.0F);
+    if (batch.texture != 0) glBindTextureUnit(0, batch.texture);
 }
 
 void SurfacePass::drawShapes(const Batch& batch, const View& view, const std::vector<bool>& visible,

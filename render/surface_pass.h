@@ -46,6 +46,8 @@ class SurfacePass {
 
     void drawOpaque(const GpuScene& scene, const View& view, const std::vector<bool>& visible,
                     Use use);
+    /// The texture, and what the light does to what shines by itself.
+    void bindSurface(const Batch& batch, unsigned program, Use use) const;
     void tintByGlass(const GpuScene& scene, const View& view, const std::vector<bool>& visible);
     /// Whose places in the index buffer are counted out for one call.
     void drawShapes(const Batch& batch, const View& view, const std::vector<bool>& visible,

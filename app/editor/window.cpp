@@ -172,7 +172,7 @@ Window::~Window() {
 Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
     // Mesa's software driver keeps one list of contexts for all windows, and walks through another
     // thread's work without asking: only a context that is none of a window's is safe from that.
-    if (gl::rendererName().find("llvmpipe") != std::string::npos) {
+    if (gl::drawsByProcessor()) {
         auto apart = gl::createEglContext();
         if (apart) return apart;
         log::warn("editor",

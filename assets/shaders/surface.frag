@@ -45,8 +45,10 @@ layout(location = 4) out uint out_id;
 // Less emission has no step of its own in the buffer.
 const float kLeastShine = 0.03;
 
-// Linear light of sRGB's encoding, by a cubic that is within 0.002 of it.
-vec3 decode(vec3 srgb) { return srgb * (srgb * (srgb * 0.305306 + 0.682171) + 0.012523); }
+// Linear light of sRGB's encoding, within 0.7 of its 255 steps.
+vec3 decode(vec3 srgb) {
+    return srgb * (0.059573 + srgb * (0.361492 + srgb * (0.900017 - 0.321082 * srgb)));
+}
 
 float depthHere() {
     return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y

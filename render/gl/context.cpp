@@ -25,6 +25,10 @@ Status loadFunctions() {
     return {};
 }
 
+bool drawsByProcessor() {
+    return rendererName().find("llvmpipe") != std::string::npos;
+}
+
 std::string rendererName() {
     const GLubyte* name = glGetString(GL_RENDERER);
     const GLubyte* version = glGetString(GL_VERSION);

@@ -22,6 +22,9 @@ class Context {
 /// with the version found when it is not.
 [[nodiscard]] Status loadFunctions();
 
+/// Whether the current context has no graphics card.
+[[nodiscard]] bool drawsByProcessor();
+
 /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5" of the current context.
 [[nodiscard]] std::string rendererName();
 

@@ -44,6 +44,7 @@ TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     other.light_variation = 0.25;
     other.light_seed = 12;
     other.own_lamps = 3.0;
+    other.light_varies = LightVaries::Frame;
     other.sun_azimuth_deg = -90.0;
     ASSERT_TRUE(setFromJson(fields, toJson(listLightFields(other))));
     EXPECT_EQ(params, other);

@@ -6,6 +6,7 @@
 #include "render/render_target.h"
 #include "render/scene_renderer.h"
 #include "ui/viewport/false_color.h"
+#include "ui/viewport/view_pace.h"
 
 #include <algorithm>
 #include <array>
@@ -86,12 +87,6 @@ bool samePicture(const render::View& a, const render::View& b) {
            a.backdrop == b.backdrop && a.antialias == b.antialias;
 }
 
-/// A picture that takes longer is drawn with fewer pixels while the view moves.
-constexpr double kFluent_ms = 50.0;
-constexpr int kCoarsest = 3;  // of the pane's pixels a side in one of the picture's
-/// Without a new view for so long it rests. Pictures that come more seldom are no movement.
-constexpr std::chrono::milliseconds kRest(150);
-
 /// The same view in fewer pixels.
 render::View shrunk(render::View view, int by) {
     Intrinsics& lens = view.intrinsics;
@@ -171,8 +166,8 @@ struct RenderThread::Impl {
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
     std::uint64_t serial = 0;
-    double whole_ms = 0.0;  // that the last picture of all pixels took
-    std::chrono::steady_clock::time_point last_view;
+    ViewPace pace;
+    std::optional<render::View> last_view;
     std::optional<ViewRequest> owed;  // was drawn with fewer pixels; under the mutex
 
     // The window's: what it asked for last, so that asking again for the same costs nothing.
@@ -186,9 +181,9 @@ struct RenderThread::Impl {
     void loop();
     void release();
     Status loadScene(SceneRequest request);
-    Status drawView(ViewRequest request, bool rests);
-    [[nodiscard]] int shrinkBy(const ViewRequest& request, bool rests) const;
-    Status drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
+    Status drawView(ViewRequest request);
+    /// Whether the scene had to be drawn, too.
+    Result<bool> drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
     Status drawPreview(const PreviewRequest& request);
     void say(const Status& status) {
         if (status) return;
@@ -224,20 +219,20 @@ void RenderThread::Impl::loop() {
         const auto news = [this] { return stopping || next_scene || next_view || next_preview; };
         bool rests = false;
         if (owed) {
-            rests = !arrived.wait_for(lock, kRest, news);
+            rests = !arrived.wait_until(lock, pace.restsAt(), news);
         } else {
             arrived.wait(lock, news);
         }
         if (stopping) break;
         busy = true;
         auto scene_request = std::exchange(next_scene, std::nullopt);
-        if (scene_request) owed.reset();
         auto view_request = std::exchange(rests ? owed : next_view, std::nullopt);
+        if (scene_request || view_request) owed.reset();
         auto preview_request = std::exchange(next_preview, std::nullopt);
         lock.unlock();
         if (current) {
             if (scene_request) say(loadScene(std::move(*scene_request)));
-            if (view_request && renderer) say(drawView(std::move(*view_request), rests));
+            if (view_request && renderer) say(drawView(std::move(*view_request)));
             if (preview_request && renderer) say(drawPreview(*preview_request));
         }
         wake();
@@ -268,7 +263,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     geometry = request.geometry;
     whole.drawn.reset();
     coarse.drawn.reset();
-    if (!same) whole_ms = 0.0;
+    if (!same) pace.forget();
     if (!scene) {
         renderer.reset();
         return {};
@@ -295,48 +290,42 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     return {};
 }
 
-/// In how few pixels a view is drawn so that it follows the mouse.
-int RenderThread::Impl::shrinkBy(const ViewRequest& request, bool rests) const {
-    const bool moves = std::chrono::steady_clock::now() - last_view < kRest;
-    if (rests || !moves || whole_ms <= kFluent_ms) return 1;
-    if (whole.drawn && samePicture(*whole.drawn, request.view)) return 1;  // new layers at most
-    return whole_ms <= 4.0 * kFluent_ms ? 2 : kCoarsest;
-}
-
-Status RenderThread::Impl::drawView(ViewRequest request, bool rests) {
+Status RenderThread::Impl::drawView(ViewRequest request) {
     const auto begin = std::chrono::steady_clock::now();
     if (!overlays) {
         Result<render::OverlayRenderer> made = render::OverlayRenderer::create();
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
         overlays.emplace(std::move(*made));
     }
-    const int shrink = shrinkBy(request, rests);
-    if (Status status = drawOn(shrink == 1 ? whole : coarse, request, shrink); !status) {
-        return status;
-    }
-    last_view = std::chrono::steady_clock::now();
+    const bool same = last_view && samePicture(*last_view, request.view);
+    const int shrink = pace.shrinkFor(same, begin);
+    const Result<bool> drawn = drawOn(shrink == 1 ? whole : coarse, request, shrink);
+    if (!drawn) return tl::unexpected(drawn.error());
+    last_view = request.view;
+    const auto end = std::chrono::steady_clock::now();
     ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
     image.geometry = geometry;
     image.view = request.view;
     image.serial = ++serial;
-    image.milliseconds = std::chrono::duration<double, std::milli>(last_view - begin).count();
-    if (shrink == 1) whole_ms = image.milliseconds;
+    image.milliseconds = std::chrono::duration<double, std::milli>(end - begin).count();
+    pace.drew(shrink, same, *drawn, image.milliseconds, end);
     const std::lock_guard lock(mutex);
-    owed.reset();
     if (shrink > 1) owed = std::move(request);
     std::swap(views.drawn, views.finished);
     views.news = true;
     return {};
 }
 
-Status RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, int shrink) {
+Result<bool> RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, int shrink) {
     render::View view = shrunk(request.view, shrink);
     view.coarse = shrink > 1;
     const Intrinsics& size = view.intrinsics;
-    if (!on.drawn || !samePicture(*on.drawn, view)) {
+    const bool draws = !on.drawn || !samePicture(*on.drawn, view);
+    if (draws) {
         on.drawn.reset();
-        if (Status status = fitTarget(on.target, size); !status) return status;
-        if (Status status = renderer->draw(view, *on.target); !status) return status;
+        Status status = fitTarget(on.target, size);
+        if (status) status = renderer->draw(view, *on.target);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
         on.drawn = view;
     }
     if (!on.canvas || on.canvas->width() != size.width || on.canvas->height() != size.height) {
@@ -348,7 +337,7 @@ Status RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, in
     if (Status status =
             overlays->draw(prepared, view, *on.target, *on.canvas, request.pixel_scale / shrink);
         !status) {
-        return status;
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
     on.target->readDepth(image.depth_m);
@@ -356,7 +345,7 @@ Status RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, in
     on.canvas->readRgba(image.rgba);
     image.width = size.width;
     image.height = size.height;
-    return {};
+    return draws;
 }
 
 Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {

@@ -53,7 +53,8 @@ struct ViewImage {
 /// What the preview shows of a frame.
 enum class Modality { Rgb, Depth, Instance, Semantic, Normal };
 
-/// A frame exactly as export would make it, and one of its modalities as a texture.
+/// A frame exactly as export would make it, but for light that varies by frame, and one of its
+/// modalities as a texture.
 struct PreviewImage {
     unsigned texture = 0;  // the window's, row 0 at the top
     int width = 0;

@@ -124,10 +124,11 @@ namespace {
 
 /// Where in the image's own pixels one of the pane's lies.
 std::optional<std::size_t> placeOf(const ViewImage& image, const Eigen::Vector2d& pixel) {
+    if (image.serial == 0) return {};
     const Intrinsics& pane = image.view.intrinsics;
     const int x = static_cast<int>(std::floor(pixel.x() * image.width / pane.width));
     const int y = static_cast<int>(std::floor(pixel.y() * image.height / pane.height));
-    if (image.serial == 0 || x < 0 || y < 0 || x >= image.width || y >= image.height) return {};
+    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return {};
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
            static_cast<std::size_t>(x);
 }

@@ -55,6 +55,7 @@ TEST(OwnLamps, AreWhereTheShadesAre) {
         return builder.object(name, {kNyuLamp, Role::Target, {0.8F, 0.8F, 0.8F}});
     };
     lamp("hangs in the middle").box({1.6, 1.5, 2.4}, {0.3, 0.3, 0.4});
+    lamp("bulb of that").box({1.6, 1.5, 2.35}, {0.06, 0.06, 0.1});
     lamp("stands").box({0.5, 0.5, 0.75}, {0.4, 0.4, 1.5});
     lamp("bulb").box({0.5, 0.5, 1.2}, {0.05, 0.05, 0.1});
     lamp("sconce").box({4.0, 0.1, 1.7}, {0.2, 0.3, 0.3});  // 0.05 m into the wall
