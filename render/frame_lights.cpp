@@ -1,6 +1,7 @@
 #include "render/frame_lights.h"
 
 #include "engine/scene/resolved_light.h"
+#include "render/light_cache.h"
 #include "render/surface_kind.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ FrameLights::FrameLights(const Scene& scene, const RayCaster& rays,
     const ResolvedLight resolved_light = resolved(light);
     drawn_ = resolved_light.drawn;
     rig_ = makeLightRig(scene, rays, rooms, resolved_light);
-    volume_ = bakeLightVolume(scene, rays, rig_, params, job);
+    volume_ = lightVolumeOf(scene, rays, rig_, params, job);
     if (!variesByFrame(light)) return;
     LightRig dark = rig_;
     dark.lamp_factor = dark.emission_factor = 0.0F;
@@ -54,7 +55,7 @@ FrameLights::FrameLights(const Scene& scene, const RayCaster& rays,
     LightVolumeParams of_parts = params;
     of_parts.limit_slopes = false;
     for (const auto& [source, rig] : wanted) {
-        LightVolume baked = bakeLightVolume(scene, rays, rig, of_parts, job);
+        LightVolume baked = lightVolumeOf(scene, rays, rig, of_parts, job);
         parts_.push_back({source, std::move(baked.ambient), std::move(baked.slope)});
     }
     // Without any light there still are frames that differ: in exposure.

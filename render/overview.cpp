@@ -1,5 +1,6 @@
 #include "render/overview.h"
 
+#include "render/light_cache.h"
 #include "render/look_inside.h"
 #include "render/offscreen_renderer.h"
 #include "render/overlays/overlay_painter.h"
@@ -98,7 +99,7 @@ Result<Picture> renderOverview(std::unique_ptr<gl::Context> context, const Scene
                                const OverviewSettings& settings,
                                std::span<const Eigen::AlignedBox3d> rooms) {
     const View view = overviewOf(scene, settings, rooms);
-    const LightVolume light = bakeLightVolume(scene, rays, makeLightRig(scene, rays, rooms));
+    const LightVolume light = lightVolumeOf(scene, rays, makeLightRig(scene, rays, rooms));
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create(
         std::move(context), scene, light, view.intrinsics.width, view.intrinsics.height);
     if (!renderer) return tl::unexpected(renderer.error());

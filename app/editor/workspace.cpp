@@ -8,6 +8,7 @@
 #include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
 #include "engine/scene/resolved_light.h"
+#include "render/light_cache.h"
 #include "render/light_rig.h"
 
 #include <algorithm>
@@ -326,7 +327,7 @@ void Workspace::updateLight() {
     lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
                     light_made = resolved(light), number = ++light_number_,
                     outbox = lit_](const JobContext& job) {
-        render::LightVolume baked = render::bakeLightVolume(
+        render::LightVolume baked = render::lightVolumeOf(
             *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
         if (!job.cancelled()) outbox->put({number, std::move(baked)});
     });

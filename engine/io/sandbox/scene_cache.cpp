@@ -8,6 +8,7 @@
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/scene_format.h"
 #include "engine/io/sha256.h"
+#include "engine/io/user_cache.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,9 +22,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
@@ -33,7 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMagic = 0x31454843414354'44ULL;  // "DTCACHE1"
-constexpr std::uint64_t kDefaultMebibytes = 2048;
 constexpr const char* kExtension = ".scene";
 constexpr const char* kDigestExtension = ".digest";
 constexpr std::size_t kDigestLength = 64;
@@ -47,24 +45,6 @@ struct EntryHead {
 
 std::span<const std::uint8_t> bytesOf(std::string_view text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-fs::path userFolder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    // The specification wants an absolute path, and others to be ignored.
-    if (cache != nullptr && *cache == '/') return fs::path(cache) / "dollytrack" / "scenes";
-    if (home != nullptr && *home == '/') return fs::path(home) / ".cache" / "dollytrack" / "scenes";
-    return {};
-}
-
-std::uint64_t userMebibytes() {
-    const char* given = std::getenv("DOLLYTRACK_CACHE_MB");
-    const std::string_view text = given != nullptr ? given : "";
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 24U;
-    return error == std::errc() && number <= kMost ? number : kDefaultMebibytes;
 }
 
 /// A file of this user, mapped for reading.
@@ -145,15 +125,9 @@ bool hasSettled(const FileIdentity& file, std::chrono::nanoseconds settled) {
 }  // namespace
 
 std::optional<SceneCache> SceneCache::ofUser() {
-    const char* off = std::getenv("DOLLYTRACK_NO_CACHE");
-    if (off != nullptr && *off != '\0') return std::nullopt;
-    const fs::path folder = userFolder();
-    const std::uint64_t mebibytes = userMebibytes();
-    std::error_code error;
-    if (folder.empty() || mebibytes == 0) return std::nullopt;
-    fs::create_directories(folder, error);
-    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) return std::nullopt;
-    return SceneCache(folder, mebibytes << 20U);
+    const std::optional<UserCache> cache = userCache("scenes");
+    if (!cache) return std::nullopt;
+    return SceneCache(cache->folder, cache->most_bytes);
 }
 
 std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,

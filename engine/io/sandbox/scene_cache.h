@@ -21,9 +21,7 @@ namespace dollytrack::io {
 /// searched hold the same names. Whatever is damaged, cut off or somebody else's is passed over.
 class SceneCache {
   public:
-    /// The user's: $XDG_CACHE_HOME/dollytrack/scenes, else ~/.cache/dollytrack/scenes, of at most
-    /// $DOLLYTRACK_CACHE_MB (2048) MiB. Nothing when $DOLLYTRACK_NO_CACHE is set and not empty, or
-    /// there is no folder one can write to.
+    /// The user's, in the folder `scenes`, see userCache().
     [[nodiscard]] static std::optional<SceneCache> ofUser();
 
     /// So long a file has to have lain when it is hashed for its digest to be known from then on.

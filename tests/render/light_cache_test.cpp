@@ -1,0 +1,142 @@
+#include "render/light_cache.h"
+
+#include "tests/render/sunny_room.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace dollytrack::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+LightVolumeParams coarse() {
+    LightVolumeParams params;
+    params.max_cells = 500;
+    return params;
+}
+
+class LightCacheTest : public testing::Test {
+  protected:
+    LightCacheTest() : scene_(test::sunnyRoom(test::Hole::Window)), rays_(scene_) {
+        LightParams light;
+        light.sun_strength = 1.0;
+        rig_ = makeLightRig(scene_, rays_, {}, resolved(light));
+        volume_ = bakeLightVolume(scene_, rays_, rig_, coarse());
+    }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
+    }
+
+    dollytrack::test::TempFolder folder_;
+    Scene scene_;
+    RayCaster rays_;
+    LightRig rig_;
+    LightVolume volume_;
+};
+
+TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
+    const LightCache cache(folder_.path());
+    const std::string key = LightCache::keyOf(scene_, rig_, coarse());
+    EXPECT_FALSE(cache.find(key));
+    cache.keep(key, volume_);
+    const std::optional<LightVolume> kept = cache.find(key);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->low, volume_.low);
+    EXPECT_EQ(kept->cell_m, volume_.cell_m);
+    EXPECT_EQ(kept->cells, volume_.cells);
+    EXPECT_EQ(kept->ambient, volume_.ambient);
+    EXPECT_EQ(kept->slope, volume_.slope);
+    EXPECT_EQ(kept->lamps, volume_.lamps);
+    EXPECT_EQ(kept->own_share, volume_.own_share);
+    EXPECT_EQ(kept->exposure, volume_.exposure);
+    EXPECT_EQ(kept->dimmed, volume_.dimmed);
+    EXPECT_EQ(kept->lamp_color, volume_.lamp_color);
+    EXPECT_EQ(kept->sun.irradiance, volume_.sun.irradiance);
+    EXPECT_EQ(kept->sun.way, volume_.sun.way);
+    EXPECT_EQ(kept->sun.shades.max(), volume_.sun.shades.max());
+    EXPECT_TRUE(kept->sun.shines());
+    EXPECT_FALSE(cache.find(LightCache::keyOf(scene_, rig_, {})));
+}
+
+TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {
+    std::set<std::string> keys = {LightCache::keyOf(scene_, rig_, coarse())};
+    EXPECT_FALSE(keys.insert(LightCache::keyOf(scene_, rig_, coarse())).second);
+    std::size_t changes = 0;
+    const auto changedRig = [&](auto&& change) {
+        LightRig rig = rig_;
+        change(rig);
+        EXPECT_TRUE(keys.insert(LightCache::keyOf(scene_, rig, coarse())).second) << changes;
+        ++changes;
+    };
+    changedRig([](LightRig& rig) { rig.lamps[0].position.x() += 0.01; });
+    changedRig([](LightRig& rig) { rig.lamps.clear(); });
+    changedRig([](LightRig& rig) { rig.own_lamps.emplace_back(); });
+    changedRig([](LightRig& rig) { rig.sky_factor.x() *= 0.5F; });
+    changedRig([](LightRig& rig) { rig.lamp_factor *= 0.5F; });
+    changedRig([](LightRig& rig) { rig.emission_factor *= 0.5F; });
+    changedRig([](LightRig& rig) { rig.exposure_ev += 0.1; });
+    changedRig([](LightRig& rig) { rig.sun.way = -rig.sun.way; });
+    const auto changedScene = [&](auto&& change) {
+        Scene scene = scene_;
+        change(scene);
+        EXPECT_TRUE(keys.insert(LightCache::keyOf(scene, rig_, coarse())).second) << changes;
+        ++changes;
+    };
+    changedScene([](Scene& scene) { scene.positions[0].x() += 0.01F; });
+    changedScene([](Scene& scene) { scene.materials[0].base_color.x() *= 0.5F; });
+    changedScene([](Scene& scene) { scene.materials[0].emission.x() += 1.0F; });
+    changedScene([](Scene& scene) { scene.objects[0].structure = !scene.objects[0].structure; });
+    changedScene([](Scene& scene) { scene.objects[0].nyu40 = 39; });
+    changedScene([](Scene& scene) { scene.room_bounds.extend(Eigen::Vector3d(50, 50, 50)); });
+    LightVolumeParams params = coarse();
+    params.bounces = 3;
+    EXPECT_TRUE(keys.insert(LightCache::keyOf(scene_, rig_, params)).second);
+}
+
+TEST_F(LightCacheTest, PassesOverWhatIsDamagedOrCutOff) {
+    const LightCache cache(folder_.path());
+    cache.keep("one", volume_);
+    const fs::path file = fs::directory_iterator(folder_.path())->path();
+    const auto size = fs::file_size(file);
+    {
+        std::fstream change(file, std::ios::in | std::ios::out | std::ios::binary);
+        change.seekp(static_cast<std::streamoff>(size / 2));
+        change.put('\x5a');
+        change.put('\xa5');
+    }
+    EXPECT_FALSE(cache.find("one"));
+    cache.keep("one", volume_);
+    EXPECT_TRUE(cache.find("one"));
+    fs::resize_file(file, size - 10);
+    EXPECT_FALSE(cache.find("one"));
+    fs::resize_file(file, 0);
+    EXPECT_FALSE(cache.find("one"));
+}
+
+TEST_F(LightCacheTest, TheOldestMakesRoom) {
+    const LightCache cache(folder_.path(), 2);
+    const auto age = [&](const char* key, int hours) {
+        fs::last_write_time(folder_.path() / (std::string(key) + ".light"),
+                            fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    };
+    cache.keep("a", volume_);
+    cache.keep("b", volume_);
+    age("a", 2);
+    age("b", 1);
+    ASSERT_TRUE(cache.find("a"));  // is the youngest now
+    cache.keep("c", volume_);
+    EXPECT_TRUE(cache.find("a"));
+    EXPECT_FALSE(cache.find("b"));
+    EXPECT_TRUE(cache.find("c"));
+    EXPECT_EQ(files(), 2U);
+}
+
+}  // namespace
+}  // namespace dollytrack::render
