@@ -402,9 +402,8 @@ void addExportCommand(CLI::App& app, Session& session) {
     addBackendOption(*command, arguments->backend);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "How pictures are made and what a real camera makes of them is set with --set: see "
-        "picture\n"
-        "and sensor in 'dollytrack params'.\n"
+        "How pictures are made and lit and what a real camera makes of them is set with --set:\n"
+        "see picture, light and sensor in 'dollytrack params'.\n"
         "A scene is planned first; a project's own plan is used as it is, unless a parameter that\n"
         "shapes it is changed here or its scene file has changed: then it is planned again, with "
         "a\n"
