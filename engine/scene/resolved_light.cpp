@@ -116,6 +116,7 @@ ResolvedLight lightOf(const LightParams& params) {
     light.own_lamps = static_cast<float>(drawn.own_lamps);
     if (drawn.lamp_temperature_K > 0.0) {
         constexpr float kUsualLuminance = 0.937F;  // of the neutral light's lamps
+        light.drawn.lamp_temperature_K = std::max(drawn.lamp_temperature_K, kWarmest_K);
         light.lamp_color = kUsualLuminance * blackBodyColor(drawn.lamp_temperature_K);
     }
     light.backdrop_factor = sky * static_cast<float>(std::min(drawn.sky_strength, 1.0));

@@ -50,6 +50,15 @@ TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     EXPECT_EQ(params, other);
 }
 
+// What is recorded is what was drawn with.
+TEST(ResolvedLight, NothingGlowsColderThanABlackBodyThatIsKnown) {
+    LightParams params;
+    params.lamp_temperature_K = 500.0;
+    EXPECT_EQ(resolved(params).drawn.lamp_temperature_K, 1000.0);
+    params.lamp_temperature_K = 1500.0;
+    EXPECT_EQ(resolved(params).drawn.lamp_temperature_K, 1500.0);
+}
+
 // The neutral light is what there is without any of this, to the last bit.
 TEST(ResolvedLight, TheDefaultChangesNothing) {
     const ResolvedLight light = resolved({});
