@@ -88,11 +88,7 @@ LightVolume FrameLights::volumeAt(int trajectory_frame) const {
     result.cell_m = volume_.cell_m;
     result.cells = volume_.cells;
     result.dimmed = volume_.dimmed;
-    result.lamp_color = rig.lampLight();
-    result.own_color = rig.ownLampLight();
-    result.lamps_shine = rig.shineFactor(false);
-    result.outside_shines = rig.shineFactor(true);
-    result.backdrop_factor = rig.backdrop_factor;
+    setStrengths(rig, result);
     result.exposure = exposureAt(trajectory_frame);
     result.sun = balanced(rig, volume_).sun;
     const std::size_t count = volume_.ambient.size();
@@ -109,9 +105,7 @@ LightVolume FrameLights::volumeAt(int trajectory_frame) const {
     for (std::size_t i = 0; i < count; ++i) {
         const float mean = result.ambient[i].mean();
         if (mean <= 0.0F) continue;
-        result.slope[i] /= mean;
-        const float length = result.slope[i].norm();
-        if (length > kSteepest) result.slope[i] *= kSteepest / length;
+        result.slope[i] = limited(result.slope[i] / mean);
     }
     return result;
 }

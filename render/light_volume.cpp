@@ -3,6 +3,7 @@
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
+#include "render/light_cells.h"
 #include "render/pathtrace/sun_rays.h"
 
 #include <algorithm>
@@ -37,17 +38,20 @@ class Baker {
   public:
     Baker(const Scene& scene, const RayCaster& rays, const LightRig& rig,
           const LightVolumeParams& params)
-        : scene_(scene), rays_(rays), rig_(rig), neutral_(rig), params_(params) {
-        placeGrid();
-        const std::size_t count = cellCount();
+        : scene_(scene),
+          rays_(rays),
+          rig_(rig),
+          neutral_(rig),
+          params_(params),
+          cells_(scene.room_bounds, params.cell_m, params.max_cells) {
+        const std::size_t count = cells_.count();
+        volume_.low = cells_.low();
+        volume_.cell_m = cells_.size_m();
+        volume_.cells = cells_.along();
         volume_.ambient.assign(count, Eigen::Vector3f::Zero());
         volume_.slope.assign(count, Eigen::Vector3f::Zero());
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
-        volume_.lamp_color = rig.lampLight();
-        volume_.own_color = rig.ownLampLight();
-        volume_.lamps_shine = rig.shineFactor(false);
-        volume_.outside_shines = rig.shineFactor(true);
-        volume_.backdrop_factor = rig.backdrop_factor;
+        setStrengths(rig, volume_);
         // What the balance is made for, before anybody's wishes.
         neutral_.lamp_factor = neutral_.emission_factor = 1.0F;
         neutral_.sky_factor.setOnes();
@@ -56,7 +60,6 @@ class Baker {
             sunny_.assign(count * static_cast<std::size_t>(params.rays_per_cell), 0.0F);
         }
         bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
-        in_air_.assign(count, 1);
         sees_sky_.assign(count, 0);
         balanced_.assign(count, 0.0F);
         for (const bool outside : showsOutside(scene)) {
@@ -77,22 +80,22 @@ class Baker {
     }
 
     LightVolume bake(const JobContext& job) {
-        parallelRanges(cellCount(), 64, [&](std::size_t begin, std::size_t end) {
+        parallelRanges(cells_.count(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
         });
         if (job.cancelled()) return {};
-        linkCells();
+        cells_.link(rays_);
         leaveOutside();
-        closeHoles(volume_.lamps);
-        volume_.lamps = smoothed(volume_.lamps);
+        cells_.closeHoles(volume_.lamps);
+        volume_.lamps = cells_.smoothed(volume_.lamps);
         balance();
         addSun();
         gatherSent();
         if (!rig_.own_lamps.empty()) gatherOwnLamps();
         for (int i = 0; i < params_.bounces; ++i) {
             bounce();
-            closeHoles(volume_.ambient);
-            closeHoles(volume_.slope);
+            cells_.closeHoles(volume_.ambient);
+            cells_.closeHoles(volume_.slope);
         }
         smoothAmbient();
         joinOwnLamps();
@@ -101,42 +104,9 @@ class Baker {
     }
 
   private:
-    [[nodiscard]] std::size_t cellCount() const {
-        return static_cast<std::size_t>(volume_.cells[0]) * volume_.cells[1] * volume_.cells[2];
-    }
-
-    void placeGrid() {
-        Eigen::AlignedBox3d box = scene_.room_bounds;
-        if (box.isEmpty()) box.extend(Eigen::Vector3d::Zero());
-        const Eigen::Vector3d size = box.sizes().cwiseMax(0.1).cwiseMin(200.0);
-        volume_.cell_m = std::max(params_.cell_m, std::cbrt(size.prod() / params_.max_cells));
-        for (int axis = 0; axis < 3; ++axis) {
-            volume_.cells[axis] = static_cast<int>(std::ceil(size[axis] / volume_.cell_m)) + 1;
-            volume_.low[axis] = box.center()[axis] - 0.5 * volume_.cells[axis] * volume_.cell_m;
-        }
-    }
-
-    [[nodiscard]] Eigen::Vector3d center(std::size_t i) const {
-        const auto width = static_cast<std::size_t>(volume_.cells[0]);
-        const auto height = static_cast<std::size_t>(volume_.cells[1]);
-        const Eigen::Vector3d at(static_cast<double>(i % width),
-                                 static_cast<double>(i / width % height),
-                                 static_cast<double>(i / (width * height)));
-        return volume_.low + (at.array() + 0.5).matrix() * volume_.cell_m;
-    }
-
-    [[nodiscard]] std::size_t cellAt(const Eigen::Vector3d& point) const {
-        std::array<int, 3> at{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const double place = (point[axis] - volume_.low[axis]) / volume_.cell_m;
-            at[axis] = std::clamp(static_cast<int>(std::floor(place)), 0, volume_.cells[axis] - 1);
-        }
-        return volume_.index(at[0], at[1], at[2]);
-    }
-
     void gather(std::size_t i) {
         Random random(17, i);
-        const Eigen::Vector3d from = center(i);
+        const Eigen::Vector3d from = cells_.center(i);
         volume_.lamps[i] = lampsAt(from, random);
         turns_[i] =
             Eigen::AngleAxisf(static_cast<float>(random.uniform(0.0, 2.0 * std::numbers::pi)),
@@ -160,59 +130,20 @@ class Baker {
         // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
         sees_sky_[i] = escaped > 0 ? 1 : 0;
         const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
-        in_air_[i] = in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count) ? 0 : 1;
-    }
-
-    /// Along which axes nothing stands between a cell and the next one.
-    void linkCells() {
-        open_.assign(cellCount(), 0);
-        parallelRanges(open_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                for (unsigned axis = 0; axis < 3; ++axis) {
-                    const auto length = static_cast<std::size_t>(volume_.cells[axis]);
-                    if (i / step(axis) % length + 1 == length) continue;
-                    if (rays_.sees(center(i), center(i + step(axis)))) open_[i] |= 1U << axis;
-                }
-            }
-        });
-    }
-
-    /// From a cell to the next one along an axis.
-    [[nodiscard]] std::size_t step(unsigned axis) const {
-        std::size_t cells = 1;
-        for (unsigned k = 0; k < axis; ++k) cells *= static_cast<std::size_t>(volume_.cells[k]);
-        return cells;
-    }
-
-    /// Calls visit(j) for the cells next to i that nothing stands before.
-    template <class Visit>
-    void visitOpen(std::size_t i, Visit&& visit) const {
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            const std::size_t away = step(axis);
-            if ((open_[i] >> axis & 1U) != 0) visit(i + away);
-            if (i >= away && (open_[i - away] >> axis & 1U) != 0) visit(i - away);
-        }
+        if (in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count)) cells_.leaveAir(i);
     }
 
     /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
     /// a wall: the day there must not shine through where the wall is thinner than cells.
     void leaveOutside() {
-        std::vector<char> reached(cellCount(), 0);
-        std::vector<std::size_t> next;
-        const auto reach = [&](std::size_t i) {
-            if (std::exchange(reached[i], 1) == 0) next.push_back(i);
-        };
-        for (std::size_t i = 0; i < reached.size(); ++i) {
-            if (volume_.lamps[i].squaredNorm() > 0.0F) reach(i);
+        std::vector<std::size_t> lit;
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
+            if (volume_.lamps[i].squaredNorm() > 0.0F) lit.push_back(i);
         }
-        if (next.empty()) return;
-        while (!next.empty()) {
-            const std::size_t i = next.back();
-            next.pop_back();
-            visitOpen(i, reach);
-        }
+        if (lit.empty()) return;
+        const std::vector<char> reached = cells_.reachedFrom(lit);
         for (std::size_t i = 0; i < reached.size(); ++i) {
-            if (reached[i] == 0 && sees_sky_[i] != 0) in_air_[i] = 0;
+            if (reached[i] == 0 && sees_sky_[i] != 0) cells_.leaveAir(i);
         }
     }
 
@@ -250,18 +181,18 @@ class Baker {
     }
 
     void gatherOwnLamps() {
-        own_.assign(cellCount(), Eigen::Vector3f::Zero());
+        own_.assign(cells_.count(), Eigen::Vector3f::Zero());
         parallelRanges(own_.size(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Random random(18, i);
                 own_[i] = ownLampsAt(i, random);
             }
         });
-        closeHoles(own_);
+        cells_.closeHoles(own_);
     }
 
     [[nodiscard]] Eigen::Vector3f ownLampsAt(std::size_t i, Random& random) const {
-        const Eigen::Vector3d from = center(i);
+        const Eigen::Vector3d from = cells_.center(i);
         std::vector<std::pair<double, const OwnLamp*>> near;  // by what they would give unshaded
         for (const OwnLamp& lamp : rig_.own_lamps) {
             const double squared = (lamp.position - from).squaredNorm();
@@ -286,7 +217,7 @@ class Baker {
     /// cell beside one has the light that falls there. The place on the nearest surface that the
     /// lamp shines on, but its own; else the cell's middle.
     [[nodiscard]] Eigen::Vector3d litPlace(std::size_t i, const OwnLamp& lamp) const {
-        const Eigen::Vector3d from = center(i);
+        const Eigen::Vector3d from = cells_.center(i);
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         Eigen::Vector3d nearest = from;
         double least = 2.1 * volume_.cell_m;  // twice what look-ups are off, as cells interpolate
@@ -382,7 +313,7 @@ class Baker {
         wished.setConstant(shines_[static_cast<std::size_t>(hit.object_id) - 1]);
         result.sent = emission_[scene_.triangle_material[hit.triangle]];
         const Eigen::Vector3d at = from + way * hit.distance;
-        result.cell = cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
+        result.cell = cells_.cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
         return result;
     }
 
@@ -392,8 +323,8 @@ class Baker {
     void gatherSent() {
         constexpr int kPasses = 8;  // as wide as a cell and a half
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
-        sent_.resize(cellCount());
-        sent_aside_.resize(cellCount());
+        sent_.resize(cells_.count());
+        sent_aside_.resize(cells_.count());
         parallelRanges(sent_.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -408,33 +339,14 @@ class Baker {
             }
         });
         for (int pass = 0; pass < kPasses; ++pass) {
-            sent_ = shared(sent_);
-            sent_aside_ = shared(sent_aside_);
+            sent_ = cells_.shared(sent_);
+            sent_aside_ = cells_.shared(sent_aside_);
         }
     }
 
-    /// The mean of each cell of the air and those open to it.
-    [[nodiscard]] std::vector<Eigen::Vector3f> shared(
-        const std::vector<Eigen::Vector3f>& values) const {
-        std::vector<Eigen::Vector3f> result = values;
-        parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                if (in_air_[i] == 0) continue;
-                float cells = 1.0F;
-                visitOpen(i, [&](std::size_t j) {
-                    if (in_air_[j] == 0) return;
-                    result[i] += values[j];
-                    ++cells;
-                });
-                result[i] /= cells;
-            }
-        });
-        return result;
-    }
-
     void bounce() {
-        std::vector<Eigen::Vector3f> next(cellCount());
-        std::vector<Eigen::Vector3f> slope(cellCount(), Eigen::Vector3f::Zero());
+        std::vector<Eigen::Vector3f> next(cells_.count());
+        std::vector<Eigen::Vector3f> slope(cells_.count(), Eigen::Vector3f::Zero());
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         const Eigen::Vector3f lamp_light = rig_.lampLight();
         const Eigen::Vector3f own_light = rig_.ownLampLight();
@@ -480,85 +392,19 @@ class Baker {
     }
 
     void smoothAmbient() {
-        std::vector<Eigen::Vector3f> aside(cellCount());
+        std::vector<Eigen::Vector3f> aside(cells_.count());
         for (std::size_t i = 0; i < aside.size(); ++i) {
             aside[i] = volume_.slope[i] * volume_.ambient[i].mean();
         }
-        volume_.ambient = smoothed(volume_.ambient);
-        aside = smoothed(aside);
+        volume_.ambient = cells_.smoothed(volume_.ambient);
+        aside = cells_.smoothed(aside);
         for (std::size_t i = 0; i < aside.size(); ++i) {
             const float mean = volume_.ambient[i].mean();
             volume_.slope[i].setZero();
             if (mean <= 0.0F) continue;
             volume_.slope[i] = aside[i] / mean;
-            const float length = volume_.slope[i].norm();
-            if (params_.limit_slopes && length > kSteepest) volume_.slope[i] *= kSteepest / length;
+            if (params_.limit_slopes) volume_.slope[i] = limited(volume_.slope[i]);
         }
-    }
-
-    /// Calls add(j, steps) for the 27 cells around i, itself included.
-    template <class Add>
-    void visitAround(std::size_t i, Add&& add) const {
-        const int width = volume_.cells[0];
-        const int height = volume_.cells[1];
-        const int x = static_cast<int>(i % static_cast<std::size_t>(width));
-        const int y = static_cast<int>(i / static_cast<std::size_t>(width) % height);
-        const int z = static_cast<int>(i / (static_cast<std::size_t>(width) * height));
-        for (int k = std::max(z - 1, 0); k <= std::min(z + 1, volume_.cells[2] - 1); ++k) {
-            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
-                for (int h = std::max(x - 1, 0); h <= std::min(x + 1, width - 1); ++h) {
-                    const int steps = std::abs(h - x) + std::abs(j - y) + std::abs(k - z);
-                    add(volume_.index(h, j, k), steps);
-                }
-            }
-        }
-    }
-
-    /// Gives cells outside the air the light of the air next to them, layer by layer.
-    void closeHoles(std::vector<Eigen::Vector3f>& values) const {
-        std::vector<char> known = in_air_;
-        for (int layer = 0; layer < 3; ++layer) {
-            const std::vector<char> before = known;
-            std::vector<Eigen::Vector3f> next = values;
-            parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    if (before[i] != 0) continue;
-                    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-                    float weights = 0.0F;
-                    visitAround(i, [&](std::size_t j, int steps) {
-                        if (before[j] == 0) return;
-                        const float weight = 1.0F / static_cast<float>(1 + steps * steps);
-                        sum += weight * values[j];
-                        weights += weight;
-                    });
-                    if (weights == 0.0F) continue;
-                    next[i] = sum / weights;
-                    known[i] = 1;
-                }
-            });
-            values = std::move(next);
-        }
-    }
-
-    /// Averages the chance of the rays out of neighbouring cells.
-    [[nodiscard]] std::vector<Eigen::Vector3f> smoothed(
-        const std::vector<Eigen::Vector3f>& values) const {
-        std::vector<Eigen::Vector3f> result(values.size());
-        parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-                float weights = 0.0F;
-                visitAround(i, [&](std::size_t j, int steps) {
-                    // Light does not cross from the air into a closed hole and back.
-                    if (in_air_[j] == 0 && in_air_[i] != 0) return;
-                    const float weight = steps == 0 ? 8.0F : 4.0F / static_cast<float>(1U << steps);
-                    sum += weight * values[j];
-                    weights += weight;
-                });
-                result[i] = sum / weights;
-            }
-        });
-        return result;
     }
 
     static float median(std::vector<float> values) {
@@ -574,9 +420,9 @@ class Baker {
         const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         std::vector<float> lamps;
         std::vector<float> others;
-        for (std::size_t i = 0; i < cellCount(); ++i) {
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
             const float lamp = volume_.lamps[i].norm();
-            if (lamp == 0.0F || in_air_[i] == 0) continue;
+            if (lamp == 0.0F || !cells_.inAir(i)) continue;
             lamps.push_back(lamp);
             others.push_back(balanced_[i] * kPi / static_cast<float>(count));
         }
@@ -600,7 +446,7 @@ class Baker {
     /// From what the lit cells receive: dark solids and the outside must not decide.
     void expose() {
         std::vector<float> levels;
-        for (std::size_t i = 0; i < cellCount(); ++i) {
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
             const float lamp = volume_.lamps[i].norm();
             if (lamp > 0.0F) {
                 levels.push_back(volume_.ambient[i].mean() + 0.6F * lamp * rig_.lamp_factor);
@@ -619,6 +465,7 @@ class Baker {
     const LightRig& rig_;
     LightRig neutral_;
     const LightVolumeParams& params_;
+    LightCells cells_;
     std::optional<TracedSurface> surface_;
     std::optional<SunRays> sun_rays_;  // where there is a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
@@ -627,9 +474,7 @@ class Baker {
     std::vector<Bounce> bounces_;
     std::vector<float> balanced_;              // by cell, what its rays find that sends light
     std::vector<float> shines_;                // by object's id - 1, times its emission
-    std::vector<char> in_air_;                 // by cell
     std::vector<char> sees_sky_;               // by cell
-    std::vector<std::uint8_t> open_;           // by cell, see linkCells(); a bit an axis
     std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
     std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
     std::vector<Eigen::Vector3f> spiral_;      // the ways of a cell's rays, before they are turned
@@ -639,6 +484,20 @@ class Baker {
 };
 
 }  // namespace
+
+Eigen::Vector3f limited(const Eigen::Vector3f& slope) {
+    constexpr float kSteepest = 0.75F;
+    const float length = slope.norm();
+    return length > kSteepest ? Eigen::Vector3f(slope * (kSteepest / length)) : slope;
+}
+
+void setStrengths(const LightRig& rig, LightVolume& volume) {
+    volume.lamp_color = rig.lampLight();
+    volume.own_color = rig.ownLampLight();
+    volume.lamps_shine = rig.shineFactor(false);
+    volume.outside_shines = rig.shineFactor(true);
+    volume.backdrop_factor = rig.backdrop_factor;
+}
 
 LightRig balanced(LightRig rig, const LightVolume& volume) {
     rig.sky_strength *= volume.dimmed;

@@ -18,12 +18,8 @@ struct LightVolumeParams {
     int max_cells = 60'000;  // bounds time and memory
     int rays_per_cell = 32;
     int bounces = 12;          // cheap; white rooms still gain by the tenth
-    bool limit_slopes = true;  // to kSteepest; not of a part of a light, as the others dilute it
+    bool limit_slopes = true;  // see limited(); not of a part of a light, as the others dilute it
 };
-
-/// The longest slope. Light from one half of the world has 1; in cells half outside a window, thin
-/// things would have black sides with it.
-constexpr float kSteepest = 0.75F;
 
 /// Light in the air of a scene on a regular grid, x fastest: what the lamps send, with soft
 /// shadows, and what surfaces, windows and emitting things send from all around, in spherical
@@ -52,6 +48,13 @@ struct LightVolume {
         return (static_cast<std::size_t>(z) * cells[1] + y) * cells[0] + x;
     }
 };
+
+/// No longer than 0.75. Light from one half of the world has a slope of 1; in cells half outside a
+/// window, thin things would have black sides with it.
+[[nodiscard]] Eigen::Vector3f limited(const Eigen::Vector3f& slope);
+
+/// How strong the rig's lights are, of what is not in the cells.
+void setStrengths(const LightRig& rig, LightVolume& volume);
 
 /// The rig as the volume was lit by: files give emission in any unit, and a house without a roof
 /// would be all cool daylight, so both are dimmed where they would drown the lamps.
