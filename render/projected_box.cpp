@@ -23,16 +23,19 @@ PixelRect projectBox(const Eigen::AlignedBox3f& box, const View& view, const Pix
             clip(std::ceil(covered.max().y()) + 1, limits.y0, limits.y1)};
 }
 
-View cutOut(const View& view, const PixelRect& rect) {
+View cutOut(const View& view, const PixelRect& rect, int step) {
     View part;
     part.pose = view.pose;
     part.near_m = view.near_m;
     part.orthographic = view.orthographic;
+    if (part.orthographic) part.orthographic->px_per_m /= step;
     part.intrinsics = view.intrinsics;
-    part.intrinsics.width = rect.width();
-    part.intrinsics.height = rect.height();
-    part.intrinsics.cx -= rect.x0;
-    part.intrinsics.cy -= rect.y0;
+    part.intrinsics.width = rect.width() / step;
+    part.intrinsics.height = rect.height() / step;
+    part.intrinsics.fx /= step;
+    part.intrinsics.fy /= step;
+    part.intrinsics.cx = (part.intrinsics.cx - rect.x0) / step;
+    part.intrinsics.cy = (part.intrinsics.cy - rect.y0) / step;
     return part;
 }
 

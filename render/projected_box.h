@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
+
 namespace dollytrack::render {
 
 /// Pixels, first included, last not.
@@ -14,6 +16,7 @@ struct PixelRect {
     int y1 = 0;
     [[nodiscard]] int width() const { return x1 - x0; }
     [[nodiscard]] int height() const { return y1 - y0; }
+    [[nodiscard]] std::int64_t area() const { return std::int64_t{width()} * height(); }
 };
 
 /// The pixels a box covers, cut at `limits`; all of them when it reaches behind the near plane.
@@ -21,6 +24,7 @@ struct PixelRect {
                                    const PixelRect& limits);
 
 /// A part of the view's image as a view of its own: the same rays through the same pixels.
-[[nodiscard]] View cutOut(const View& view, const PixelRect& rect);
+/// @param step  one row and column in the place of so many; divides the rectangle's sides
+[[nodiscard]] View cutOut(const View& view, const PixelRect& rect, int step = 1);
 
 }  // namespace dollytrack::render

@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "render/gl/handle.h"
 #include "render/gpu_scene.h"
+#include "render/projected_box.h"
 #include "render/view.h"
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace dollytrack::render {
 
-/// Counts the pixels that objects would cover if each stood alone before an unbounded image.
+/// Counts the pixels that objects would cover if each stood alone before an unbounded image. Of an
+/// object that may cover many times the image, one pixel in sixteen is counted outside of it.
 class SilhouetteCounter {
   public:
     SilhouetteCounter() = default;
@@ -37,11 +39,25 @@ class SilhouetteCounter {
         double nextLevel();
     };
 
+    /// Queries that make up the count of an object; -1: none.
+    struct Asked {
+        int pixels = -1;
+        int sixteenths = -1;
+        int sixteenths_inside = -1;  // where `pixels` has the image
+    };
+
+    Asked ask(const View& view, const Piece& piece, const PixelRect& rect, const PixelRect& limits);
+    /// @return the query of what the part of the view, or a rectangle in it, shows of the piece
+    int count(const View& part, const Piece& piece, Canvas& canvas,
+              const PixelRect* rect = nullptr);
+    [[nodiscard]] std::uint64_t resultOf(int query) const;
+
     gl::Program program_;
     Canvas small_;  // for silhouettes no larger than the image: nearly all
     Canvas large_;
     std::vector<gl::Query> queries_;  // reused
-    std::vector<int> asked_;          // query of each id, -1: nothing to draw
+    int next_query_ = 0;
+    std::vector<Asked> asked_;  // of each id
 };
 
 }  // namespace dollytrack::render

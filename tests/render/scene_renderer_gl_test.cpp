@@ -247,6 +247,33 @@ TEST_F(SceneRendererGl, SilhouettesReachBeyondTheImage) {
     EXPECT_EQ(whole[0], whole[3]);
 }
 
+// Far more of a floor than its image shows: within two thousandths of what similar triangles say.
+// The part inside is that of the labels, pixel for pixel: a floor that ends there is counted to the
+// pixel.
+TEST_F(SceneRendererGl, SilhouettesOfManyImagesAreCountedInPart) {
+    SceneBuilder builder;
+    builder.object("inside").quad({1, -0.3, -0.2}, {0, 0.6, 0}, {0, 0, 0.4});
+    builder.quad({-1, -1, -1}, {0, 2, 0}, {0, 0, 2});  // behind: its box is beyond all limits
+    builder.object("huge").quad({2, -6.0, -0.8}, {0, 6.2, 0}, {0, 0, 4.8});
+    builder.quad({-1, -1, -1}, {0, 2, 0}, {0, 0, 2});
+    const Scene scene = builder.build();
+    const CameraParams camera;
+    auto renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
+    view.intrinsics.width -= 3;  // no whole number of steps
+    view.intrinsics.height -= 1;
+    const std::vector<int> ids = {1, 2};
+    ASSERT_TRUE(renderer->scene().startSilhouettes(view, ids));
+    const std::vector<std::uint64_t> whole = renderer->scene().finishSilhouettes();
+    const double fx = view.intrinsics.fx;
+    const auto frame = renderer->render(makeView(camera, view.pose));
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(static_cast<std::ptrdiff_t>(whole[0]),
+              std::count(frame->instance.begin(), frame->instance.end(), 1));
+    EXPECT_NEAR(static_cast<double>(whole[1]), 3.1 * fx * 2.4 * fx, 0.002 * 3.1 * fx * 2.4 * fx);
+}
+
 // Overlapping layers of one object count once.
 TEST_F(SceneRendererGl, SilhouettesCountEachPixelOnce) {
     SceneBuilder builder;
