@@ -47,7 +47,7 @@ std::string toText(const ScoreWeights& score) {
 }
 
 /// Rises when the same scene is lit otherwise: frames of both do not belong into one dataset.
-constexpr int kLight = 4;
+constexpr int kLight = 5;
 
 std::string pictureText(const PictureParams& picture) {
     return picture.render_mode == RenderMode::Fast

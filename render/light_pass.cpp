@@ -15,8 +15,10 @@ namespace {
 constexpr unsigned kLooks = 1;
 constexpr unsigned kSensor = 2;
 constexpr unsigned kSun = 4;
+constexpr unsigned kAlike = 8;
 
-constexpr unsigned kMaps = 1;  // of occlusion.frag
+constexpr unsigned kMaps = 1;  // of occlusion.frag; kLooks is 2 there
+constexpr unsigned kFirstLook = 2;
 
 constexpr int kSkySteps = 4096;  // from straight down to straight up
 
@@ -68,8 +70,8 @@ gl::Texture uploadSky(const Eigen::Vector3f& factor) {
 
 LightPass::LightPass()
     : no_vertices_(gl::createVertexArray()),
-      lighting_("picture.vert", "light.frag", {"LOOKS", "SENSOR", "SUN"}),
-      occlusion_("picture.vert", "occlusion.frag", {"MAPS"}),
+      lighting_("picture.vert", "light.frag", {"LOOKS", "SENSOR", "SUN", "ALIKE"}),
+      occlusion_("picture.vert", "occlusion.frag", {"MAPS", "LOOKS"}),
       soften_("picture.vert", "soften.frag", {}),
       edges_("picture.vert", "smooth_edges.frag", {}),
       encode_("picture.vert", "encode.frag", {}) {}
@@ -112,12 +114,15 @@ unsigned LightPass::lightProgram(unsigned kind) const {
 }
 
 Status LightPass::prepare(const GpuScene& scene) {
-    for (const unsigned kind : {0U, kLooks, kSensor}) {
+    for (const unsigned kind : {0U, kLooks, kLooks | kAlike, kSensor}) {
         if (Status status = lighting_.link(kind | (sun_shadow_ ? kSun : 0U)); !status) {
             return status;
         }
     }
-    if (Status status = occlusion_.link(scene.has_maps ? kMaps : 0U); !status) return status;
+    const unsigned maps = scene.has_maps ? kMaps : 0U;
+    for (const unsigned words : {maps, maps | kFirstLook}) {
+        if (Status status = occlusion_.link(words); !status) return status;
+    }
     for (gl::ProgramVariants* program : {&soften_, &edges_, &encode_}) {
         if (Status status = program->link(0); !status) return status;
     }
@@ -135,11 +140,23 @@ void LightPass::draw(const gl::Framebuffer& frame, int width, int height, unsign
 }
 
 void LightPass::drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target) {
-    const int width = (target.width() + 1) / 2;
-    const int height = (target.height() + 1) / 2;
-    const unsigned occlusion = occlusion_.get(scene.has_maps ? kMaps : 0U);
     glBindTextureUnit(1, target.normal_.get());
     glBindTextureUnit(2, target.surface_.get());
+    drawOcclusion(view, occlusion_.get(scene.has_maps ? kMaps : 0U), target);
+}
+
+void LightPass::drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
+                              RenderTarget& target) {
+    const unsigned program = occlusion_.get((scene.has_maps ? kMaps : 0U) | kFirstLook);
+    glBindTextureUnit(1, looks.normal_.get());
+    glBindTextureUnit(2, looks.depth_.get());
+    setDepthSpan(program, 4, view);
+    drawOcclusion(view, program, target);
+}
+
+void LightPass::drawOcclusion(const View& view, unsigned occlusion, RenderTarget& target) {
+    const int width = (target.width() + 1) / 2;
+    const int height = (target.height() + 1) / 2;
     setRotation(occlusion, 0, cameraFromWorld(view));
     setUnproject(occlusion, 1, view);
     const double scale = view.orthographic ? view.orthographic->px_per_m : view.intrinsics.fx;
@@ -173,6 +190,8 @@ void LightPass::setLightOf(const View& view, float shine, unsigned program, Rend
     }
     glProgramUniform4fv(program, 8, 1, backdrop.data());
     glProgramUniform1i(program, 9, view.orthographic ? 1 : 0);
+    glProgramUniform2f(program, 17, static_cast<float>(target.width()),
+                       static_cast<float>(target.height()));
     glProgramUniform1f(program, 10,
                        std::numbers::pi_v<float> * light_.exposure * light_.dimmed * shine);
     glProgramUniform3fv(program, 24, 1, light_.own_color.data());
@@ -199,11 +218,30 @@ void LightPass::drawSum(RenderTarget& target, unsigned program) {
     glBindTextureUnit(0, 0);
 }
 
-void LightPass::addLook(const View& view, float shine, float share, RenderTarget& target) {
-    const unsigned program = lightProgram(kLooks);
-    setLightOf(view, shine, program, target);
-    glProgramUniform1f(program, 11, share);
-    drawSum(target, program);
+void LightPass::addLooks(const View& view, float shine, float share, const LookImages& looks,
+                         RenderTarget& target) {
+    std::array<float, 2 * LookImages::kLooks> aside{};
+    for (std::size_t i = 0; i < LookImages::kLooks; ++i) {
+        aside[2 * i] = static_cast<float>(looks.offsets()[i].x());
+        aside[2 * i + 1] = static_cast<float>(looks.offsets()[i].y());
+    }
+    // What is lit once marks its pixels in the depth buffer; the others are those without a mark.
+    const float no_mark = 0.0F;
+    glClearNamedFramebufferfv(target.sum_frame_.get(), GL_DEPTH, 0, &no_mark);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    for (const unsigned kind : {kLooks | kAlike, kLooks}) {
+        const unsigned program = lightProgram(kind);
+        setLightOf(view, shine, program, target);
+        glProgramUniform1f(program, 11, share);
+        glProgramUniform2fv(program, 25, LookImages::kLooks, aside.data());
+        setDepthSpan(program, 12, view);
+        glBindTextureUnit(0, looks.color_.get());
+        glBindTextureUnit(1, looks.normal_.get());
+        glBindTextureUnit(2, looks.depth_.get());
+        drawSum(target, program);
+    }
+    glDisable(GL_DEPTH_TEST);
 }
 
 void LightPass::addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target) {

@@ -5,6 +5,7 @@
 #include "render/gl/program_variants.h"
 #include "render/light_sum.h"
 #include "render/light_volume.h"
+#include "render/look_images.h"
 #include "render/render_target.h"
 #include "render/sun_shadow.h"
 #include "render/view.h"
@@ -31,11 +32,16 @@ class LightPass {
 
     /// What of the light around reaches corners, of the surfaces in the target.
     void drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target);
+    /// The same of the surfaces that the first of several looks sees.
+    void drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
+                       RenderTarget& target);
 
     // The surfaces in the target lit; `shine` is what emission in it is a share of.
     void drawPicture(const View& view, float shine, RenderTarget& target);
-    /// Added to the target's sum, with this share of it.
-    void addLook(const View& view, float shine, float share, RenderTarget& target);
+    /// What several looks see, added to the target's sum, each with this share of it. Where all see
+    /// the same, it is lit once.
+    void addLooks(const View& view, float shine, float share, const LookImages& looks,
+                  RenderTarget& target);
     /// Added to it as light before the tone curve, see LightSum.
     void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);
 
@@ -46,6 +52,7 @@ class LightPass {
 
   private:
     void keep(const LightVolume& light);
+    void drawOcclusion(const View& view, unsigned program, RenderTarget& target);
     [[nodiscard]] unsigned lightProgram(unsigned kind) const;
     void setLightOf(const View& view, float shine, unsigned program, RenderTarget& target);
     void draw(const gl::Framebuffer& frame, int width, int height, unsigned program) const;

@@ -1,6 +1,7 @@
 #include "render/render_target.h"
 
 #include "render/gl/context.h"
+#include "render/gl/image.h"
 
 #include <GL/glew.h>
 
@@ -9,16 +10,6 @@
 
 namespace dollytrack::render {
 namespace {
-
-gl::Texture makeImage(unsigned format, int width, int height, unsigned filter = GL_NEAREST) {
-    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(texture.get(), 1, format, width, height);
-    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
-    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
-    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
 
 gl::Framebuffer frameOver(const gl::Texture& texture) {
     gl::Framebuffer frame = gl::createFramebuffer();
@@ -42,16 +33,16 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     target.height_ = height;
     const int half_width = (width + 1) / 2;
     const int half_height = (height + 1) / 2;
-    target.color_ = makeImage(GL_RGBA8, width, height);
-    target.normal_ = makeImage(GL_RGBA16_SNORM, width, height);
-    target.surface_ = makeImage(GL_R32F, width, height);
-    target.depth_ = makeImage(GL_R32F, width, height);
-    target.ids_ = makeImage(GL_R16UI, width, height);
-    target.z_buffer_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
-    target.occlusion_ = makeImage(GL_RG32F, half_width, half_height);
-    target.soft_occlusion_ = makeImage(GL_R8, half_width, half_height, GL_LINEAR);
-    target.lit_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
-    target.picture_ = makeImage(GL_RGBA8, width, height, GL_LINEAR);
+    target.color_ = gl::createImage(GL_RGBA8, width, height);
+    target.normal_ = gl::createImage(GL_RGBA16_SNORM, width, height);
+    target.surface_ = gl::createImage(GL_R32F, width, height);
+    target.depth_ = gl::createImage(GL_R32F, width, height);
+    target.ids_ = gl::createImage(GL_R16UI, width, height);
+    target.z_buffer_ = gl::createImage(GL_DEPTH_COMPONENT32F, width, height);
+    target.occlusion_ = gl::createImage(GL_RG32F, half_width, half_height);
+    target.soft_occlusion_ = gl::createImage(GL_R8, half_width, half_height, true);
+    target.lit_ = gl::createImage(GL_RGBA8, width, height, true);
+    target.picture_ = gl::createImage(GL_RGBA8, width, height, true);
 
     target.surfaces_frame_ = gl::createFramebuffer();
     const unsigned frame = target.surfaces_frame_.get();
@@ -94,8 +85,9 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
 
 void RenderTarget::makeSum() {
     if (sum_.get() != 0) return;
-    sum_ = makeImage(GL_RGBA32F, width_, height_);
+    sum_ = gl::createImage(GL_RGBA32F, width_, height_);
     sum_frame_ = frameOver(sum_);
+    glNamedFramebufferTexture(sum_frame_.get(), GL_DEPTH_ATTACHMENT, z_buffer_.get(), 0);
 }
 
 void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {

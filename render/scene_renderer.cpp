@@ -3,6 +3,7 @@
 #include "render/gl/context.h"
 #include "render/gpu_scene.h"
 #include "render/light_pass.h"
+#include "render/look_images.h"
 #include "render/silhouette_counter.h"
 #include "render/surface_pass.h"
 #include "render/view_uniforms.h"
@@ -16,16 +17,23 @@
 namespace dollytrack::render {
 namespace {
 
-/// Where in a pixel its colour is looked at, px from its middle: the sample positions of Direct3D
-/// 11. Their mean is the middle, so that pictures and labels lie on each other.
-std::vector<Eigen::Vector2d> looksOf(Antialias antialias) {
-    std::vector<Eigen::Vector2d> sixteenths;
-    if (antialias == Antialias::Samples4) sixteenths = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
-    if (antialias == Antialias::Samples8) {
-        sixteenths = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
-    }
-    for (Eigen::Vector2d& look : sixteenths) look /= 16.0;
-    return sixteenths;
+/// By how much the picture is shifted, px, each time that four looks at every pixel are drawn.
+/// Those of the second time stand between those of the first.
+std::span<const Eigen::Vector2d> shiftsOf(Antialias antialias) {
+    static const std::array<Eigen::Vector2d, 1> once = {Eigen::Vector2d::Zero()};
+    static const std::array<Eigen::Vector2d, 2> twice = {Eigen::Vector2d(1, -1) / 16.0,
+                                                         Eigen::Vector2d(-1, 1) / 16.0};
+    if (antialias == Antialias::Samples4) return once;
+    if (antialias == Antialias::Samples8) return twice;
+    return {};
+}
+
+/// What is seen through a place beside the pixels' middles.
+View shiftedBy(const Eigen::Vector2d& offset, const View& view) {
+    View moved = view;
+    moved.intrinsics.cx -= offset.x();
+    moved.intrinsics.cy -= offset.y();
+    return moved;
 }
 
 }  // namespace
@@ -34,6 +42,7 @@ struct SceneRenderer::Impl {
     GpuScene scene;
     SurfacePass surfaces;
     LightPass light;
+    LookImages looks;
     SilhouetteCounter silhouettes;
     WholeMaskDrawer whole_masks;
     std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
@@ -62,19 +71,19 @@ struct SceneRenderer::Impl {
     }
 
     /// The mean of several looks.
-    void drawLooks(const View& view, const std::vector<Eigen::Vector2d>& looks,
+    void drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
                    RenderTarget& target) {
         const std::array<float, 4> zero{};
         target.makeSum();
         glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
-        View moved = view;
-        for (std::size_t i = 0; i < looks.size(); ++i) {
-            moved.intrinsics.cx = view.intrinsics.cx - looks[i].x();
-            moved.intrinsics.cy = view.intrinsics.cy - looks[i].y();
-            surfaces.drawLook(scene, moved, target);
+        looks.resize(target.width(), target.height());
+        const float share = 1.0F / static_cast<float>(LookImages::kLooks * shifts.size());
+        for (std::size_t i = 0; i < shifts.size(); ++i) {
+            const View shifted = shiftedBy(shifts[i], view);
+            surfaces.drawLooks(scene, shifted, looks);
             // It is soft: that of one look is good for all.
-            if (i == 0) light.drawOcclusion(scene, moved, target);
-            light.addLook(moved, surfaces.shine(), 1.0F / static_cast<float>(looks.size()), target);
+            if (i == 0) light.drawOcclusion(scene, shifted, looks, target);
+            light.addLooks(shifted, surfaces.shine(), share, looks, target);
         }
         light.encodeSum(target);
     }
@@ -121,6 +130,7 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     auto impl = std::make_unique<Impl>(Impl{std::move(*uploaded),
                                             std::move(*surfaces),
                                             {},
+                                            {},
                                             std::move(*silhouettes),
                                             std::move(*whole_masks),
                                             {}});
@@ -144,8 +154,8 @@ void SceneRenderer::changeLight(const LightVolume& light) {
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
     if (Status status = impl_->prepare(view); !status) return status;
-    if (const auto looks = looksOf(view.antialias); !looks.empty()) {
-        impl_->drawLooks(view, looks, target);
+    if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
+        impl_->drawLooks(view, shifts, target);
         impl_->drawLabels(view, target, surfaces);
     } else {
         impl_->drawPicture(view, surfaces == nullptr, target);

@@ -134,6 +134,15 @@ void SurfacePass::drawLook(const GpuScene& scene, const View& view, RenderTarget
     glDisable(GL_DEPTH_TEST);
 }
 
+void SurfacePass::drawLooks(const GpuScene& scene, const View& view, const LookImages& images) {
+    begin(scene, images.frame_, view.intrinsics.width, view.intrinsics.height, {0, 1});
+    glMinSampleShading(1.0F);
+    const std::vector<bool> visible = objectsInView(scene, view);
+    drawOpaque(scene, view, visible, Use::Picture);
+    tintByGlass(scene, view, visible);
+    glDisable(GL_DEPTH_TEST);
+}
+
 /// Every sheet of glass before the first thing that is none tints the colour behind it.
 void SurfacePass::tintByGlass(const GpuScene& scene, const View& view,
                               const std::vector<bool>& visible) {
@@ -189,8 +198,11 @@ void SurfacePass::drawOpaque(const GpuScene& scene, const View& view,
         if (batch.surface == Surface::Glass) continue;
         const unsigned program = surface_.get(wordsOf(view) | wordsOf(batch, picture));
         bindSurface(batch, program, use);
+        // Holes end within pixels: each of several looks sees for itself.
+        if (batch.surface == Surface::CutOut) glEnable(GL_SAMPLE_SHADING);
         if (picture && batch.maps) bindMaps(*batch.maps, program);
         drawShapes(batch, view, visible, program);
+        glDisable(GL_SAMPLE_SHADING);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "render/glass_order.h"
 #include "render/gpu_scene.h"
 #include "render/light_volume.h"
+#include "render/look_images.h"
 #include "render/render_target.h"
 #include "render/surface_target.h"
 #include "render/view.h"
@@ -33,8 +34,9 @@ class SurfacePass {
 
     /// Everything that lighting needs to know, and labels.
     void drawSurfaces(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// The same without labels.
+    /// The same without labels: the first look of a target, or another of these images.
     void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
+    void drawLooks(const GpuScene& scene, const View& view, const LookImages& images);
     /// What drawSurfaces puts into the images of labels alone.
     void drawLabels(const GpuScene& scene, const View& view, RenderTarget& target);
     /// The same and, of what is labelled, colours without the light's changes and normals without

@@ -1,6 +1,7 @@
 #include "render/surface_target.h"
 
 #include "render/gl/context.h"
+#include "render/gl/image.h"
 #include "render/render_target.h"
 
 #include <GL/glew.h>
@@ -10,12 +11,6 @@
 
 namespace dollytrack::render {
 namespace {
-
-gl::Texture makeImage(unsigned format, int width, int height) {
-    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(texture.get(), 1, format, width, height);
-    return texture;
-}
 
 /// From the square root of a linear share to sRGB.
 std::array<std::uint8_t, 256> makeSrgbTable() {
@@ -36,9 +31,9 @@ Result<SurfaceTarget> SurfaceTarget::create(const RenderTarget& labels) {
     SurfaceTarget target;
     const int width = target.width_ = labels.width();
     const int height = target.height_ = labels.height();
-    target.color_ = makeImage(GL_RGBA8, width, height);
-    target.normal_ = makeImage(GL_RGBA16_SNORM, width, height);
-    target.z_buffer_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
+    target.color_ = gl::createImage(GL_RGBA8, width, height);
+    target.normal_ = gl::createImage(GL_RGBA16_SNORM, width, height);
+    target.z_buffer_ = gl::createImage(GL_DEPTH_COMPONENT32F, width, height);
     target.frame_ = gl::createFramebuffer();
     const unsigned frame = target.frame_.get();
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, target.color_.get(), 0);

@@ -25,7 +25,11 @@ void setCamera(unsigned program, const View& view) {
                        static_cast<float>(2.0 * fy / lens.height),
                        static_cast<float>(2.0 * lens.cx / lens.width - 1.0),
                        static_cast<float>(2.0 * lens.cy / lens.height - 1.0));
-    glProgramUniform2f(program, 3, static_cast<float>(view.near_m),
+    setDepthSpan(program, 3, view);
+}
+
+void setDepthSpan(unsigned program, int location, const View& view) {
+    glProgramUniform2f(program, location, static_cast<float>(view.near_m),
                        static_cast<float>(view.orthographic ? view.orthographic->depth_m : 0.0));
 }
 

@@ -13,6 +13,9 @@ namespace dollytrack::render {
 
 /// Sets uniforms 0..3 of surface.vert and silhouette.vert.
 void setCamera(unsigned program, const View& view);
+
+/// Sets the uniform that tells planar depths from the depth buffer, see surface.vert.
+void setDepthSpan(unsigned program, int location, const View& view);
 void setRotation(unsigned program, int location, const Eigen::Matrix3f& rotation);
 /// Pixel position to a ray with z = 1: scale and offset of x and y. In an orthographic view: to
 /// x and y themselves, m.

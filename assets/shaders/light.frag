@@ -1,5 +1,5 @@
 #version 450 core
-// Lights the surface buffer. Light comes from the baked volume: the light of the lamps, with its
+// Lights surface buffers. Light comes from the baked volume: the light of the lamps, with its
 // direction and soft shadows, and the light that the room's surfaces throw back. Where nothing is
 // hit it is worked out, too, and left: on the processor branches save nothing.
 
@@ -14,9 +14,13 @@ layout(location = 7) uniform vec3 lamp_color;
 layout(location = 8) uniform vec4 backdrop;      // linear, where nothing is hit; a = 0: the sky
 layout(location = 9) uniform int orthographic;
 layout(location = 10) uniform float glow;        // of emission, for one unit
+layout(location = 17) uniform vec2 image_size;   // px
 
-#ifdef LOOKS
-layout(location = 11) uniform float share;       // of one of several looks in their mean
+#ifdef LOOKS  // several looks at each pixel, as light
+const int kLooks = 4;
+layout(location = 11) uniform float share;          // of each in the mean
+layout(location = 25) uniform vec2 offset[kLooks];  // from the pixel's middle, px
+layout(location = 12) uniform vec2 depth_span;      // see surface.vert
 #endif
 
 #ifdef SENSOR  // light before the tone curve is added up
@@ -61,9 +65,15 @@ float sunAt(vec3 p, vec3 n, float slant) {
 }
 #endif
 
+#ifdef LOOKS
+layout(binding = 0) uniform sampler2DMS colors;
+layout(binding = 1) uniform sampler2DMS normals;
+layout(binding = 2) uniform sampler2DMS depths;
+#else
 layout(binding = 0) uniform sampler2D colors;
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
+#endif
 layout(binding = 3) uniform sampler2D occlusion;
 layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
 layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps; a: own share
@@ -111,20 +121,59 @@ vec3 encode(vec3 linear) {
 }
 #endif
 
-void main() {
+// What a look sees.
+struct Seen {
+    vec3 albedo;
+    float special;  // metallic or emission
+    vec3 normal;
+    float roughness;
+    float z;  // 0: nothing
+};
+
+#ifdef LOOKS
+// Planar depth of what has this value in the depth buffer, m.
+float planarDepth(float depth) {
+    float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - depth) * depth_span.y
+                                 : depth_span.x / depth;
+    return depth > 0.0 ? z : 0.0;
+}
+#endif
+
+// @param look  of several; otherwise there is one
+Seen seenBy(int look) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float z = texelFetch(surface, pixel, 0).r;
-    vec2 aside = gl_FragCoord.xy * unproject.xy + unproject.zw;
-    vec3 ray = world_from_camera * (orthographic != 0 ? vec3(0.0, 0.0, 1.0) : vec3(aside, 1.0));
+#ifdef LOOKS
+    vec4 color = texelFetch(colors, pixel, look);
+    vec4 facing = texelFetch(normals, pixel, look);
+    float z = planarDepth(texelFetch(depths, pixel, look).r);
+#else
     vec4 color = texelFetch(colors, pixel, 0);
     vec4 facing = texelFetch(normals, pixel, 0);
-    vec3 n = facing.xyz;
-    float roughness = abs(facing.w);
-    vec3 albedo = color.rgb * color.rgb;
-    float metallic = color.a < 0.5 ? color.a * 2.0 : 0.0;
-    float emission = color.a > 0.5 ? (color.a - 0.5) * 16.0 : 0.0;
+    float z = texelFetch(surface, pixel, 0).r;
+#endif
+    return Seen(color.rgb * color.rgb, color.a, facing.xyz, abs(facing.w), z);
+}
 
-    vec3 p = camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
+// @param at  in the image, px
+vec3 rayThrough(vec2 at) {
+    vec2 aside = at * unproject.xy + unproject.zw;
+    return world_from_camera * (orthographic != 0 ? vec3(0.0, 0.0, 1.0) : vec3(aside, 1.0));
+}
+
+vec3 positionOf(float z, vec2 at, vec3 ray) {
+    vec2 aside = at * unproject.xy + unproject.zw;
+    return camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
+}
+
+// Before the tone curve.
+vec3 lightFrom(Seen seen, vec2 pixel) {
+    vec3 ray = rayThrough(pixel);
+    vec3 n = seen.normal;
+    vec3 albedo = seen.albedo;
+    float metallic = seen.special < 0.5 ? seen.special * 2.0 : 0.0;
+    float emission = seen.special > 0.5 ? (seen.special - 0.5) * 16.0 : 0.0;
+
+    vec3 p = positionOf(seen.z, pixel, ray);
     vec3 at = (p + n * lift_m - volume_low) * volume_scale;
     vec3 around = texture(ambient_volume, at).rgb;
     vec3 slope = texture(slope_volume, at).xyz;
@@ -138,8 +187,7 @@ void main() {
     vec3 ambient = around * (1.0 + dot(slope, n));
 
     // The occlusion of a quarter of the pixels, brought up without crossing depth edges.
-    vec2 size = vec2(textureSize(surface, 0));
-    float open = texture(occlusion, gl_FragCoord.xy / size).r;
+    float open = texture(occlusion, gl_FragCoord.xy / image_size).r;
     // Light thrown around in a corner of a bright colour darkens less.
     vec3 open_color = mix(vec3(open), vec3(1.0), 0.35 * albedo * (1.0 - open));
 
@@ -158,8 +206,8 @@ void main() {
     vec3 f0 = mix(vec3(0.04), albedo, metallic);
     float grazing = 1.0 - max(dot(n, view), 0.0);
     float grazing2 = grazing * grazing;
-    vec3 fresnel = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing2 * grazing2 * grazing;
-    float r2 = max(roughness * roughness, 0.02);
+    vec3 fresnel = f0 + (max(vec3(1.0 - seen.roughness), f0) - f0) * grazing2 * grazing2 * grazing;
+    float r2 = max(seen.roughness * seen.roughness, 0.02);
     float power = 2.0 / (r2 * r2);
     float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
     // Radiance has half as much again of the irradiance's slope.
@@ -172,17 +220,54 @@ void main() {
     shiny += fresnel * sun * (glint * min(power * 0.06, 2.5));
 #endif
 
-    vec3 light = exposure * (lit + shiny) + glow * emission * albedo;
-    vec3 plain = backdrop.a > 0.0 ? backdrop.rgb : texture(sky_colors, 0.5 - 0.5 * view.z).rgb;
-    bool hit = z > 0.0;
-#ifdef SENSOR
-    out_rgb = weightOfRow() * vec4(hit ? light : beforeToneCurve(plain), 1.0);
-#else
-    vec3 shown = hit ? toneCurve(light) : plain;
+    return exposure * (lit + shiny) + glow * emission * albedo;
+}
+
+vec3 skyAt(vec2 pixel) {
+    float rise = normalize(rayThrough(pixel)).z;
+    return backdrop.a > 0.0 ? backdrop.rgb : texture(sky_colors, 0.5 + 0.5 * rise).rgb;
+}
+
+vec3 shown(Seen seen, vec2 pixel) {
+    return seen.z > 0.0 ? toneCurve(lightFrom(seen, pixel)) : skyAt(pixel);
+}
+
 #ifdef LOOKS
-    out_rgb = vec4(share * shown, 1.0);  // the mean is taken of light
-#else
-    out_rgb = vec4(encode(shown), 1.0);
+// Whether light falls on both in the same way.
+bool alike(Seen a, Seen b) {
+    return abs(a.z - b.z) <= 0.02 * a.z && dot(a.normal, b.normal) >= 0.99 * sign(a.z) &&
+           abs(a.roughness - b.roughness) < 0.03 && abs(a.special - b.special) < 0.02;
+}
 #endif
+
+void main() {
+#if defined(ALIKE)
+    // Where all see the same, it is lit once; the others are left to the shader that lights each.
+    Seen first = seenBy(0);
+    Seen mean = first;
+    bool same = true;
+    for (int i = 1; i < kLooks; ++i) {
+        Seen other = seenBy(i);
+        same = same && alike(first, other);
+        mean.albedo += other.albedo;
+        mean.normal += other.normal;
+        mean.z += other.z;
+    }
+    if (!same) discard;
+    mean.albedo /= float(kLooks);
+    mean.normal = mean.z > 0.0 ? normalize(mean.normal) : mean.normal;
+    mean.z /= float(kLooks);
+    out_rgb = vec4(float(kLooks) * share * shown(mean, gl_FragCoord.xy), 1.0);
+#elif defined(LOOKS)
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < kLooks; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
+    out_rgb = vec4(share * sum, 1.0);  // the mean is taken of light
+#elif defined(SENSOR)
+    Seen seen = seenBy(0);
+    vec3 light = seen.z > 0.0 ? lightFrom(seen, gl_FragCoord.xy)
+                              : beforeToneCurve(skyAt(gl_FragCoord.xy));
+    out_rgb = weightOfRow() * vec4(light, 1.0);
+#else
+    out_rgb = vec4(encode(shown(seenBy(0), gl_FragCoord.xy)), 1.0);
 #endif
 }

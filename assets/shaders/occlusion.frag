@@ -8,8 +8,15 @@ layout(location = 1) uniform vec4 unproject;  // x scale, y scale, x offset, y o
 layout(location = 2) uniform float pixels_per_radian;  // orthographic: pixels per metre
 layout(location = 3) uniform int orthographic;
 
+#ifdef LOOKS  // that of the first
+layout(location = 4) uniform vec2 depth_span;  // see surface.vert
+
+layout(binding = 1) uniform sampler2DMS normals;
+layout(binding = 2) uniform sampler2DMS depths;
+#else
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
+#endif
 
 layout(location = 0) out vec2 out_light;  // and planar depth, m
 
@@ -17,7 +24,14 @@ const float kRadius = 0.30;  // m
 const int kSamples = 8;
 
 vec3 pointAt(ivec2 pixel) {
+#ifdef LOOKS
+    float depth = texelFetch(depths, pixel, 0).r;
+    float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - depth) * depth_span.y
+                                 : depth_span.x / depth;
+    z = depth > 0.0 ? z : 0.0;
+#else
     float z = texelFetch(surface, pixel, 0).r;
+#endif
     vec2 aside = (vec2(pixel) + 0.5) * unproject.xy + unproject.zw;
     return orthographic != 0 ? vec3(aside, z) : vec3(aside, 1.0) * z;
 }
@@ -40,7 +54,11 @@ vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
 #endif
 
 void main() {
+#ifdef LOOKS
+    ivec2 size = textureSize(depths);
+#else
     ivec2 size = textureSize(surface, 0);
+#endif
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
     vec3 p = pointAt(pixel);
     if (p.z <= 0.0) {

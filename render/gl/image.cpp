@@ -1,0 +1,18 @@
+#include "render/gl/image.h"
+
+#include <GL/glew.h>
+
+namespace dollytrack::gl {
+
+Texture createImage(unsigned format, int width, int height, bool smooth) {
+    const GLint filter = smooth ? GL_LINEAR : GL_NEAREST;
+    Texture texture = createTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(texture.get(), 1, format, width, height);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, filter);
+    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, filter);
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+}  // namespace dollytrack::gl
