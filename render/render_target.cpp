@@ -87,7 +87,8 @@ void RenderTarget::makeSum() {
     if (sum_.get() != 0) return;
     sum_ = gl::createImage(GL_RGBA32F, width_, height_);
     sum_frame_ = frameOver(sum_);
-    glNamedFramebufferTexture(sum_frame_.get(), GL_DEPTH_ATTACHMENT, z_buffer_.get(), 0);
+    marks_ = gl::createImage(GL_DEPTH_COMPONENT32F, width_, height_);
+    glNamedFramebufferTexture(sum_frame_.get(), GL_DEPTH_ATTACHMENT, marks_.get(), 0);
 }
 
 void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {

@@ -60,7 +60,8 @@ class RenderTarget {
     gl::Texture occlusion_;  // and planar depth; of a quarter of the pixels
     gl::Texture soft_occlusion_;
     gl::Texture lit_;
-    gl::Texture sum_;  // of several looks, linear; made when first needed
+    gl::Texture sum_;    // of several looks, linear; made when first needed
+    gl::Texture marks_;  // as a depth buffer: whose looks are added already
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
     gl::Framebuffer looks_frame_;   // the same without those of labels

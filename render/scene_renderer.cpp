@@ -4,6 +4,7 @@
 #include "render/gpu_scene.h"
 #include "render/light_pass.h"
 #include "render/look_images.h"
+#include "render/occlusion_culling.h"
 #include "render/silhouette_counter.h"
 #include "render/surface_pass.h"
 #include "render/view_uniforms.h"
@@ -41,6 +42,7 @@ View shiftedBy(const Eigen::Vector2d& offset, const View& view) {
 struct SceneRenderer::Impl {
     GpuScene scene;
     SurfacePass surfaces;
+    OcclusionCulling culling;
     LightPass light;
     LookImages looks;
     SilhouetteCounter silhouettes;
@@ -80,7 +82,7 @@ struct SceneRenderer::Impl {
         const float share = 1.0F / static_cast<float>(LookImages::kLooks * shifts.size());
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             const View shifted = shiftedBy(shifts[i], view);
-            surfaces.drawLooks(scene, shifted, looks);
+            surfaces.drawLooks(scene, shifted, culling, looks);
             // It is soft: that of one look is good for all.
             if (i == 0) light.drawOcclusion(scene, shifted, looks, target);
             light.addLooks(shifted, surfaces.shine(), share, looks, target);
@@ -88,11 +90,13 @@ struct SceneRenderer::Impl {
         light.encodeSum(target);
     }
 
-    void drawLabels(const View& view, RenderTarget& target, SurfaceTarget* materials) {
+    /// @param cull  whether looks at the same view come next
+    void drawLabels(const View& view, bool cull, RenderTarget& target, SurfaceTarget* materials) {
+        OcclusionCulling* asked = cull ? &culling : nullptr;
         if (materials != nullptr) {
-            surfaces.drawMaterials(scene, view, *materials);
+            surfaces.drawMaterials(scene, view, asked, *materials);
         } else {
-            surfaces.drawLabels(scene, view, target);
+            surfaces.drawLabels(scene, view, asked, target);
         }
     }
 
@@ -123,12 +127,15 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     if (!uploaded) return tl::unexpected(uploaded.error());
     Result<SurfacePass> surfaces = SurfacePass::create();
     if (!surfaces) return tl::unexpected(surfaces.error());
+    Result<OcclusionCulling> culling = OcclusionCulling::create();
+    if (!culling) return tl::unexpected(culling.error());
     Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
     if (!silhouettes) return tl::unexpected(silhouettes.error());
     Result<WholeMaskDrawer> whole_masks = WholeMaskDrawer::create();
     if (!whole_masks) return tl::unexpected(whole_masks.error());
     auto impl = std::make_unique<Impl>(Impl{std::move(*uploaded),
                                             std::move(*surfaces),
+                                            std::move(*culling),
                                             {},
                                             {},
                                             std::move(*silhouettes),
@@ -155,11 +162,11 @@ void SceneRenderer::changeLight(const LightVolume& light) {
 Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
     if (Status status = impl_->prepare(view); !status) return status;
     if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
+        impl_->drawLabels(view, true, target, surfaces);
         impl_->drawLooks(view, shifts, target);
-        impl_->drawLabels(view, target, surfaces);
     } else {
         impl_->drawPicture(view, surfaces == nullptr, target);
-        if (surfaces != nullptr) impl_->drawLabels(view, target, surfaces);
+        if (surfaces != nullptr) impl_->drawLabels(view, false, target, surfaces);
     }
     return gl::checkErrors("drawing");
 }
@@ -167,7 +174,7 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget
 Status SceneRenderer::drawLabels(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
     glDisable(GL_CULL_FACE);
     if (Status status = impl_->surfaces.prepare(impl_->scene, view); !status) return status;
-    impl_->drawLabels(view, target, surfaces);
+    impl_->drawLabels(view, false, target, surfaces);
     return gl::checkErrors("drawing labels");
 }
 
@@ -202,6 +209,10 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
     }
     render::place(impl_->scene, resting->second, motion);
     impl_->light.forgetShadow();
+}
+
+int SceneRenderer::hiddenByOthers() const {
+    return impl_->culling.hidden();
 }
 
 std::vector<bool> SceneRenderer::inView(const View& view) const {

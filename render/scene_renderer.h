@@ -59,6 +59,10 @@ class SceneRenderer {
     /// From now on the object is drawn elsewhere: p = motion * p of the scene as given, world.
     void place(int object_id, const Eigen::Isometry3d& motion);
 
+    /// How many objects the last draw() of several looks left out of the picture, since they stand
+    /// wholly behind others.
+    [[nodiscard]] int hiddenByOthers() const;
+
     /// Which objects' boxes reach into the image, by id - 1.
     [[nodiscard]] std::vector<bool> inView(const View& view) const;
 

@@ -134,10 +134,12 @@ void SurfacePass::drawLook(const GpuScene& scene, const View& view, RenderTarget
     glDisable(GL_DEPTH_TEST);
 }
 
-void SurfacePass::drawLooks(const GpuScene& scene, const View& view, const LookImages& images) {
+void SurfacePass::drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
+                            const LookImages& images) {
     begin(scene, images.frame_, view.intrinsics.width, view.intrinsics.height, {0, 1});
     glMinSampleShading(1.0F);
-    const std::vector<bool> visible = objectsInView(scene, view);
+    std::vector<bool> visible = objectsInView(scene, view);
+    culling.takeHidden(visible);
     drawOpaque(scene, view, visible, Use::Picture);
     tintByGlass(scene, view, visible);
     glDisable(GL_DEPTH_TEST);
@@ -164,7 +166,8 @@ void SurfacePass::tintByGlass(const GpuScene& scene, const View& view,
     for (unsigned i = 0; i < 5; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void SurfacePass::drawLabels(const GpuScene& scene, const View& view, RenderTarget& target) {
+void SurfacePass::drawLabels(const GpuScene& scene, const View& view, OcclusionCulling* culling,
+                             RenderTarget& target) {
     begin(scene, target.labels_frame_, target.width(), target.height(), {3, kIds});
     const std::vector<bool> visible = objectsInView(scene, view);
     // What may be glass or have holes comes last here, too.
@@ -173,14 +176,17 @@ void SurfacePass::drawLabels(const GpuScene& scene, const View& view, RenderTarg
             if ((batch.surface == Surface::Opaque) != opaque) continue;
             drawShapes(batch, view, visible, label_.get(wordsOf(view)));
         }
+        if (opaque && culling != nullptr) culling->start(scene, view, visible);
     }
     glDisable(GL_DEPTH_TEST);
 }
 
-void SurfacePass::drawMaterials(const GpuScene& scene, const View& view, SurfaceTarget& target) {
+void SurfacePass::drawMaterials(const GpuScene& scene, const View& view, OcclusionCulling* culling,
+                                SurfaceTarget& target) {
     begin(scene, target.frame_, target.width(), target.height(), {0, 1, 3, kIds});
     const std::vector<bool> visible = objectsInView(scene, view);
     drawOpaque(scene, view, visible, Use::Materials);
+    if (culling != nullptr) culling->start(scene, view, visible);
     for (const Batch& batch : scene.batches) {
         if (batch.surface == Surface::Opaque) continue;
         const unsigned program = surface_.get(wordsOf(view) | (wordsOf(batch, false) & ~kHoles));

@@ -7,6 +7,7 @@
 #include "render/gpu_scene.h"
 #include "render/light_volume.h"
 #include "render/look_images.h"
+#include "render/occlusion_culling.h"
 #include "render/render_target.h"
 #include "render/surface_target.h"
 #include "render/view.h"
@@ -34,14 +35,18 @@ class SurfacePass {
 
     /// Everything that lighting needs to know, and labels.
     void drawSurfaces(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// The same without labels: the first look of a target, or another of these images.
+    /// The same without labels: the first look of a target.
     void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
-    void drawLooks(const GpuScene& scene, const View& view, const LookImages& images);
-    /// What drawSurfaces puts into the images of labels alone.
-    void drawLabels(const GpuScene& scene, const View& view, RenderTarget& target);
+    /// Several looks at once, without what the labels of the view have hidden.
+    void drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
+                   const LookImages& images);
+    /// What drawSurfaces puts into the images of labels alone; starts the culling, if any.
+    void drawLabels(const GpuScene& scene, const View& view, OcclusionCulling* culling,
+                    RenderTarget& target);
     /// The same and, of what is labelled, colours without the light's changes and normals without
     /// maps.
-    void drawMaterials(const GpuScene& scene, const View& view, SurfaceTarget& target);
+    void drawMaterials(const GpuScene& scene, const View& view, OcclusionCulling* culling,
+                       SurfaceTarget& target);
 
   private:
     enum class Use { Picture, Materials };
