@@ -51,7 +51,8 @@ constexpr int kLight = 5;
 
 std::string pictureText(const PictureParams& picture) {
     return picture.render_mode == RenderMode::Fast
-               ? fmt::format("light {} fast {}", kLight, static_cast<int>(picture.antialias))
+               ? fmt::format("light {} fast {} {} {}", kLight, static_cast<int>(picture.antialias),
+                             static_cast<int>(picture.reflections), picture.anisotropy)
                : fmt::format("light {} reference {}", kLight, picture.reference_samples);
 }
 

@@ -44,6 +44,8 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));
+    renderer_->setAnisotropy(picture_.anisotropy);
+    reflections_.emplace(context_, *lights_, picture_.reflections);
     for (auto& target : targets_) {
         Result<RenderTarget> created =
             RenderTarget::create(contents_.camera.width_px, contents_.camera.height_px);
@@ -57,7 +59,8 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         right_.emplace(std::move(*created));
     }
     if (needs(kNeedsSensorLight)) {
-        Result<SensorPictures> created = SensorPictures::create(context_, *objects);
+        Result<SensorPictures> created =
+            SensorPictures::create(context_, *objects, picture_.reflections);
         if (!created) return tl::unexpected(created.error());
         sensor_.emplace(std::move(*created));
     }
@@ -67,7 +70,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         surfaces_[i].emplace(std::move(*created));
     }
     if (needs(kNeedsRig)) {
-        rig_.emplace(contents_.camera.near_m, picture_.antialias);
+        rig_.emplace(contents_.camera.near_m, picture_);
         if (reference_) return {};
         for (const RigCamera& camera : contents_.rig) {
             if (Status status = rig_->prepare(LensModel(camera)); !status) return status;
@@ -83,7 +86,9 @@ void FramePipeline::placeObjects(int index) {
 }
 
 void FramePipeline::lightFrame(int index) {
-    if (reference_ || !lights_->vary() || lit_for_ == index) return;
+    if (reference_) return;
+    if (needs(kNeedsRgb | kNeedsLater)) renderer_->setReflections(reflections_->at(index));
+    if (!lights_->vary() || lit_for_ == index) return;
     renderer_->changeLight(lights_->volumeAt(contents_.sourceFrame(index)));
     lit_for_ = index;
 }
@@ -151,8 +156,10 @@ Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
 }
 
 View FramePipeline::viewOf(int index) const {
-    return makeView(contents_.camera,
-                    contents_.frames[static_cast<std::size_t>(index)].camera.pose);
+    View view =
+        makeView(contents_.camera, contents_.frames[static_cast<std::size_t>(index)].camera.pose);
+    view.reflections = picture_.reflections;
+    return view;
 }
 
 FrameRecord FramePipeline::emptyRecord(int index) const {

@@ -9,6 +9,7 @@
 #include "render/frame_context.h"
 #include "render/frame_ledger.h"
 #include "render/frame_lights.h"
+#include "render/frame_reflections.h"
 #include "render/frame_writer.h"
 #include "render/reference_pictures.h"
 #include "render/rig_pictures.h"
@@ -81,6 +82,7 @@ class FramePipeline {
     std::optional<LensPictures> rig_;
     PictureParams picture_;
     std::optional<FrameLights> lights_;
+    std::optional<FrameReflections> reflections_;
     int lit_for_ = -1;  // the frame whose light the renderer has, where they differ
     std::optional<ReferencePictures> reference_;  // where they are wanted
     std::optional<SensorPictures> sensor_;        // likewise

@@ -1,5 +1,6 @@
 #include "render/light_pass.h"
 
+#include "render/gl/image.h"
 #include "render/tone_curve.h"
 #include "render/view_uniforms.h"
 
@@ -16,6 +17,7 @@ constexpr unsigned kLooks = 1;
 constexpr unsigned kSensor = 2;
 constexpr unsigned kSun = 4;
 constexpr unsigned kAlike = 8;
+constexpr unsigned kReflections = 16;
 
 constexpr unsigned kMaps = 1;  // of occlusion.frag; kLooks is 2 there
 constexpr unsigned kFirstLook = 2;
@@ -70,7 +72,7 @@ gl::Texture uploadSky(const Eigen::Vector3f& factor) {
 
 LightPass::LightPass()
     : no_vertices_(gl::createVertexArray()),
-      lighting_("picture.vert", "light.frag", {"LOOKS", "SENSOR", "SUN", "ALIKE"}),
+      lighting_("picture.vert", "light.frag", {"LOOKS", "SENSOR", "SUN", "ALIKE", "REFLECTIONS"}),
       occlusion_("picture.vert", "occlusion.frag", {"MAPS", "LOOKS"}),
       soften_("picture.vert", "soften.frag", {}),
       edges_("picture.vert", "smooth_edges.frag", {}),
@@ -109,15 +111,30 @@ void LightPass::keep(const LightVolume& light) {
     light_.own_share.clear();
 }
 
+void LightPass::setReflections(const std::vector<Eigen::Vector4f>* image, int width, int height) {
+    reflects_ = image != nullptr;
+    if (!reflects_) return;
+    if (width != reflections_width_ || height != reflections_height_) {
+        reflections_ = gl::createImage(GL_RGBA32F, width, height);
+        reflections_width_ = width;
+        reflections_height_ = height;
+    }
+    glTextureSubImage2D(reflections_.get(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
+                        image->data());
+}
+
+/// Words of all variants of the light's program.
+unsigned LightPass::everyKind() const {
+    return (sun_shadow_ ? kSun : 0U) | (reflects_ ? kReflections : 0U);
+}
+
 unsigned LightPass::lightProgram(unsigned kind) const {
-    return lighting_.get(kind | (sun_shadow_ ? kSun : 0U));
+    return lighting_.get(kind | everyKind());
 }
 
 Status LightPass::prepare(const GpuScene& scene) {
     for (const unsigned kind : {0U, kLooks, kLooks | kAlike, kSensor}) {
-        if (Status status = lighting_.link(kind | (sun_shadow_ ? kSun : 0U)); !status) {
-            return status;
-        }
+        if (Status status = lighting_.link(kind | everyKind()); !status) return status;
     }
     const unsigned maps = scene.has_maps ? kMaps : 0U;
     for (const unsigned words : {maps, maps | kFirstLook}) {
@@ -196,6 +213,7 @@ void LightPass::setLightOf(const View& view, float shine, unsigned program, Rend
                        std::numbers::pi_v<float> * light_.exposure * light_.dimmed * shine);
     glProgramUniform3fv(program, 24, 1, light_.own_color.data());
     if (sun_shadow_) sun_shadow_->use(program);
+    if (reflects_) glBindTextureUnit(14, reflections_.get());
     glBindTextureUnit(0, target.color_.get());
     glBindTextureUnit(4, ambient_.get());
     glBindTextureUnit(5, lamps_.get());

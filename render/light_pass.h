@@ -10,7 +10,10 @@
 #include "render/sun_shadow.h"
 #include "render/view.h"
 
+#include <Eigen/Core>
+
 #include <optional>
+#include <vector>
 
 namespace dollytrack::render {
 
@@ -25,6 +28,10 @@ class LightPass {
     void changeLight(const LightVolume& light);
     /// The sun's shadow is no longer that of the scene.
     void forgetShadow() { sun_shadow_is_old_ = true; }
+
+    /// What smooth surfaces of the next pictures show, as TracedReflections::trace() has it for
+    /// their size; null: the room's blurred light.
+    void setReflections(const std::vector<Eigen::Vector4f>* image, int width, int height);
 
     /// Links what may be needed and draws the sun's shadow where it is old; before any of the
     /// following.
@@ -53,6 +60,7 @@ class LightPass {
   private:
     void keep(const LightVolume& light);
     void drawOcclusion(const View& view, unsigned program, RenderTarget& target);
+    [[nodiscard]] unsigned everyKind() const;
     [[nodiscard]] unsigned lightProgram(unsigned kind) const;
     void setLightOf(const View& view, float shine, unsigned program, RenderTarget& target);
     void draw(const gl::Framebuffer& frame, int width, int height, unsigned program) const;
@@ -62,6 +70,10 @@ class LightPass {
     gl::Texture ambient_;
     gl::Texture slope_;
     gl::Texture lamps_;
+    gl::Texture reflections_;
+    int reflections_width_ = 0;
+    int reflections_height_ = 0;
+    bool reflects_ = false;
     gl::Texture sky_;  // by the sine of a way's height
     gl::VertexArray no_vertices_;
     gl::ProgramVariants lighting_;

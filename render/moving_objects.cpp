@@ -55,6 +55,19 @@ MovingObjects::Shape MovingObjects::shapeAt(const ObjectMotion& motion, int fram
     return shape;
 }
 
+std::optional<MovedShape> MovingObjects::wholeShapeAt(int frame) const {
+    if (motions_.empty()) return std::nullopt;
+    MovedShape whole{scene_.positions, scene_.normals};
+    for (const ObjectMotion& motion : motions_) {
+        const Shape there = shapeAt(motion, frame);
+        const auto first =
+            static_cast<std::ptrdiff_t>(scene_.object(motion.object_id).first_vertex);
+        std::ranges::copy(there.positions, whole.positions.begin() + first);
+        std::ranges::copy(there.normals, whole.normals.begin() + first);
+    }
+    return whole;
+}
+
 std::shared_ptr<const RayCaster> MovingObjects::raysAt(int frame) const {
     // Who gave the rays keeps them.
     if (motions_.empty()) return {std::shared_ptr<const RayCaster>(), &rays_};

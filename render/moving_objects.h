@@ -3,12 +3,14 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
 #include "render/object_motion.h"
+#include "render/pathtrace/traced_surface.h"
 
 #include <Eigen/Geometry>
 
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::render {
@@ -38,6 +40,8 @@ class MovingObjects {
         std::vector<Eigen::Vector3f> normals;
     };
     [[nodiscard]] Shape shapeAt(const ObjectMotion& motion, int frame) const;
+    /// The whole scene's; none where nothing moves.
+    [[nodiscard]] std::optional<MovedShape> wholeShapeAt(int frame) const;
 
   private:
     const Scene& scene_;

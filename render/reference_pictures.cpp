@@ -31,16 +31,7 @@ const PathTracer& ReferencePictures::tracerAt(int frame) {
     const Scene& scene = context_.contents.scene;
     auto still = std::make_shared<Still>();
     still->rays = moving.raysAt(frame);
-    if (moving.any()) {
-        still->shape.emplace(MovedShape{scene.positions, scene.normals});
-        for (const ObjectMotion& motion : moving.motions()) {
-            const MovingObjects::Shape there = moving.shapeAt(motion, frame);
-            const auto first =
-                static_cast<std::ptrdiff_t>(scene.object(motion.object_id).first_vertex);
-            std::ranges::copy(there.positions, still->shape->positions.begin() + first);
-            std::ranges::copy(there.normals, still->shape->normals.begin() + first);
-        }
-    }
+    still->shape = moving.wholeShapeAt(frame);
     PathTracerParams params;
     params.exposure = exposureAt(frame);
     still->tracer.emplace(scene, *still->rays, lights_.rigAt(context_.contents.sourceFrame(frame)),

@@ -112,9 +112,9 @@ View viewThrough(const LensModel& lens, const Pose& pose, double near_m) {
     return view;
 }
 
-LensPictures::LensPictures(double near_m, Antialias antialias,
+LensPictures::LensPictures(double near_m, const PictureParams& look,
                            const Eigen::Quaterniond& sides_from_camera)
-    : near_m_(near_m), antialias_(antialias), sides_from_camera_(sides_from_camera) {}
+    : near_m_(near_m), look_(look), sides_from_camera_(sides_from_camera) {}
 
 std::vector<LensPictures::Side> LensPictures::sidesFor(const LensModel& lens) const {
     const double finest = lens.mostPxPerRadian();
@@ -182,7 +182,8 @@ Status LensPictures::draw(const LensModel& lens, const Pose& pose, SceneRenderer
                           const RayCaster& rays, std::vector<std::uint8_t>& rgb) {
     if (!lens.measuresRange()) {
         View view = viewThrough(lens, pose, near_m_);
-        view.antialias = antialias_;
+        view.antialias = look_.antialias;
+        view.reflections = look_.reflections;
         return drawView(view, renderer, rays, rgb);
     }
     std::vector<DrawnSide> drawn;
@@ -196,7 +197,8 @@ Status LensPictures::draw(const LensModel& lens, const Pose& pose, SceneRenderer
         view.pose = {pose.position, pose.rotation * side.camera_from_side};
         // Nothing that the lens sees lies before it, not in the corners either.
         view.near_m = near_m_ / std::sqrt(1.0 + 2.0 * side.reach * side.reach);
-        view.antialias = antialias_;
+        view.antialias = look_.antialias;
+        view.reflections = look_.reflections;
         if (Status status = drawView(view, renderer, rays, one.rgb); !status) return status;
     }
     const auto width = static_cast<std::size_t>(lens.width());

@@ -22,9 +22,9 @@ namespace dollytrack::render {
 /// fade into each other there. Needs the renderer's OpenGL context current.
 class LensPictures {
   public:
-    /// `antialias` of the drawn pictures. `sides_from_camera` turns the cube: only tests need other
-    /// sides than the camera's own axes.
-    LensPictures(double near_m, Antialias antialias,
+    /// `look` is that of the drawn pictures. `sides_from_camera` turns the cube: only tests need
+    /// other sides than the camera's own axes.
+    LensPictures(double near_m, const PictureParams& look,
                  const Eigen::Quaterniond& sides_from_camera = Eigen::Quaterniond::Identity());
 
     /// Makes what draw() will draw into, so that it does not fail for its size or for memory.
@@ -51,7 +51,7 @@ class LensPictures {
                                   std::vector<std::uint8_t>& rgb);
 
     double near_m_;
-    Antialias antialias_;
+    PictureParams look_;
     Eigen::Quaterniond sides_from_camera_;
     std::map<std::pair<int, int>, RenderTarget> targets_;  // by size
 };

@@ -7,6 +7,7 @@
 #include "render/occlusion_culling.h"
 #include "render/silhouette_counter.h"
 #include "render/surface_pass.h"
+#include "render/traced_reflections.h"
 #include "render/view_uniforms.h"
 
 #include <GL/glew.h>
@@ -48,13 +49,20 @@ struct SceneRenderer::Impl {
     SilhouetteCounter silhouettes;
     WholeMaskDrawer whole_masks;
     std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
+    const TracedReflections* reflections = nullptr;
+    std::vector<Eigen::Vector4f> reflected;  // kept between pictures
 
     Status setLight(const LightVolume& volume) {
         surfaces.setLight(volume);
         return light.setLight(volume);
     }
 
-    Status prepare(const View& view) {
+    /// @param first_row, last_row  of the image, which light is wanted of
+    Status prepare(const View& view, int first_row, int last_row) {
+        const bool any =
+            reflections != nullptr && reflections->trace(view, first_row, last_row, reflected);
+        light.setReflections(any ? &reflected : nullptr, view.intrinsics.width,
+                             view.intrinsics.height);
         glDisable(GL_CULL_FACE);
         if (Status status = surfaces.prepare(scene, view); !status) return status;
         return light.prepare(scene);
@@ -140,8 +148,11 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
                                             {},
                                             std::move(*silhouettes),
                                             std::move(*whole_masks),
+                                            {},
+                                            nullptr,
                                             {}});
     if (Status status = impl->setLight(light); !status) return tl::unexpected(status.error());
+    render::setAnisotropy(impl->scene, 0);
     // Depth runs from 1 at the near plane to 0 at infinity.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     if (Status status = gl::checkErrors("preparing to draw"); !status) {
@@ -160,7 +171,7 @@ void SceneRenderer::changeLight(const LightVolume& light) {
 }
 
 Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
-    if (Status status = impl_->prepare(view); !status) return status;
+    if (Status status = impl_->prepare(view, 0, target.height()); !status) return status;
     if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
         impl_->drawLabels(view, true, target, surfaces);
         impl_->drawLooks(view, shifts, target);
@@ -192,7 +203,7 @@ Status SceneRenderer::beginLight(RenderTarget& target) {
 
 Status SceneRenderer::addLight(const View& view, const LightSum& sum, RenderTarget& target) {
     if (sum.first_row >= sum.last_row) return {};
-    if (Status status = impl_->prepare(view); !status) return status;
+    if (Status status = impl_->prepare(view, sum.first_row, sum.last_row); !status) return status;
     impl_->addLight(view, sum, target);
     return gl::checkErrors("adding light");
 }
@@ -209,6 +220,14 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
     }
     render::place(impl_->scene, resting->second, motion);
     impl_->light.forgetShadow();
+}
+
+void SceneRenderer::setReflections(const TracedReflections* reflections) {
+    impl_->reflections = reflections;
+}
+
+void SceneRenderer::setAnisotropy(int places) {
+    render::setAnisotropy(impl_->scene, places);
 }
 
 int SceneRenderer::hiddenByOthers() const {

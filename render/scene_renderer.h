@@ -17,6 +17,8 @@
 
 namespace dollytrack::render {
 
+class TracedReflections;
+
 /// Draws one scene. Needs the OpenGL context current that it was created in; keeps no reference to
 /// the scene.
 class SceneRenderer {
@@ -58,6 +60,12 @@ class SceneRenderer {
 
     /// From now on the object is drawn elsewhere: p = motion * p of the scene as given, world.
     void place(int object_id, const Eigen::Isometry3d& motion);
+
+    /// What smooth surfaces show from now on; none: the room's blurred light. It must outlive its
+    /// use.
+    void setReflections(const TracedReflections* reflections);
+    /// See render::setAnisotropy().
+    void setAnisotropy(int places);
 
     /// How many objects the last draw() of several looks left out of the picture, since they stand
     /// wholly behind others.

@@ -45,6 +45,8 @@ struct View {
     std::optional<Eigen::Vector3f> backdrop;
     /// Of the colours; more looks are for exports, and for a preview at rest.
     Antialias antialias = Antialias::Edges;
+    /// Where the renderer has been given what shows them, see SceneRenderer::setReflections().
+    Reflections reflections = Reflections::Blurred;
     /// Finely divided things in fewer triangles, where the renderer has them; for a view that
     /// moves.
     bool coarse = false;

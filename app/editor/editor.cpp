@@ -92,7 +92,7 @@ void Editor::refreshScene() {
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
         noted_file_.clear();
-        if (!workspace_.isOpen()) drawing_.setScene(nullptr, nullptr, 0);
+        if (!workspace_.isOpen()) drawing_.setScene({});
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);

@@ -137,7 +137,10 @@ void Editor::requestPreview() {
     view.near_m = camera.near_m;
     // As it will be exported, once it rests: smooth pictures take several times as long.
     const bool moves = playback_.playing() || gizmo_.draggedPose();
-    if (!moves) view.antialias = workspace_.shown().params.picture.antialias;
+    if (!moves) {
+        view.antialias = workspace_.shown().params.picture.antialias;
+        view.reflections = workspace_.shown().params.picture.reflections;
+    }
     const double time_s =
         playback_.frame() < frameCount()
             ? plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].time_s

@@ -12,7 +12,7 @@ void SentScene::forget() {
 void SentScene::send(const PlanOutcome& shown,
                      const std::shared_ptr<const render::LightVolume>& light) {
     if (sent_ && scene_ == shown.scene && light_ == light) return;
-    drawing_.setScene(shown.scene, light, shown.geometry);
+    drawing_.setScene({shown.scene, shown.rays, light, shown.geometry});
     scene_ = shown.scene;
     light_ = light;
     sent_ = true;

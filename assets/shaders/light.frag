@@ -78,6 +78,9 @@ layout(binding = 3) uniform sampler2D occlusion;
 layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
 layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps; a: own share
 layout(binding = 6) uniform sampler3D slope_volume;    // of the ambient light, see light_volume.h
+#ifdef REFLECTIONS
+layout(binding = 14) uniform sampler2D reflections;  // light; a: share of it in place of the room's
+#endif
 layout(binding = 13) uniform sampler1D sky_colors;     // linear, by the sine of a way's height
 
 layout(location = 0) out vec4 out_rgb;
@@ -212,7 +215,14 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
     float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
     // Radiance has half as much again of the irradiance's slope.
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
-    vec3 shiny = fresnel * (room * open + lamp_light * (lamp_strength * shine *
+#ifdef REFLECTIONS
+    // Of what the pixel's middle sees. Rough things beside a mirror have no part in it.
+    vec4 traced = texelFetch(reflections, ivec2(gl_FragCoord.xy), 0);
+    room = mix(room * open, traced.rgb, seen.roughness < 0.3 ? traced.a : 0.0);
+#else
+    room *= open;
+#endif
+    vec3 shiny = fresnel * (room + lamp_light * (lamp_strength * shine *
                                                            min(power * 0.06, 2.5)));
 
 #ifdef SUN

@@ -17,10 +17,19 @@ enum class Antialias {
     Samples8,
 };
 
+/// What smooth surfaces of drawn pictures show. Path traced ones show all.
+enum class Reflections {
+    Blurred,  // the room's light
+    Mirrors,  // things, in mirrors and smooth metal
+    All,      // things, in all that is smooth
+};
+
 /// The colour pictures that an export writes.
 struct PictureParams {
     RenderMode render_mode = RenderMode::Fast;
     Antialias antialias = Antialias::Samples4;
+    Reflections reflections = Reflections::Mirrors;
+    int anisotropy = 0;
     int reference_samples = 64;
 
     bool operator==(const PictureParams&) const = default;
@@ -36,6 +45,17 @@ void visitPictureParams(Params& p, Visitor&& visit) {
           ChoiceInfo{{"edges", "4x", "8x"},
                      "Smooth edges of drawn pictures: stairs blurred, or the mean of so many looks "
                      "a pixel, which thin things and textures need"});
+    visit(
+        "reflections", p.reflections,
+        ChoiceInfo{{"blurred", "mirrors", "all"},
+                   "What smooth surfaces of drawn pictures show: the room's blurred light, things "
+                   "in mirrors and smooth metal, or things in all that is smooth, which takes "
+                   "longer the more of it is in sight"});
+    visit("anisotropy", p.anisotropy,
+          FieldInfo{0, 16, "",
+                    "Places along its slant that a texture is looked up in, so that floors and "
+                    "walls stay sharp far away; 0: 8 on a graphics card, 1 on the processor, "
+                    "which takes half as long again for 8"});
     visit("reference_samples", p.reference_samples,
           FieldInfo{1, 65536, "",
                     "Paths a pixel of path traced pictures; noise falls with its "

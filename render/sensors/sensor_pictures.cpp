@@ -29,8 +29,8 @@ std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scen
 }
 
 Result<SensorPictures> SensorPictures::create(const FrameContext& context,
-                                              const ObjectPaths& objects) {
-    SensorPictures pictures(context, objects);
+                                              const ObjectPaths& objects, Reflections reflections) {
+    SensorPictures pictures(context, objects, reflections);
     const Intrinsics& drawn = context.sensor_lens->drawn();
     Result<RenderTarget> target = RenderTarget::create(drawn.width, drawn.height);
     if (!target) return tl::unexpected(target.error());
@@ -44,6 +44,7 @@ View SensorPictures::viewOf(const ExposureLook& look, const FrameRecord& frame,
     const auto source = static_cast<std::size_t>(contents.sourceFrame(frame.index));
     View view = makeView(contents.camera, contents.camera_motion.poseAt(source, look.after_s));
     view.intrinsics = context_.sensor_lens->drawn();
+    view.reflections = reflections_;
     if (contents.sensor.aperture_mm > 0.0 && focus) {
         const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * look.aperture;
         view.pose.position = view.pose.toWorld({lens.x(), lens.y(), 0.0});

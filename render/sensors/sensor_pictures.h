@@ -34,7 +34,8 @@ class SensorPictures {
   public:
     /// `objects`: what moves while a picture is taken, over the whole trajectory. Both must outlive
     /// this.
-    static Result<SensorPictures> create(const FrameContext& context, const ObjectPaths& objects);
+    static Result<SensorPictures> create(const FrameContext& context, const ObjectPaths& objects,
+                                         Reflections reflections);
 
     /// Fills `light` with linear light through the pinhole SensorLens::drawn(), 3 values a pixel.
     /// By `reference` where there is one. `frame` has depth and ids, if the focus depends on it.
@@ -43,8 +44,8 @@ class SensorPictures {
                               ReferencePictures* reference, std::vector<float>& light);
 
   private:
-    SensorPictures(const FrameContext& context, const ObjectPaths& objects)
-        : context_(context), objects_(objects) {}
+    SensorPictures(const FrameContext& context, const ObjectPaths& objects, Reflections reflections)
+        : context_(context), objects_(objects), reflections_(reflections) {}
     [[nodiscard]] View viewOf(const ExposureLook& look, const FrameRecord& frame,
                               std::optional<double> focus) const;
     [[nodiscard]] Status trace(const FrameRecord& frame, const Exposure& exposure,
@@ -53,6 +54,7 @@ class SensorPictures {
 
     const FrameContext& context_;
     const ObjectPaths& objects_;
+    Reflections reflections_;
     std::optional<RenderTarget> target_;
 };
 

@@ -314,7 +314,8 @@ class Export(FolderCase):
         self.assertTrue(all(name in differ for name in files["fast"] if name.startswith("rgb")))
         card = json.loads((out["reference"] / "dataset.json").read_text())
         self.assertEqual(card["parameters"]["picture"],
-                         {"render_mode": "reference", "antialias": "4x", "reference_samples": 4})
+                         {"render_mode": "reference", "antialias": "4x", "reflections": "mirrors",
+                          "anisotropy": 0, "reference_samples": 4})
 
     def test_smoother_pictures_change_nothing_but_colours(self):
         files = {}

@@ -311,7 +311,7 @@ class LensPicturesGl : public RigGl {
     cv::Mat draw(const RigCamera& camera, const Pose& pose, double turned = 0.0) {
         const Eigen::Quaterniond sides(
             Eigen::AngleAxisd(turned, Vector3d(1.0, 2.0, 0.5).normalized()));
-        LensPictures pictures(0.05, Antialias::Samples4, sides);
+        LensPictures pictures(0.05, PictureParams(), sides);
         std::vector<std::uint8_t> rgb;
         const Status status = pictures.draw(LensModel(camera), pose, *renderer_, rays_, rgb);
         EXPECT_TRUE(status);
@@ -387,7 +387,7 @@ TEST_F(LensPicturesGl, ResampledPicturesShowWhatPinholesShow) {
 
 // No more sides than a lens needs, and none coarser than it asks.
 TEST(LensSides, AreThoseThatTheLensSees) {
-    const LensPictures pictures(0.05, Antialias::Edges);
+    const LensPictures pictures(0.05, PictureParams());
     const auto count = [&](Lens lens, double fov_deg) {
         RigCamera camera = cameraOf("a", lens);
         camera.fov_deg = fov_deg;

@@ -5,6 +5,7 @@
 #include "render/overlays/overlay_renderer.h"
 #include "render/render_target.h"
 #include "render/scene_renderer.h"
+#include "render/traced_reflections.h"
 #include "ui/viewport/false_color.h"
 #include "ui/viewport/view_pace.h"
 
@@ -31,12 +32,6 @@ render::LightVolume plainLight(const Scene& scene) {
     light.lamps = {Eigen::Vector3f(0.1F, -0.15F, 0.35F)};
     return light;
 }
-
-struct SceneRequest {
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const render::LightVolume> light;
-    std::uint64_t geometry = 0;
-};
 
 struct PreviewRequest {
     render::View view;
@@ -84,7 +79,7 @@ bool samePicture(const render::View& a, const render::View& b) {
     };
     return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
            a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
-           a.backdrop == b.backdrop && a.antialias == b.antialias;
+           a.backdrop == b.backdrop && a.antialias == b.antialias && a.reflections == b.reflections;
 }
 
 /// The same view in fewer pixels.
@@ -159,6 +154,8 @@ struct RenderThread::Impl {
     std::shared_ptr<const Scene> scene;
     std::uint64_t geometry = 0;
     std::shared_ptr<const render::LightVolume> lit_by;
+    std::shared_ptr<const RayCaster> rays;
+    std::optional<render::TracedReflections> reflections;  // where anything does
     std::optional<render::SceneRenderer> renderer;
     ViewCanvas whole;
     ViewCanvas coarse;
@@ -264,6 +261,8 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     whole.drawn.reset();
     coarse.drawn.reset();
     if (!same) pace.forget();
+    if (renderer) renderer->setReflections(nullptr);
+    reflections.reset();
     if (!scene) {
         renderer.reset();
         return {};
@@ -284,6 +283,11 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
         renderer.emplace(std::move(*made));
     }
     lit_by = request.light;
+    rays = request.rays;
+    if (rays && lit_by && render::TracedReflections::any(*scene, Reflections::All)) {
+        reflections.emplace(*scene, *rays, *lit_by);
+    }
+    renderer->setReflections(reflections ? &*reflections : nullptr);
     const std::lock_guard lock(mutex);
     is_ready = true;
     final_light = request.light != nullptr;
@@ -391,12 +395,10 @@ RenderThread::~RenderThread() {
     impl_->thread.join();
 }
 
-void RenderThread::setScene(std::shared_ptr<const Scene> scene,
-                            std::shared_ptr<const render::LightVolume> light,
-                            std::uint64_t geometry) {
+void RenderThread::setScene(SceneRequest request) {
     {
         const std::lock_guard lock(impl_->mutex);
-        impl_->next_scene = SceneRequest{std::move(scene), std::move(light), geometry};
+        impl_->next_scene = std::move(request);
         // Pictures asked for of the scene before would mix the two.
         impl_->next_view.reset();
         impl_->next_preview.reset();

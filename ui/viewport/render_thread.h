@@ -14,8 +14,9 @@
 #include <vector>
 
 namespace dollytrack {
+class RayCaster;
 struct Scene;
-}
+}  // namespace dollytrack
 
 namespace dollytrack::ui {
 
@@ -67,6 +68,14 @@ struct PreviewImage {
     std::uint64_t serial = 0;
 };
 
+/// What is to be drawn from now on; no scene: nothing.
+struct SceneRequest {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const RayCaster> rays;             // of it, for what mirrors show
+    std::shared_ptr<const render::LightVolume> light;  // null: plain light, until this is there
+    std::uint64_t geometry = 0;  // a scene of the same number as before is not uploaded again
+};
+
 /// Draws on a thread with an OpenGL context of its own, so that neither a large scene nor its
 /// upload ever holds up the window. Where a picture takes too long to follow the mouse, the view is
 /// drawn with fewer pixels while it moves, and whole when it rests. The two threads share nothing:
@@ -80,10 +89,7 @@ class RenderThread {
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
-    /// Null clears. `light` null: plain light, until the right one is there. A scene with the same
-    /// `geometry` number as before is not uploaded again.
-    void setScene(std::shared_ptr<const Scene> scene,
-                  std::shared_ptr<const render::LightVolume> light, std::uint64_t geometry);
+    void setScene(SceneRequest request);
     void requestView(ViewRequest request);
     void requestPreview(const render::View& view, int frame, double time_s, Modality modality);
 
