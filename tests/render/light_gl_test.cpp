@@ -2,6 +2,7 @@
 
 #include "engine/scene/varied_materials.h"
 #include "render/pathtrace/path_tracer.h"
+#include "render/tone_curve.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
 #include "tests/render/sunny_room.h"
@@ -260,6 +261,28 @@ TEST_F(DatasetLightGl, TheSameSeedIsTheSamePictureAndAnotherIsNot) {
         return varied;
     }())));
     EXPECT_EQ(card.at("light"), drawn);
+}
+
+// Clouds are grey, and the ground below them is no browner than by day.
+TEST(Sky, IsGreyWhenOvercastOverTheSameGround) {
+    const auto colorOf = [](float rise, LightPreset preset) {
+        const ResolvedLight light = resolved(lightPreset(preset));
+        const Eigen::Vector3f color =
+            decoded(skyBackdrop(rise, light.backdrop_grey)).cwiseProduct(light.backdrop_factor);
+        return Eigen::Vector3f(color / color.mean());
+    };
+    const auto colorful = [](const Eigen::Vector3f& color) {
+        return color.maxCoeff() - color.minCoeff();
+    };
+    for (const float rise : {-1.0F, -0.5F, -0.13F}) {
+        const Eigen::Vector3f ground = colorOf(rise, LightPreset::Overcast);
+        EXPECT_LT((ground - colorOf(rise, LightPreset::Day)).norm(), 0.08F) << rise;
+        EXPECT_LT(colorful(ground), 0.1F) << rise;
+    }
+    for (const float rise : {0.0F, 0.3F, 1.0F}) {
+        EXPECT_LT(colorful(colorOf(rise, LightPreset::Overcast)), 0.2F) << rise;
+    }
+    EXPECT_GT(colorful(colorOf(1.0F, LightPreset::Day)), 0.5F);
 }
 
 // Night: what came through the window is gone, to the last bit; the lamps still show the room.
