@@ -107,6 +107,7 @@ void visitVolume(Visit& visit, Volume& volume) {
     visit(volume.lamps_shine);
     visit(volume.outside_shines);
     visit(volume.backdrop_factor);
+    visit(volume.backdrop_grey);
     visitSun(visit, volume.sun);
 }
 
@@ -136,6 +137,7 @@ void writeRig(Writer& write, const LightRig& rig) {
     write(rig.emission_factor);
     write(rig.sky_factor);
     write(rig.backdrop_factor);
+    write(rig.backdrop_grey);
     write(rig.exposure_ev);
     visitSun(write, rig.sun);
 }

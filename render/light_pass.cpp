@@ -52,13 +52,13 @@ gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vect
 }
 
 /// What is seen of the sky, linear.
-gl::Texture uploadSky(const Eigen::Vector3f& factor) {
+gl::Texture uploadSky(const Eigen::Vector3f& factor, float grey) {
     gl::Texture texture = gl::createTexture(GL_TEXTURE_1D);
     glTextureStorage1D(texture.get(), 1, GL_RGBA32F, kSkySteps);
     std::vector<Eigen::Vector4f> colors;
     for (int i = 0; i < kSkySteps; ++i) {
         const float rise = 2.0F * (static_cast<float>(i) + 0.5F) / kSkySteps - 1.0F;
-        const Eigen::Vector3f color = decoded(skyBackdrop(rise)).cwiseProduct(factor);
+        const Eigen::Vector3f color = decoded(skyBackdrop(rise, grey)).cwiseProduct(factor);
         colors.emplace_back(color.x(), color.y(), color.z(), 1.0F);
     }
     glTextureSubImage1D(texture.get(), 0, 0, kSkySteps, GL_RGBA, GL_FLOAT, colors.data());
@@ -83,7 +83,7 @@ Status LightPass::setLight(const LightVolume& light) {
     ambient_ = uploadVolume(light, light.ambient);
     slope_ = uploadVolume(light, light.slope.empty() ? none : light.slope);
     lamps_ = uploadVolume(light, light.lamps, light.own_share);
-    sky_ = uploadSky(light.backdrop_factor);
+    sky_ = uploadSky(light.backdrop_factor, light.backdrop_grey);
     keep(light);
     sun_shadow_.reset();
     sun_shadow_is_old_ = true;
@@ -97,7 +97,10 @@ Status LightPass::setLight(const LightVolume& light) {
 void LightPass::changeLight(const LightVolume& light) {
     fillVolume(ambient_, light, light.ambient, {});
     fillVolume(slope_, light, light.slope, {});
-    if (light.backdrop_factor != light_.backdrop_factor) sky_ = uploadSky(light.backdrop_factor);
+    if (light.backdrop_factor != light_.backdrop_factor ||
+        light.backdrop_grey != light_.backdrop_grey) {
+        sky_ = uploadSky(light.backdrop_factor, light.backdrop_grey);
+    }
     keep(light);
     if (sun_shadow_) sun_shadow_->setIrradiance(light.sun.irradiance);
 }

@@ -90,6 +90,7 @@ void setLight(LightRig& rig, const ResolvedLight& light) {
     rig.lamp_factor = rig.emission_factor = light.lamp_factor;
     rig.sky_factor = light.sky_factor;
     rig.backdrop_factor = light.backdrop_factor;
+    rig.backdrop_grey = light.backdrop_grey;
     rig.exposure_ev = light.exposure_ev;
     rig.sun.way = light.to_sun;
     rig.sun.irradiance = light.sun_irradiance;

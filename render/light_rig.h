@@ -64,6 +64,7 @@ struct LightRig {
     float emission_factor = 1.0F;  // of what else shines by itself
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
+    float backdrop_grey = 0.0F;  // see skyBackdrop()
     double exposure_ev = 0.0;
     SunLight sun;
 

@@ -497,6 +497,7 @@ void setStrengths(const LightRig& rig, LightVolume& volume) {
     volume.lamps_shine = rig.shineFactor(false);
     volume.outside_shines = rig.shineFactor(true);
     volume.backdrop_factor = rig.backdrop_factor;
+    volume.backdrop_grey = rig.backdrop_grey;
 }
 
 LightRig balanced(LightRig rig, const LightVolume& volume) {

@@ -42,6 +42,7 @@ struct LightVolume {
     float lamps_shine = 1.0F;
     float outside_shines = 1.0F;
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();  // of the sky that is seen
+    float backdrop_grey = 0.0F;                                 // see skyBackdrop()
     SunLight sun;  // what falls straight in is in none of the above but what it throws back
 
     [[nodiscard]] std::size_t index(int x, int y, int z) const {

@@ -16,6 +16,8 @@ namespace {
 
 // How far sides of a cube reach over its edges: 5 degrees, in which they fade into each other.
 constexpr double kReach = 1.2;
+// Sides are not made finer than this many pixels, for the memory that they are drawn in.
+constexpr int kFinest_px = 2048;
 // Up to this angle from the axis, radians, one side shows all without wasting too much on its rim.
 constexpr double kAlone = 50.0 * std::numbers::pi / 180.0;
 
@@ -140,7 +142,14 @@ std::vector<LensPictures::Side> LensPictures::sidesFor(const LensModel& lens) co
         forSomeRays(lens, [&](const Eigen::Vector3d& direction) {
             shows = shows || probe.placeOf(direction).weight > 0.0;
         });
-        if (shows) sides.push_back(side);
+        if (!shows) continue;
+        // Of a stretched edge one sees each of the pixels that it was drawn with.
+        if (lens.lens() == Lens::Equirectangular &&
+            (probe.placeOf(y).weight > 0.0 || probe.placeOf(-y).weight > 0.0)) {
+            side.finer = true;
+            side.size_px = std::max(side.size_px, std::min(2 * side.size_px, kFinest_px));
+        }
+        sides.push_back(side);
     }
     return sides;
 }
@@ -205,16 +214,27 @@ Status LensPictures::draw(const LensModel& lens, const Pose& pose, SceneRenderer
     rgb.assign(3 * width * static_cast<std::size_t>(lens.height()), 0);
     const auto fillRows = [&](std::size_t begin, std::size_t end) {
         for (std::size_t pixel = begin * width; pixel < end * width; ++pixel) {
-            const std::optional<LensRay> ray = lens.ray(static_cast<double>(pixel % width) + 0.5,
-                                                        static_cast<double>(pixel / width) + 0.5);
+            const auto rayAt = [&](double below) {
+                return lens.ray(static_cast<double>(pixel % width) + 0.5,
+                                static_cast<double>(pixel / width) + below);
+            };
+            const std::optional<LensRay> ray = rayAt(0.5);
             if (!ray) continue;
             Eigen::Vector3f light = Eigen::Vector3f::Zero();
             double weights = 0.0;
+            const auto add = [&](const DrawnSide& side, const Eigen::Vector3d& direction,
+                                 double share) {
+                const DrawnSide::Place place = side.placeOf(direction);
+                if (!(place.weight > 0.0)) return;
+                light += static_cast<float>(share * place.weight) * side.at(place.x, place.y);
+                weights += share * place.weight;
+            };
             for (const DrawnSide& side : drawn) {
-                const DrawnSide::Place place = side.placeOf(ray->direction);
-                if (!(place.weight > 0.0)) continue;
-                light += static_cast<float>(place.weight) * side.at(place.x, place.y);
-                weights += place.weight;
+                if (!side.side.finer) {
+                    add(side, ray->direction, 1.0);
+                    continue;
+                }
+                for (const double below : {0.25, 0.75}) add(side, rayAt(below)->direction, 0.5);
             }
             if (!(weights > 0.0)) continue;
             light /= static_cast<float>(weights);

@@ -19,7 +19,8 @@ namespace dollytrack::render {
 /// Draws the pictures of any lens. Pinholes and parallel rays are drawn as they are. Wide lenses
 /// are put together from square pinhole pictures around the same centre, as fine as the lens is at
 /// its finest: one where that will do, else the sides of a cube that reach over their edges and
-/// fade into each other there. Needs the renderer's OpenGL context current.
+/// fade into each other there. Those with a panorama's poles, around which its rows are stretched,
+/// are twice as fine. Needs the renderer's OpenGL context current.
 class LensPictures {
   public:
     /// `look` is that of the drawn pictures. `sides_from_camera` turns the cube: only tests need
@@ -41,6 +42,7 @@ class LensPictures {
         double reach = 1.0;  // tangent of the angle from its axis to its borders
         int size_px = 0;
         bool alone = false;  // there is no other to fade into
+        bool finer = false;  // than the lens is from row to row
     };
     /// Those that show anything of what the lens sees.
     [[nodiscard]] std::vector<Side> sidesFor(const LensModel& lens) const;

@@ -42,13 +42,16 @@ Eigen::Vector3f decoded(const Eigen::Vector3f& srgb) {
     return srgb.unaryExpr([](float c) { return linearFromSrgb(c); });
 }
 
-Eigen::Vector3f skyBackdrop(float rise) {
+Eigen::Vector3f skyBackdrop(float rise, float grey) {
     const Eigen::Vector3f horizon(0.90F, 0.93F, 0.96F);
     const Eigen::Vector3f zenith(0.62F, 0.77F, 0.95F);
     const Eigen::Vector3f ground(0.64F, 0.63F, 0.61F);
     const float up = std::clamp(1.5F * rise, 0.0F, 1.0F);
     const float down = smoothStep(0.0F, 0.12F, -rise);
-    return (horizon + up * (zenith - horizon)) * (1.0F - down) + ground * down;
+    const Eigen::Vector3f color =
+        (horizon + up * (zenith - horizon)) * (1.0F - down) + ground * down;
+    const float luma = color.dot(Eigen::Vector3f(0.2126F, 0.7152F, 0.0722F));
+    return color + grey * (Eigen::Vector3f::Constant(luma) - color);
 }
 
 }  // namespace dollytrack::render

@@ -21,7 +21,8 @@ namespace dollytrack::render {
 /// Linear of sRGB's encoding, 0..1.
 [[nodiscard]] Eigen::Vector3f decoded(const Eigen::Vector3f& srgb);
 
-/// sRGB where a view meets nothing; `rise` is the sine of the way's angle above the horizon.
-[[nodiscard]] Eigen::Vector3f skyBackdrop(float rise);
+/// sRGB where a view meets nothing; `rise` is the sine of the way's angle above the horizon. Its
+/// colour goes with `grey`, and is gone at 1.
+[[nodiscard]] Eigen::Vector3f skyBackdrop(float rise, float grey = 0.0F);
 
 }  // namespace dollytrack::render

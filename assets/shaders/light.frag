@@ -45,10 +45,18 @@ layout(binding = 8) uniform sampler2D sun_let_through;
 
 // The share of the sun's light that reaches a surface; the edge of a shadow is as soft as the
 // sun's disc makes it a few metres away.
-float sunAt(vec3 p, vec3 n, float slant) {
-    // Off the surface, as far as a texel of the filter may lie above or below it.
-    float lift = (sun_blur + 2.0 * sun_scale.w) * sqrt(max(1.0 - slant * slant, 0.0)) + 0.002;
-    vec3 q = sun_from_world * (p + lift * n - sun_eye);
+// @param face  across the surface as it is, of any length; n may be smoothed or a map's
+float sunAt(vec3 p, vec3 n, vec3 face) {
+    // Off the surface, as far as a texel of the filter may lie above or below it. Neighbours across
+    // an outline span no face: there as far off as from one along the sun's light.
+    vec3 off = face * (sign(dot(face, n)) / max(length(face), 1e-20));
+    float leans = dot(off, to_sun);
+    if (dot(off, n) < 0.2) {
+        off = n;
+        leans = 0.0;
+    }
+    float lift = (sun_blur + 2.0 * sun_scale.w) * sqrt(max(1.0 - leans * leans, 0.0)) + 0.002;
+    vec3 q = sun_from_world * (p + lift * off - sun_eye);
     vec2 middle = 0.5 + q.xy * sun_scale.xy;
     vec2 apart = sun_blur * sun_scale.xy;
     // Beyond all that casts shadows there is no depth left, and no shadow either.
@@ -198,7 +206,8 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
                       lamp_light * (lamp_strength * facing_lamp * mix(1.0, open, 0.5));
 #ifdef SUN
     float slant = dot(n, to_sun);
-    vec3 sun = slant > 0.0 ? sun_irradiance * sunAt(p, n, slant) : vec3(0.0);
+    vec3 face = cross(dFdx(p), dFdy(p));
+    vec3 sun = slant > 0.0 ? sun_irradiance * sunAt(p, n, face) : vec3(0.0);
     irradiance += sun * slant;
 #endif
     vec3 lit = albedo * (1.0 - metallic) * irradiance;

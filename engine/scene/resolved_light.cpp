@@ -108,7 +108,9 @@ ResolvedLight lightOf(const LightParams& params) {
     light.sun_irradiance = throughAir(light.sun_elevation_deg) *
                            (kSunAboveAir * static_cast<float>(drawn.sun_strength));
     Eigen::Vector3f sky = skyAt(light.sun_elevation_deg);
+    light.backdrop_factor = sky * static_cast<float>(std::min(drawn.sky_strength, 1.0));
     if (drawn.light_preset == LightPreset::Overcast) {
+        light.backdrop_grey = 0.85F;  // a factor would make the grey ground brown
         sky = sky.cwiseProduct(Eigen::Vector3f(1.16F, 1.0F, 0.84F));  // grey in the place of blue
     }
     light.sky_factor = sky * static_cast<float>(drawn.sky_strength);
@@ -119,7 +121,6 @@ ResolvedLight lightOf(const LightParams& params) {
         light.drawn.lamp_temperature_K = std::max(drawn.lamp_temperature_K, kWarmest_K);
         light.lamp_color = kUsualLuminance * blackBodyColor(drawn.lamp_temperature_K);
     }
-    light.backdrop_factor = sky * static_cast<float>(std::min(drawn.sky_strength, 1.0));
     light.exposure_ev = drawn.exposure_ev;
     return light;
 }

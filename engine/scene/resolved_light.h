@@ -23,6 +23,7 @@ struct ResolvedLight {
     std::optional<Eigen::Vector3f> lamp_color;  // in the place of theirs
     /// Times the sky that cameras see where nothing else is.
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
+    float backdrop_grey = 0.0F;  // its colour is gone at 1, as behind clouds
     double exposure_ev = 0.0;
 };
 

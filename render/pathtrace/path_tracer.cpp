@@ -300,7 +300,8 @@ Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
                     const double length = ray->direction.norm();
                     const Eigen::Vector3d way = ray->direction / length;
                     const Eigen::Vector3f shown =
-                        backdrop ? *backdrop : skyBackdrop(static_cast<float>(way.z()));
+                        backdrop ? *backdrop
+                                 : skyBackdrop(static_cast<float>(way.z()), rig.backdrop_grey);
                     const Eigen::Vector3f linear = decoded(shown).cwiseProduct(
                         backdrop ? Eigen::Vector3f(Eigen::Vector3f::Ones()) : rig.backdrop_factor);
                     sum[pixel] += follow(ray->origin, way, near_m * length,

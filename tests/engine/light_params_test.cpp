@@ -66,6 +66,7 @@ TEST(ResolvedLight, TheDefaultChangesNothing) {
     EXPECT_EQ(light.sun_irradiance, Eigen::Vector3f(Eigen::Vector3f::Zero()));
     EXPECT_EQ(light.sky_factor, Eigen::Vector3f(Eigen::Vector3f::Ones()));
     EXPECT_EQ(light.backdrop_factor, Eigen::Vector3f(Eigen::Vector3f::Ones()));
+    EXPECT_EQ(light.backdrop_grey, 0.0F);
     EXPECT_EQ(light.lamp_factor, 1.0F);
     EXPECT_FALSE(light.lamp_color);
     EXPECT_EQ(light.exposure_ev, 0.0);

@@ -2,6 +2,7 @@
 
 #include "engine/scene/varied_materials.h"
 #include "render/pathtrace/path_tracer.h"
+#include "render/tone_curve.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
 #include "tests/render/sunny_room.h"
@@ -131,6 +132,44 @@ TEST_F(LightGl, NoSunThroughShuttersAndLessThroughGlass) {
     EXPECT_EQ(at(less, 2.1, 1.5), 0.0F);
 }
 
+// The top of a wall whose normals are smoothed over its edges, in a low sun from the side: no
+// stripes of its own shadow, neither where it leans towards the sun nor away. A stick over it
+// throws one.
+TEST_F(LightGl, SmoothedNormalsThrowNoStripes) {
+    dollytrack::test::SceneBuilder builder;
+    const dollytrack::test::SceneBuilder::Look grey{kNyuWall, Role::Structure, {0.5F, 0.5F, 0.5F}};
+    builder.object("wall", grey).box({1.5, 1.5, 0.5}, {0.4, 3.0, 1.0});
+    builder.object("stick", grey).box({1.0, 2.35, 1.2}, {0.1, 0.1, 0.6});
+    Scene scene = builder.build();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const Eigen::Vector3f corner(1.5F, 1.5F, 1.0F);
+    const float lean = 0.8F;
+    for (std::size_t i = 0; i < scene.positions.size(); ++i) {
+        const Eigen::Vector3f from = scene.positions[i] - corner;
+        if (std::abs(from.z()) > 1e-4F || std::abs(from.x()) > 0.21F) continue;
+        if (scene.normals[i].z() < 0.5F) continue;
+        scene.normals[i] = Eigen::Vector3f(std::copysign(lean, from.x()), 0.0F, 0.6F);
+    }
+    LightRig rig = sunAlone(scene);
+    for (const double height_deg : {8.0, 15.0, 30.0, 60.0}) {
+        const double height = height_deg * std::numbers::pi / 180.0;
+        rig.sun.way = {-std::cos(height), 0.0, std::sin(height)};
+        const std::vector<float> light = lightOf(scene, onlySun(rig), downwards());
+        ASSERT_FALSE(light.empty());
+        for (double x = 1.325; x < 1.69; x += 0.01) {
+            const Eigen::Vector3d n =
+                Eigen::Vector3d(lean * (x - 1.5) / 0.2, 0.0, 0.6).normalized();
+            const double expected = 2.0 * std::max(n.dot(rig.sun.way), 0.0);
+            for (double y = 0.605; y < 2.2; y += 0.03) {
+                ASSERT_NEAR(at(light, x, y), expected, 0.05) << height_deg << " " << x << " " << y;
+            }
+        }
+        if (height_deg < 40.0) {
+            EXPECT_EQ(at(light, 1.36, 2.35), 0.0F) << height_deg;
+        }
+    }
+}
+
 // Grounds reach further than what casts shadows: beyond these the sun shines.
 TEST_F(LightGl, TheSunShinesBehindTheShadowOfTheBuilding) {
     dollytrack::test::SceneBuilder builder;
@@ -222,6 +261,28 @@ TEST_F(DatasetLightGl, TheSameSeedIsTheSamePictureAndAnotherIsNot) {
         return varied;
     }())));
     EXPECT_EQ(card.at("light"), drawn);
+}
+
+// Clouds are grey, and the ground below them is no browner than by day.
+TEST(Sky, IsGreyWhenOvercastOverTheSameGround) {
+    const auto colorOf = [](float rise, LightPreset preset) {
+        const ResolvedLight light = resolved(lightPreset(preset));
+        const Eigen::Vector3f color =
+            decoded(skyBackdrop(rise, light.backdrop_grey)).cwiseProduct(light.backdrop_factor);
+        return Eigen::Vector3f(color / color.mean());
+    };
+    const auto colorful = [](const Eigen::Vector3f& color) {
+        return color.maxCoeff() - color.minCoeff();
+    };
+    for (const float rise : {-1.0F, -0.5F, -0.13F}) {
+        const Eigen::Vector3f ground = colorOf(rise, LightPreset::Overcast);
+        EXPECT_LT((ground - colorOf(rise, LightPreset::Day)).norm(), 0.08F) << rise;
+        EXPECT_LT(colorful(ground), 0.1F) << rise;
+    }
+    for (const float rise : {0.0F, 0.3F, 1.0F}) {
+        EXPECT_LT(colorful(colorOf(rise, LightPreset::Overcast)), 0.2F) << rise;
+    }
+    EXPECT_GT(colorful(colorOf(1.0F, LightPreset::Day)), 0.5F);
 }
 
 // Night: what came through the window is gone, to the last bit; the lamps still show the room.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -352,6 +353,32 @@ TEST_F(LensPicturesGl, BordersOfTheSidesDoNotShow) {
         EXPECT_GT(moved.mean, 2.0 * seams.mean) << lensName(lens);
         EXPECT_GT(moved.share, 10.0 * seams.share) << lensName(lens);
     }
+}
+
+// Around its poles a panorama stretches what it is put together from: edges have no teeth there, by
+// a panorama four times as fine, of whose pixels 4 x 4 are one.
+TEST_F(LensPicturesGl, EdgesHaveNoTeethAroundThePoles) {
+    const Pose pose = lookAt({1.9, 1.3, 1.4}, {3.5, 1.6, 0.3});
+    RigCamera camera = cameraOf("a", Lens::Equirectangular);
+    const cv::Rect lower(0, 96, 256, 32);  // from 45 degrees down
+    const auto drawLower = [&] { return draw(camera, pose)(lower).clone(); };
+    const cv::Mat found = drawLower();
+    camera.width_px *= 4;
+    camera.height_px *= 4;
+    cv::Mat fine, truth;
+    draw(camera, pose).convertTo(fine, CV_64F, 1.0 / 255.0);
+    cv::pow(fine, 2.2, fine);
+    cv::resize(fine, fine, {256, 128}, 0.0, 0.0, cv::INTER_AREA);
+    cv::pow(fine, 1.0 / 2.2, fine);
+    fine(lower).convertTo(truth, CV_8U, 255.0);
+    const double teeth = off(found, truth).mean;
+    EXPECT_LT(teeth, 0.55);  // 0.68 of sides no finer than the equator
+    // A picture half as fine is further off.
+    camera.width_px = 128;
+    camera.height_px = 64;
+    cv::Mat coarse;
+    cv::resize(draw(camera, pose), coarse, {256, 128}, 0.0, 0.0, cv::INTER_LINEAR);
+    EXPECT_GT(off(coarse(lower), truth).mean, 2.0 * teeth);
 }
 
 // A narrow fisheye's picture, looked up pixel by pixel in a pinhole picture of the same room.
