@@ -24,6 +24,22 @@ inline std::string lowerTrimmed(std::string_view text) {
     return plain;
 }
 
+/// "'normal_camera' or 'normal_world'" for "normals": names that begin so, or the closest one;
+/// empty where none is close.
+inline std::string meantNames(std::string_view wrong, const std::vector<std::string>& known) {
+    std::string_view stem = wrong;
+    if (stem.size() > 3 && stem.ends_with('s')) stem.remove_suffix(1);
+    std::string meant;
+    for (const std::string& name : known) {
+        if (stem.size() < 3 || !name.starts_with(stem)) continue;
+        if (name == stem) return "'" + name + "'";
+        meant += (meant.empty() ? "'" : " or '") + name + "'";
+    }
+    if (!meant.empty()) return meant;
+    const std::string close = closestName(wrong, known);
+    return close.empty() ? close : "'" + close + "'";
+}
+
 /// The rows of a table that `names` name, in the table's order; all of them where one is "all",
 /// the standard ones when it is empty. A row has a `name` and a `standard`. Error: Usage, with the
 /// closest name, at `where`.
@@ -36,12 +52,12 @@ Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
     const bool all_wanted = std::find(names.begin(), names.end(), "all") != names.end();
     for (const std::string& name : names) {
         if (name == "all" || std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const std::string close = closestName(lowerTrimmed(name), known);
+        const std::string close = meantNames(lowerTrimmed(name), known);
         std::string all;
         for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
         return fail(ErrorCode::Usage,
                     "There is no " + kind + " '" + name + "'" +
-                        (close.empty() ? "" : "; did you mean '" + close + "'?") +
+                        (close.empty() ? "" : "; did you mean " + close + "?") +
                         (close.empty() ? "; there are " : " There are ") + all + ".",
                     where);
     }

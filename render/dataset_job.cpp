@@ -291,13 +291,17 @@ bool DatasetJob::folderIsThere() const {
     return impl_->folder->isThere();
 }
 
-Status checkSettings(const DatasetSettings& settings) {
+Status checkChoices(const DatasetSettings& settings) {
     const auto modalities = chooseModalities(settings.modalities, !settings.rig.empty());
     if (!modalities) return tl::unexpected(modalities.error());
     if (Status status = validate(settings.rig); !status) return status;
     const auto formats = chooseFormats(settings.formats);
     if (!formats) return tl::unexpected(formats.error());
-    if (Status status = checkNeeds(*formats, *modalities); !status) return status;
+    return checkNeeds(*formats, *modalities);
+}
+
+Status checkSettings(const DatasetSettings& settings) {
+    if (Status status = checkChoices(settings); !status) return status;
     const Result<DatasetFolder> folder = DatasetFolder::claim(settings.folder, settings.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     return settings.overwrite || settings.resume ? Status() : folder->checkNotComplete();

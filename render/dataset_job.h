@@ -47,6 +47,9 @@ struct DatasetSettings {
     Rig rig;              // further cameras; with any, the modality `cameras` is written
 };
 
+/// Whether all names are known, and what they need is there. Errors: Usage.
+[[nodiscard]] Status checkChoices(const DatasetSettings& settings);
+
 /// Whether an export with these settings could begin, as far as can be said without the scene:
 /// names, and whether the folder can be written. Errors as DatasetJob::begin().
 [[nodiscard]] Status checkSettings(const DatasetSettings& settings);

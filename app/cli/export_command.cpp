@@ -1,5 +1,6 @@
 #include "app/cli/backend_option.h"
 #include "app/cli/command_line.h"
+#include "app/cli/export_warnings.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/object_motions.h"
 #include "app/cli/object_relations.h"
@@ -242,6 +243,14 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     }
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
+    const Result<bool> rival = namesRival(arguments.planner);
+    if (!rival) return tl::unexpected<Error>(rival.error());
+    // What is mistyped before what is in the way: it has to be mended whichever folder is taken.
+    if (Status status = render::checkChoices(settings); !status)
+        return tl::unexpected<Error>(std::move(status.error()));
+    if (Status status = checkArguments(arguments.scene); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     // Said before the work, not after it.
     render::DatasetSettings checked = settings;
     // Datasets of rooms lie in folders of their own, each of which is asked about when it is begun.
@@ -250,8 +259,6 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         return tl::unexpected<Error>(std::move(status.error()));
     }
     checked.overwrite = arguments.overwrite;
-    const Result<bool> rival = namesRival(arguments.planner);
-    if (!rival) return tl::unexpected<Error>(rival.error());
 
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
@@ -260,6 +267,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         Status status = render::validateLens(opened->params.camera, opened->params.sensor);
         if (!status) return tl::unexpected<Error>(std::move(status.error()));
     }
+    warnOfExport(opened->params, settings);
     // A context early: a machine that cannot draw should say so before minutes of planning.
     Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));

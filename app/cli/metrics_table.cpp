@@ -64,7 +64,9 @@ std::string metricsTable(const nlohmann::json& m) {
             if (!names.empty()) text += row(label, names);
         }
     }
-    text += row("small, captured", percent(m, "small_capture_rate"));
+    const std::string small = percent(m, "small_capture_rate");
+    text += row("  of the small ones",
+                small == "-" ? "none is below 0.1 m3" : small + " captured; small: below 0.1 m3");
     text +=
         row("area share", fmt::format("{} of the image (box), {} (mask)",
                                       percent(m, "area_share_box"), percent(m, "area_share_mask")));

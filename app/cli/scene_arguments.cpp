@@ -288,6 +288,13 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
     command.add_flag("--loop", arguments.loop, "End where it begins; same as --set loop=true");
 }
 
+Status checkArguments(const SceneArguments& arguments) {
+    Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
+    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    if (Status status = applyArguments(arguments, read->params); !status) return status;
+    return checkScene(*read);
+}
+
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
     Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
@@ -329,9 +336,12 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         const std::string changed = other_import  ? "how to read the scene"
                                     : other_edits ? "what is asked of the trajectory"
                                                   : changedNames(stored, opened.params);
-        log::warn("project", other_scene
-                                 ? "the scene file has changed since it was planned: planning again"
-                                 : "changed since it was planned: " + changed + "; planning again");
+        log::warn("project",
+                  other_scene
+                      ? "the scene file has changed since it was planned: planning again, which "
+                        "gives other views"
+                      : "changed since it was planned: " + changed +
+                            "; planning again, which gives other views");
         opened.stored_result = nullptr;
     }
     return opened;

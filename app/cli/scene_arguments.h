@@ -71,6 +71,10 @@ Status applyEdits(OpenedScene& opened, Edits edits);
 /// The project that keeps what was opened, with its stored result.
 io::ProjectFile projectOf(const OpenedScene& opened);
 
+/// What is wrong that can be told without reading the scene: no such file, or a parameter that is
+/// none. Errors: BadInput, Usage.
+[[nodiscard]] Status checkArguments(const SceneArguments& arguments);
+
 /// Loads it and applies the parameters: defaults, then the project's, then the command line's.
 /// A project's result is dropped, with a note, when the command line changes a parameter or the
 /// scene file is another one than was planned. Errors: BadInput, Usage, Cancelled.

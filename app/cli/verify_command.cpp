@@ -40,13 +40,26 @@ struct Verified {
     }
 };
 
-/// "sound", and what that leaves out.
+/// "sound", and whether more could be known.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    const auto unproven = verified.unproven();
-    if (unproven == 0) return "sound";
-    return fmt::format("sound as far as it goes: {} check{} the scene; name it with --scene",
-                       unproven, unproven == 1 ? " needs" : "s need");
+    return verified.unproven() == 0 ? "sound" : "sound as far as it goes";
+}
+
+/// " (3 look at what was not exported; 2 need the scene: name it with --scene)"
+std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
+    const std::ptrdiff_t unproven = verified.unproven();
+    const std::ptrdiff_t absent = skipped - unproven;
+    std::vector<std::string> reasons;
+    if (absent > 0) {
+        reasons.push_back(
+            fmt::format("{} look{} at what was not exported", absent, absent == 1 ? "s" : ""));
+    }
+    if (unproven > 0) {
+        reasons.push_back(fmt::format("{} need{} the scene: name it with --scene", unproven,
+                                      unproven == 1 ? "s" : ""));
+    }
+    return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, "; "));
 }
 
 const char* statusOf(const CheckResult& result) {
@@ -116,8 +129,8 @@ void print(const Verified& verified, int show) {
             fmt::print("      and {} more\n", result.findings.count - shown);
         }
     }
-    fmt::print("\n{} passed, {} failed, {} skipped: {}\n\n", passed, failed, skipped,
-               verdictOf(verified));
+    fmt::print("\n{} passed, {} failed, {} skipped{}: {}\n\n", passed, failed, skipped,
+               whySkipped(verified, skipped), verdictOf(verified));
 }
 
 Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& arguments,

@@ -4,6 +4,7 @@
 #include "engine/document/object_numbers.h"
 #include "engine/io/annotation_file.h"
 #include "engine/io/import_settings.h"
+#include "engine/io/input_check.h"
 #include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
 
@@ -60,14 +61,22 @@ bool sceneIsGone(const ProjectContent& content) {
     return !content.project.empty() && !std::filesystem::exists(content.scene_file, error);
 }
 
-Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
-                                                   const JobContext& job) {
+Status checkScene(const ProjectContent& content) {
     if (sceneIsGone(content)) {
         return fail(ErrorCode::BadInput,
                     "The project's scene " + content.scene_file.string() +
                         " is gone; put it back, or say where it is now (scene.path in the "
                         "project).",
                     content.project.string());
+    }
+    const auto format = checkSceneFile(content.scene_file);
+    return format ? Status() : Status(tl::unexpected<Error>(format.error()));
+}
+
+Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
+                                                   const JobContext& job) {
+    if (Status status = checkScene(content); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     Result<ImportOptions> options = io::importOptionsFromJson(content.import);
     if (!options) return tl::unexpected<Error>(std::move(options.error()));

@@ -43,6 +43,9 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
 
 [[nodiscard]] bool sceneIsGone(const ProjectContent& content);
 
+/// Whether importSceneOf() finds a file that it may read. Error: BadInput.
+[[nodiscard]] Status checkScene(const ProjectContent& content);
+
 /// Imports the scene file as `import` and the parameters have it. Errors: BadInput when a project's
 /// scene is gone; as importScene().
 Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,

@@ -20,7 +20,6 @@ constexpr double kRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
 constexpr double kFarthest = 65.5355;        // what a depth image can hold, m
 // Of what is wide and small things are a few pixels wide: there only a blank picture is wrong.
 constexpr int kJudgedPixels = 160 * 120;
-constexpr double kLeastRatio = 0.5;
 constexpr double kNudge = 1e-3;  // px: two ways to compute a ray differ by far less
 
 using Rays = std::vector<std::optional<StoredRay>>;
@@ -113,8 +112,9 @@ class CameraFrame {
         circle.report(file("instance"), index_, findings);
         boxes.report(file("depth"), index_, findings);
         normals.report(file("normal_world"), index_, findings);
-        const std::string edges = wrongEdges(
-            rgb_, ids_, true, camera_.width * camera_.height >= kJudgedPixels ? kLeastRatio : 0.0);
+        const std::string edges = camera_.width * camera_.height >= kJudgedPixels
+                                      ? wrongByOwn(rgb_, outlinesOf(ids_, true))
+                                      : blankPicture(rgb_, outlinesOf(ids_, true));
         if (!edges.empty()) {
             findings.add({file("rgb"), index_, {}, edges, "edges where the objects meet"});
         }

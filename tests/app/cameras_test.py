@@ -159,6 +159,22 @@ class CamerasTest(FolderCase):
                          "cannot be drawn")
         self.assertTrue((out / "dataset.json").exists(), "the dataset before is as it was")
 
+    def test_a_camera_that_is_the_planned_one_again_is_warned_of(self):
+        for camera, again in [("a:width_px=96,height_px=72", True), ("a", False),
+                              ("a:width_px=96,height_px=72,yaw_deg=360", True),
+                              ("a:width_px=96,height_px=72,yaw_deg=1", False),
+                              ("a:width_px=96,height_px=72,right_m=0.1", False),
+                              ("a:width_px=96,height_px=72,level=true", False),
+                              ("a:width_px=96,height_px=72,fov_deg=61", False)]:
+            out = self.folder / "again"
+            result = self.export(out, "--range", "0:1", "--overwrite", "--camera", camera)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            with self.subTest(camera):
+                self.assertEqual("the planned camera once more" in result.stderr, again)
+                same = ((out / "rgb/000000.png").read_bytes() ==
+                        (out / "cameras/a/rgb/000000.png").read_bytes())
+                self.assertEqual(same, again)
+
     def test_a_camera_in_a_wall_is_warned_of(self):
         result = self.export(self.folder / "walled", "--modalities", "instance",
                              "--camera", "far:width_px=16,height_px=16,forward_m=9")

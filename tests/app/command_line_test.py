@@ -66,6 +66,13 @@ class CommandLine(FolderCase):
         self.assertLessEqual(metrics["frames"], 20)
         self.assertEqual(metrics["frame_collision_rate"], 0.0)
 
+    def test_the_table_says_what_is_small(self):
+        small = [line.split() for line in run("plan", self.room, "--max-frames", 20).stdout.splitlines()
+                 if "small ones" in line]
+        rate = json.loads(self.planned.stdout)["small_capture_rate"]
+        self.assertEqual(small, [f"of the small ones {100 * rate:.1f} % captured; small: below "
+                                 "0.1 m3".split()])
+
     def test_bound_is_no_less_than_what_was_reached(self):
         metrics = json.loads(run("plan", self.room, "--json", "--bound").stdout)
         self.assertGreaterEqual(metrics["capturable_rate"], metrics["capture_rate"])

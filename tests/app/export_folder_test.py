@@ -77,6 +77,50 @@ class ExportFolder(FolderCase):
         self.export(out, "--range", "0:2", "--overwrite")
         self.assertEqual(len(list((out / "rgb").iterdir())), 2)
 
+    def test_what_is_mistyped_is_said_before_that_the_folder_is_taken(self):
+        out = self.new_folder()
+        self.export(out, "--modalities", "depth", "--range", "0:2")
+        for scene, arguments, code, word in [
+            (self.folder / "none.obj", [], 4, "none.obj"),
+            (self.folder / "none.dolly", [], 4, "none.dolly"),
+            (self.project, ["--set", "hfov_deg=900"], 2, "hfov_deg"),
+            (self.project, ["--set", "hfof_deg=90"], 2, "hfov_deg"),
+            (self.project, ["--modalities", "dept"], 2, "did you mean 'depth'"),
+            (self.project, ["--formats", "cocoa"], 2, "did you mean 'coco'"),
+            (self.project, ["--planner", "dollitrack"], 2, "dollytrack"),
+            (self.project, [], 2, "--overwrite"),
+        ]:
+            with self.subTest(word):
+                result = run("-q", "export", scene, "--out", out, *arguments)
+                self.assertFails(result, code, word)
+                if arguments or scene != self.project:
+                    self.assertNotIn("--overwrite", result.stderr)
+
+    # --- what is allowed, and was hardly meant
+
+    def test_light_by_frame_that_does_not_vary_or_is_not_recorded_is_warned_of(self):
+        by_frame = ["--set", "light_varies=frame", "--modalities", "rgb", "--range", "0:1"]
+        for arguments, said in [
+            (["--formats", "frames"], "light_variation is 0"),
+            (["--formats", "coco", "--modalities", "instance", "--set", "light_variation=0.5"],
+             "add frames to --formats"),
+            (["--formats", "frames", "--set", "light_variation=0.5"], None),
+        ]:
+            with self.subTest(said):
+                warnings = self.export(self.new_folder(), *by_frame, *arguments).stderr
+                self.assertEqual(warnings.count("light_varies"), 0 if said is None else 1, warnings)
+                self.assertIn(said or "", warnings)
+        self.assertNotIn("light", self.export(self.new_folder(), "--modalities", "rgb", "--range",
+                                              "0:1").stderr)
+
+    def test_other_pictures_than_were_planned_are_said_to_be_other_views(self):
+        for arguments, said in [(["--set", "width_px=80"], "width_px; planning again"),
+                                (["--set", "light_preset=night"], None)]:
+            warnings = self.export(self.new_folder(), "--modalities", "depth", "--range", "0:1",
+                                   *arguments).stderr
+            self.assertEqual("other views" in warnings, said is not None, warnings)
+            self.assertIn(said or "", warnings)
+
     def test_a_folder_that_was_taken_away_is_not_to_be_continued(self):
         out = self.new_folder()
         process = start("-q", "export", self.room, "--out", out, "--max-frames", 60,

@@ -358,6 +358,14 @@ class Export(FolderCase):
                          "did you mean 'depth'")
         self.assertFails(run("export", self.project, "--out", out, "--formats", "cocoa"), 2,
                          "did you mean 'coco'")
+        self.assertFails(run("export", self.project, "--out", out, "--modalities", "rgb,normals"),
+                         2, "did you mean 'normal_camera' or 'normal_world'?")
+        self.assertFails(run("export", self.project, "--out", out, "--modalities", "depths"), 2,
+                         "did you mean 'depth'?")
+        self.assertFails(run("export", self.project, "--out", out, "--formats", "kitti_object"), 2,
+                         "did you mean 'kitti_objects'?")
+        self.assertFails(run("export", self.project, "--out", out, "--formats", "zzz"), 2,
+                         "'zzz'; there are coco")
         listed = run("export", "--list")
         self.assertEqual(listed.returncode, 0)
         for word in CHOICES:

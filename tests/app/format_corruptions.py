@@ -2,6 +2,7 @@
 import json
 import struct
 
+import cv2
 import numpy as np
 
 from corruptions import found_by
@@ -174,6 +175,36 @@ def pictures_one_too_late(copy):
         picture = copy.read(f"rgb/{name}")
         copy.write(f"rgb/{name}", earlier)
         earlier = picture
+
+
+@found_by("pictures")
+def pictures_of_two_frames_exchanged(copy):
+    copy.swap("rgb/000001.png", "rgb/000005.png")
+
+
+@found_by("pictures")
+def picture_mirrored(copy):
+    copy.edit("rgb/000001.png", lambda image: image[:, ::-1])
+
+
+@found_by("pictures")
+def picture_upside_down(copy):
+    copy.edit("rgb/000002.png", lambda image: image[::-1])
+
+
+@found_by("pictures")
+def picture_moved_by_eight_pixels(copy):
+    copy.edit("rgb/000001.png", lambda image: np.roll(image, (8, 8), (0, 1)))
+
+
+@found_by("pictures")
+def picture_of_another_room(copy):
+    def draw(image):
+        other = np.full_like(image, 90)
+        for i, x in enumerate(range(5, image.shape[1] - 20, 24)):
+            cv2.rectangle(other, (x, 7 * i % 50), (x + 9, 60 + 11 * i % 50), (20 * i, 200, 60), -1)
+        return other
+    copy.edit("rgb/000001.png", draw)
 
 
 @found_by("pictures")

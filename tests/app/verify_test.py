@@ -185,6 +185,22 @@ class VerifyTest(FolderCase):
         self.assertIn("coco", checks["coco"]["reason"])
         self.assertEqual(checks["poses"]["status"], "passed")
 
+    def test_the_last_line_says_how_much_was_not_looked_at_and_why(self):
+        whole = run("-q", "verify", self.dataset).stdout.strip().splitlines()[-1]
+        self.assertRegex(whole, r"^\d+ passed, 0 failed, 0 skipped: sound$")
+        out = self.folder / "away_from_it" / "all" / "fewer"
+        export = run("export", self.folder / "room.dolly", "--out", out, "--modalities",
+                     "rgb,depth", "--formats", "camera_json")
+        self.assertEqual(export.returncode, 0, export.stderr)
+        near = run("-q", "verify", out, "--scene", self.folder / "room.obj").stdout
+        skipped = near.count(" skipped  ")
+        self.assertGreater(skipped, 5)
+        self.assertIn(f"{skipped} skipped ({skipped} look at what was not exported): sound", near)
+        # 'scene' alone is about the scene where neither ids nor surfaces were written.
+        away = run("-q", "verify", out).stdout
+        self.assertIn(f"{skipped + 1} skipped ({skipped} look at what was not exported; 1 needs the "
+                      "scene: name it with --scene): sound as far as it goes", away)
+
     def test_the_list_names_every_check(self):
         listed = run("verify", "--list")
         self.assertEqual(listed.returncode, 0)

@@ -1,0 +1,153 @@
+#include "render/verify/picture_edges.h"
+
+#include "engine/core/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+
+struct Box {
+    int x0, y0, x1, y1;
+    int id;
+};
+
+const std::vector<Box> kBoxes = {{12, 20, 70, 90, 1}, {90, 10, 130, 50, 2}, {80, 70, 148, 100, 3}};
+
+Image16 labels(const std::vector<Box>& boxes) {
+    Image16 ids{kWidth, kHeight, 1, std::vector<std::uint16_t>(kWidth * kHeight, 9)};
+    for (const Box& box : boxes) {
+        for (int y = box.y0; y < box.y1; ++y) {
+            for (int x = box.x0; x < box.x1; ++x) {
+                ids.values[static_cast<std::size_t>(y * kWidth + x)] =
+                    static_cast<std::uint16_t>(box.id);
+            }
+        }
+    }
+    return ids;
+}
+
+/// Each id in a shade of its own, `contrast` of 255 apart, with as much noise as is asked for.
+Image8 pictureOf(const Image16& ids, int contrast, int noise) {
+    Random random(3);
+    Image8 picture{kWidth, kHeight, 3, {}};
+    for (const std::uint16_t id : ids.values) {
+        for (int c = 0; c < 3; ++c) {
+            const int shade = 12 + contrast * (id % 9) + static_cast<int>(random.below(noise + 1));
+            picture.values.push_back(static_cast<std::uint8_t>(std::min(shade, 255)));
+        }
+    }
+    return picture;
+}
+
+Image8 moved(const Image8& picture, int dx, int dy) {
+    Image8 result = picture;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const std::uint8_t* from = picture.pixel(std::clamp(x - dx, 0, kWidth - 1),
+                                                     std::clamp(y - dy, 0, kHeight - 1));
+            std::copy(from, from + 3, result.values.begin() + 3 * (y * kWidth + x));
+        }
+    }
+    return result;
+}
+
+Image8 mirroredPicture(const Image8& picture) {
+    Image8 result = picture;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const std::uint8_t* from = picture.pixel(kWidth - 1 - x, y);
+            std::copy(from, from + 3, result.values.begin() + 3 * (y * kWidth + x));
+        }
+    }
+    return result;
+}
+
+OwnFit judged(const Image8& picture, const Image16& ids) {
+    return judgeByOwn(ChangeMap(picture), outlinesOf(ids, false));
+}
+
+TEST(PictureEdges, APictureOfItsLabelsIsExplainedHoweverDark) {
+    const Image16 ids = labels(kBoxes);
+    for (const int contrast : {1, 3, 10, 60}) {
+        const OwnFit fit = judged(pictureOf(ids, contrast, 0), ids);
+        EXPECT_GT(fit.own.rank, 0.95) << contrast;
+        EXPECT_EQ(fit.elsewhere, "") << contrast;
+        EXPECT_EQ(wrongByOwn(pictureOf(ids, contrast, 0), outlinesOf(ids, false)), "") << contrast;
+    }
+}
+
+TEST(PictureEdges, AMovedOrMirroredPictureIsToldWithWhatExplainsIt) {
+    const Image16 ids = labels(kBoxes);
+    const Image8 picture = pictureOf(ids, 30, 6);
+    EXPECT_EQ(judged(moved(picture, 8, 0), ids).elsewhere, "moved by about (8, 0) px");
+    EXPECT_EQ(judged(moved(picture, -4, 12), ids).elsewhere, "moved by about (-4, 12) px");
+    EXPECT_EQ(judged(mirroredPicture(picture), ids).elsewhere, "mirrored left to right");
+    EXPECT_EQ(judged(picture, ids).elsewhere, "");
+}
+
+TEST(PictureEdges, APictureOfSomethingElseIsNotExplained) {
+    const Image16 ids = labels(kBoxes);
+    const Image16 other =
+        labels({{30, 5, 45, 115, 4}, {60, 30, 75, 118, 5}, {104, 55, 158, 64, 6}});
+    const OwnFit fit = judged(pictureOf(other, 30, 6), ids);
+    EXPECT_LT(fit.best, 0.65);
+    const ChangeMap change(pictureOf(other, 30, 6));
+    EXPECT_TRUE(explainsBetter(change.fit(outlinesOf(other, false)), fit.own));
+    EXPECT_FALSE(explainsBetter(fit.own, change.fit(outlinesOf(other, false))));
+}
+
+// A door in a wall of its colour: what is to be seen is a groove a few pixels inside.
+TEST(PictureEdges, ALineBesideAFaintBorderProvesNothing) {
+    const Image16 ids = labels({{40, 0, 110, 95, 1}});
+    Image8 picture = pictureOf(ids, 0, 2);
+    for (int y = 0; y < 90; ++y) {
+        for (int x = 104; x < 106; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                picture.values[static_cast<std::size_t>(3 * (y * kWidth + x) + c)] = 60;
+            }
+        }
+    }
+    const Outlines outlines = outlinesOf(ids, false);
+    EXPECT_EQ(judgeByOwn(ChangeMap(picture), outlines).elsewhere, "");
+}
+
+TEST(PictureEdges, ABlankPictureIsWrongOnlyWhereSomethingShouldBeSeen) {
+    const Image8 blank = pictureOf(labels({}), 0, 0);
+    EXPECT_NE(wrongByOwn(blank, outlinesOf(labels(kBoxes), false)), "");
+    EXPECT_EQ(wrongByOwn(blank, outlinesOf(labels({}), false)), "");
+}
+
+TEST(PictureEdges, MirroredOutlinesAreThoseOfTheMirroredImage) {
+    const Image16 ids = labels(kBoxes);
+    Image16 mirrored_ids = ids;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            mirrored_ids.values[static_cast<std::size_t>(y * kWidth + x)] =
+                ids.at(kWidth - 1 - x, kHeight - 1 - y);
+        }
+    }
+    const auto sorted = [](std::vector<std::array<int, 2>> places) {
+        std::sort(places.begin(), places.end());
+        return places;
+    };
+    const Outlines expected = outlinesOf(mirrored_ids, false);
+    const Outlines found = mirrored(outlinesOf(ids, false), true, true);
+    EXPECT_EQ(sorted(found.across), sorted(expected.across));
+    EXPECT_EQ(sorted(found.down), sorted(expected.down));
+}
+
+TEST(PictureEdges, BordersWithNothingCanBeLeftOut) {
+    Image16 ids = labels({{20, 20, 60, 60, 1}, {60, 20, 100, 60, 2}});
+    for (std::uint16_t& id : ids.values) id = id == 9 ? 0 : id;
+    EXPECT_EQ(outlinesOf(ids, true).count(), 40U);
+    EXPECT_EQ(outlinesOf(ids, false).count(), 40U + 2 * 80 + 2 * 40);
+}
+
+}  // namespace
+}  // namespace dollytrack::verify
