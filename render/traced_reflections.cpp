@@ -142,8 +142,9 @@ Eigen::Vector3f TracedReflections::lightAlong(Eigen::Vector3d origin, Eigen::Vec
     for (int step = 0; step < kMostSurfaces; ++step) {
         const RayHit hit = rays_.cast(origin, way, kInfinity);
         if (hit.object_id == 0) {
-            const Eigen::Vector3f shown = decoded(skyBackdrop(static_cast<float>(way.z())))
-                                              .cwiseProduct(light_.backdrop_factor);
+            const Eigen::Vector3f shown =
+                decoded(skyBackdrop(static_cast<float>(way.z()), light_.backdrop_grey))
+                    .cwiseProduct(light_.backdrop_factor);
             return light + carried.cwiseProduct(inverseToneCurve(shown)) / light_.exposure;
         }
         const SurfacePoint point = surface_.at(origin, way, hit);

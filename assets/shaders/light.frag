@@ -272,11 +272,11 @@ void main() {
         mean.normal += other.normal;
         mean.z += other.z;
     }
-    if (!same) discard;
     mean.albedo /= float(kLooks);
     mean.normal = mean.z > 0.0 ? normalize(mean.normal) : mean.normal;
     mean.z /= float(kLooks);
     out_rgb = vec4(float(kLooks) * share * shown(mean, gl_FragCoord.xy), 1.0);
+    if (!same) discard;  // last: light is looked up by what neighbours see, too
 #elif defined(LOOKS)
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kLooks; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
