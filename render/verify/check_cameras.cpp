@@ -2,7 +2,7 @@
 #include "render/verify/check_cameras.h"
 #include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
-#include "render/verify/picture_edges.h"
+#include "render/verify/picture_judge.h"
 #include "render/verify/stored_rig.h"
 
 #include <fmt/format.h>
@@ -28,6 +28,7 @@ using Rays = std::vector<std::optional<StoredRay>>;
 struct CameraRays {
     StoredCamera camera;
     Rays rays;
+    std::unique_ptr<PictureJudge> pictures;
 };
 
 std::string text(const Eigen::Vector3d& v) {
@@ -112,12 +113,15 @@ class CameraFrame {
         circle.report(file("instance"), index_, findings);
         boxes.report(file("depth"), index_, findings);
         normals.report(file("normal_world"), index_, findings);
-        const std::string edges = camera_.width * camera_.height >= kJudgedPixels
-                                      ? wrongByOwn(rgb_, outlinesOf(ids_, true))
-                                      : blankPicture(rgb_, outlinesOf(ids_, true));
-        if (!edges.empty()) {
-            findings.add({file("rgb"), index_, {}, edges, "edges where the objects meet"});
+        if (camera_.width * camera_.height < kJudgedPixels && isBlank(rgb_) &&
+            outlinesOf(ids_, true).count() >= kFewestPlaces) {
+            findings.add({file("rgb"), index_, {}, kBlank, "edges where the objects meet"});
         }
+    }
+
+    void showTo(PictureJudge& judge) const {
+        if (camera_.width * camera_.height < kJudgedPixels) return;
+        judge.look(static_cast<std::size_t>(index_), rgb_, ids_);
     }
 
     void checkScene(const Subject& subject, Findings& findings) {
@@ -300,8 +304,8 @@ class CameraFrame {
     Image16 depth_, ids_, normals_;
 };
 
-CameraRays withRays(StoredCamera camera) {
-    CameraRays result{std::move(camera), {}};
+CameraRays withRays(StoredCamera camera, std::size_t frames) {
+    CameraRays result{std::move(camera), {}, std::make_unique<PictureJudge>(frames, true)};
     const StoredCamera& of = result.camera;
     for (int y = 0; y < of.height; ++y) {
         for (int x = 0; x < of.width; ++x) {
@@ -320,7 +324,8 @@ CheckWork beginCameras(const Subject& subject, Findings& findings) {
         return {};
     }
     auto cameras = std::make_shared<std::vector<CameraRays>>();
-    for (StoredCamera& camera : *rig) cameras->push_back(withRays(std::move(camera)));
+    for (StoredCamera& camera : *rig)
+        cameras->push_back(withRays(std::move(camera), subject.dataset.frames.size()));
     CheckWork work;
     work.frame = [&subject, cameras](FrameImages& images, Findings& found) {
         for (const CameraRays& one : *cameras) {
@@ -328,7 +333,23 @@ CheckWork beginCameras(const Subject& subject, Findings& findings) {
             CameraFrame frame(subject.dataset, one, images.stored(), images.frame());
             if (!frame.read(found)) continue;
             frame.checkItself(found);
+            frame.showTo(*one.pictures);
             if (subject.rays) frame.checkScene(subject, found);
+        }
+    };
+    work.finish = [&subject, cameras](Findings& found) {
+        for (const CameraRays& one : *cameras) {
+            const StoredCamera& camera = one.camera;
+            const auto path = [&](const char* image, int frame) {
+                return subject.dataset.folder / camera.file(image, frame);
+            };
+            one.pictures->judge(
+                {[&](int frame) { return camera.file("rgb", frame); },
+                 [&](int frame) { return readImage8(path("rgb", frame), 3).value_or(Image8()); },
+                 [&](int frame) {
+                     return readImage16(path("instance", frame), 1).value_or(Image16());
+                 }},
+                found);
         }
     };
     return work;

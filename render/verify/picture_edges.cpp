@@ -14,9 +14,6 @@ namespace {
 constexpr double kClearlyMore = 0.1;
 constexpr double kLessUnexplained = 0.4;
 constexpr double kMostStrong = 0.75;
-constexpr double kExplainsNothing = 0.55;  // with no other frame to ask: half of those of others
-
-constexpr const char* kBlank = "all of it has one colour";
 
 constexpr int kFarthestMove = 16;  // px
 constexpr int kMoveStep = 4;
@@ -27,6 +24,8 @@ int changeOf(const std::uint8_t* a, const std::uint8_t* b) {
     return most;
 }
 
+}  // namespace
+
 bool isBlank(const Image8& picture) {
     for (std::size_t i = 3; i + 2 < picture.values.size(); i += 3) {
         if (!std::equal(picture.values.begin(), picture.values.begin() + 3,
@@ -36,8 +35,6 @@ bool isBlank(const Image8& picture) {
     }
     return true;
 }
-
-}  // namespace
 
 Outlines outlinesOf(const Image16& ids, bool of_things_alone) {
     Outlines outlines;
@@ -185,19 +182,6 @@ std::string textOf(const OwnFit& judged) {
         "where objects meet in the frame's instance image colours change more than in {:.0f} % of "
         "the picture; with that image {} in {:.0f} %",
         100.0 * judged.own.rank, judged.elsewhere, 100.0 * judged.fit_elsewhere.rank);
-}
-
-std::string blankPicture(const Image8& picture, const Outlines& outlines) {
-    return outlines.count() >= kFewestPlaces && isBlank(picture) ? kBlank : std::string();
-}
-
-std::string wrongByOwn(const Image8& picture, const Outlines& outlines) {
-    if (outlines.count() < kFewestPlaces) return {};
-    const ChangeMap change(picture);
-    if (change.blank()) return kBlank;
-    const OwnFit judged = judgeByOwn(change, outlines);
-    if (!judged.elsewhere.empty()) return textOf(judged);
-    return judged.best < kExplainsNothing ? textOf(judged.own) : std::string();
 }
 
 }  // namespace dollytrack::verify

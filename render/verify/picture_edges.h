@@ -77,11 +77,9 @@ struct OwnFit {
 };
 OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines);
 
-/// What is wrong with a picture that nothing but its own frame's outlines can be asked of; empty
-/// where nothing is, and where there is too little to say.
-std::string wrongByOwn(const Image8& picture, const Outlines& outlines);
-/// Whether it has one colour only, said likewise.
-std::string blankPicture(const Image8& picture, const Outlines& outlines);
+/// Whether all of a picture has one colour.
+bool isBlank(const Image8& picture);
+constexpr const char* kBlank = "all of it has one colour";
 
 /// "its colours change ...": for findings.
 std::string textOf(const Fit& own);

@@ -1,0 +1,146 @@
+#include "render/verify/picture_judge.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr double kWellExplained = 0.8;     // rank: no other frame need be asked
+constexpr double kExplainsNothing = 0.65;  // what is below may be a picture of something else
+constexpr double kLeastStructure = 0.02;   // of a picture, to be one of something
+constexpr double kMoreLikeOthers = 0.1;    // share of frames whose labels fit the colours better
+constexpr double kManyAlike = 0.25;        // of the frames: no longer a few faint ones
+constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, beside the neighbours
+constexpr int kNeighbours = 2;
+constexpr std::size_t kMostTried = 500;  // pictures; a dataset with more is wrong in any case
+
+}  // namespace
+
+PictureJudge::PictureJudge(std::size_t frames, bool of_things_alone)
+    : seen_(frames), of_things_alone_(of_things_alone) {}
+
+void PictureJudge::look(std::size_t frame, const Image8& picture, const Image16& ids) {
+    auto seen = std::make_unique<Seen>(Seen{SmallFrame(picture, ids)});
+    const Outlines outlines = outlinesOf(ids, of_things_alone_);
+    seen->judged = outlines.count() >= kFewestPlaces;
+    if (seen->judged) {
+        const ChangeMap change(picture);
+        seen->blank = change.blank();
+        seen->structure = change.structure();
+        seen->fit = judgeByOwn(change, outlines);
+    }
+    seen_[frame] = std::move(seen);
+}
+
+void PictureJudge::judge(const Files& files, Findings& findings) {
+    std::vector<std::string> wrong(seen_.size());
+    std::vector<std::size_t> doubtful;
+    std::size_t judged = 0, unexplained = 0;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+        if (!seen_[i]) continue;
+        colours_.add(seen_[i]->small);
+        if (!seen_[i]->judged) continue;
+        ++judged;
+        unexplained += isUnexplained(*seen_[i]) ? 1 : 0;
+        if (seen_[i]->blank) {
+            wrong[i] = kBlank;
+        } else if (!seen_[i]->fit.elsewhere.empty()) {
+            wrong[i] = textOf(seen_[i]->fit);
+        } else if (seen_[i]->fit.own.rank < kWellExplained) {
+            doubtful.push_back(i);
+        }
+    }
+    // Two and more of all frames, so that one faint frame of three is no majority.
+    const bool many = unexplained >= 2 &&
+                      static_cast<double>(unexplained) >= kManyAlike * static_cast<double>(judged);
+    doubtful.resize(std::min(doubtful.size(), kMostTried));
+    parallelFor(doubtful.size(),
+                [&](std::size_t i) { wrong[doubtful[i]] = ask(doubtful[i], many, files); });
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        if (wrong[i].empty()) continue;
+        const int frame = static_cast<int>(i);
+        findings.add({files.picture_name(frame),
+                      frame,
+                      {},
+                      wrong[i],
+                      "edges where the objects of this frame meet"});
+    }
+}
+
+bool PictureJudge::isUnexplained(const Seen& seen) {
+    return !seen.blank && seen.fit.best < kExplainsNothing && seen.structure >= kLeastStructure;
+}
+
+PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
+    const SmallFrame& picture = seen_[frame]->small;
+    const double own = colours_.distance(picture, picture);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+        if (i == frame || !seen_[i]) continue;
+        const double distance = colours_.distance(picture, seen_[i]->small);
+        if (distance >= 0.0) order.emplace_back(distance, i);
+    }
+    std::sort(order.begin(), order.end());
+    Ranked ranked;
+    std::size_t better = 0;
+    for (const auto& [distance, i] : order) {
+        ranked.others.push_back(i);
+        better += own >= 0.0 && distance < own ? 1 : 0;
+    }
+    if (!order.empty()) {
+        ranked.better = static_cast<double>(better) / static_cast<double>(order.size());
+    }
+    return ranked;
+}
+
+/// What is wrong with a picture that its own labels explain badly; empty where nothing is.
+std::string PictureJudge::ask(std::size_t frame, bool many_unexplained, const Files& files) const {
+    const Seen& seen = *seen_[frame];
+    const Ranked ranked = rankedFor(frame);
+    std::vector<std::size_t> tried;
+    for (int aside = -kNeighbours; aside <= kNeighbours; ++aside) {
+        const int other = static_cast<int>(frame) + aside;
+        if (aside != 0 && other >= 0 && other < static_cast<int>(seen_.size())) {
+            tried.push_back(static_cast<std::size_t>(other));
+        }
+    }
+    for (std::size_t i = 0; i < std::min(kLikeliest, ranked.others.size()); ++i) {
+        tried.push_back(ranked.others[i]);
+    }
+    if (std::string found = explainedByOther(frame, tried, files); !found.empty()) return found;
+    if (!isUnexplained(seen)) return {};
+    return many_unexplained || ranked.better >= kMoreLikeOthers ? textOf(seen.fit.own)
+                                                                : std::string();
+}
+
+std::string PictureJudge::explainedByOther(std::size_t frame,
+                                           const std::vector<std::size_t>& others,
+                                           const Files& files) const {
+    const Image8 picture = files.picture(static_cast<int>(frame));
+    if (picture.values.empty()) return {};
+    const ChangeMap change(picture);
+    const Fit& own = seen_[frame]->fit.own;
+    Fit best = own;
+    std::optional<std::size_t> best_frame;
+    for (const std::size_t other : others) {
+        const Image16 ids = files.ids(static_cast<int>(other));
+        if (ids.width != picture.width || ids.height != picture.height) continue;
+        const Fit fit = change.fit(outlinesOf(ids, of_things_alone_));
+        if (fit.rank <= best.rank || !explainsBetter(fit, own)) continue;
+        best = fit;
+        best_frame = other;
+    }
+    if (!best_frame) return {};
+    return fmt::format(
+        "where objects meet in the frame's instance image colours change more than in {:.0f} % "
+        "of the picture; with that of frame {} in {:.0f} %",
+        100.0 * own.rank, *best_frame, 100.0 * best.rank);
+}
+
+}  // namespace dollytrack::verify
