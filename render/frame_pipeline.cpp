@@ -52,6 +52,11 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         target.emplace(std::move(*created));
     }
+    if (needs(kNeedsRgb | kNeedsLater) && !reference_) {
+        Status status = renderer_->reserve(contents_.camera.width_px, contents_.camera.height_px,
+                                           picture_.antialias);
+        if (!status) return status;
+    }
     if (needs(kNeedsRight)) {
         Result<RenderTarget> created =
             RenderTarget::create(contents_.camera.width_px, contents_.camera.height_px);

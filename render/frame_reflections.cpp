@@ -9,6 +9,7 @@ struct FrameReflections::Still {
     std::optional<MovedShape> shape;
     LightVolume light;
     std::optional<TracedReflections> reflections;
+    int frame = 0;
 };
 
 FrameReflections::FrameReflections(const FrameContext& context, const FrameLights& lights,
@@ -20,8 +21,10 @@ FrameReflections::FrameReflections(const FrameContext& context, const FrameLight
 const TracedReflections* FrameReflections::at(int frame) {
     if (!any_) return nullptr;
     const bool always_alike = !context_.moving.any() && !lights_.vary();
-    if (still_ && (always_alike || frame == prepared_frame_)) return &*still_->reflections;
+    std::shared_ptr<Still>& place = stills_[always_alike ? 0 : static_cast<unsigned>(frame) % 2];
+    if (place && (always_alike || place->frame == frame)) return &*place->reflections;
     auto still = std::make_shared<Still>();
+    still->frame = frame;
     still->rays = context_.moving.raysAt(frame);
     still->shape = context_.moving.wholeShapeAt(frame);
     still->light =
@@ -30,9 +33,8 @@ const TracedReflections* FrameReflections::at(int frame) {
     still->light.own_share = lights_.volume().own_share;
     still->reflections.emplace(context_.contents.scene, *still->rays, still->light,
                                still->shape ? &*still->shape : nullptr);
-    still_ = std::move(still);
-    prepared_frame_ = frame;
-    return &*still_->reflections;
+    place = std::move(still);
+    return &*place->reflections;
 }
 
 }  // namespace dollytrack::render

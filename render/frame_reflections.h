@@ -5,18 +5,20 @@
 #include "render/frame_lights.h"
 #include "render/traced_reflections.h"
 
+#include <array>
 #include <memory>
 
 namespace dollytrack::render {
 
-/// What smooth surfaces show in the drawn pictures of a dataset's frames.
+/// What smooth surfaces show in the drawn pictures of a dataset's frames. Sensor pictures show in
+/// mirrors what moves where it is at the frame's time, without the blur of its motion.
 class FrameReflections {
   public:
     /// `context` and `lights` must outlive this.
     FrameReflections(const FrameContext& context, const FrameLights& lights, Reflections which);
 
-    /// With things and light as they are in the frame, until the next call; null where nothing in
-    /// the scene reflects.
+    /// With things and light as they are in the frame, until the next call but one; null where
+    /// nothing in the scene reflects.
     [[nodiscard]] const TracedReflections* at(int frame);
 
   private:
@@ -25,8 +27,8 @@ class FrameReflections {
     const FrameContext& context_;
     const FrameLights& lights_;
     bool any_;
-    int prepared_frame_ = -1;
-    std::shared_ptr<Still> still_;
+    // Of even and of odd frames: some pictures of a frame are drawn when the next has begun.
+    std::array<std::shared_ptr<Still>, 2> stills_;
 };
 
 }  // namespace dollytrack::render

@@ -280,11 +280,11 @@ void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32
 void setAnisotropy(const GpuScene& scene, int places) {
     if (!GLEW_EXT_texture_filter_anisotropic) return;
     if (places == 0) places = gl::drawsByProcessor() ? 1 : kAnisotropy;
-    float most = 1.0F;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
     for (const gl::Texture& texture : scene.textures) {
         glTextureParameterf(texture.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                            std::min(static_cast<float>(places), most));
+                            static_cast<float>(std::min(places, most)));
     }
 }
 

@@ -87,7 +87,7 @@ struct RestingObject {
 void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d& motion);
 
 /// How many places along its slant textures are looked up in, 1 to 16; 0: as many as the driver
-/// does without much cost, which is what uploadScene() sets.
+/// does without much cost.
 void setAnisotropy(const GpuScene& scene, int places);
 
 /// Whether a texture cuts its surface out: more than 1 % of it are holes. Compressed pictures often

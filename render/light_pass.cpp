@@ -19,7 +19,7 @@ constexpr unsigned kSun = 4;
 constexpr unsigned kAlike = 8;
 constexpr unsigned kReflections = 16;
 
-constexpr unsigned kMaps = 1;  // of occlusion.frag; kLooks is 2 there
+constexpr unsigned kMaps = 1;  // of occlusion.frag, as the next
 constexpr unsigned kFirstLook = 2;
 
 constexpr int kSkySteps = 4096;  // from straight down to straight up
@@ -114,16 +114,18 @@ void LightPass::keep(const LightVolume& light) {
     light_.own_share.clear();
 }
 
-void LightPass::setReflections(const std::vector<Eigen::Vector4f>* image, int width, int height) {
-    reflects_ = image != nullptr;
-    if (!reflects_) return;
+void LightPass::setReflections(const std::vector<Eigen::Vector4f>& image, const View& view,
+                               int first_row, int last_row) {
+    const int width = view.intrinsics.width;
+    const int height = view.intrinsics.height;
     if (width != reflections_width_ || height != reflections_height_) {
         reflections_ = gl::createImage(GL_RGBA32F, width, height);
         reflections_width_ = width;
         reflections_height_ = height;
     }
-    glTextureSubImage2D(reflections_.get(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
-                        image->data());
+    glTextureSubImage2D(reflections_.get(), 0, 0, first_row, width, last_row - first_row, GL_RGBA,
+                        GL_FLOAT, image.data() + static_cast<std::ptrdiff_t>(first_row) * width);
+    reflects_ = true;
 }
 
 /// Words of all variants of the light's program.

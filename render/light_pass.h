@@ -29,9 +29,12 @@ class LightPass {
     /// The sun's shadow is no longer that of the scene.
     void forgetShadow() { sun_shadow_is_old_ = true; }
 
-    /// What smooth surfaces of the next pictures show, as TracedReflections::trace() has it for
-    /// their size; null: the room's blurred light.
-    void setReflections(const std::vector<Eigen::Vector4f>* image, int width, int height);
+    /// What smooth surfaces of the next pictures show, as TracedReflections::trace() has these rows
+    /// of the view's image.
+    void setReflections(const std::vector<Eigen::Vector4f>& image, const View& view, int first_row,
+                        int last_row);
+    /// They show the room's blurred light.
+    void blurReflections() { reflects_ = false; }
 
     /// Links what may be needed and draws the sun's shadow where it is old; before any of the
     /// following.

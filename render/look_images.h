@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/result.h"
 #include "render/gl/handle.h"
 
 #include <Eigen/Core>
@@ -10,13 +11,13 @@ namespace dollytrack::render {
 
 /// What several looks at every pixel see, drawn at once: the surface buffer of RenderTarget with
 /// samples of its own for all that is near an edge. It is needed for as long as a picture is drawn:
-/// one serves all targets.
+/// one serves all targets of its size.
 class LookImages {
   public:
-    static constexpr int kLooks = 4;
+    static constexpr int kLooks = 4;  // as in light.frag
 
-    /// Makes them as large as this; px.
-    void resize(int width, int height);
+    /// 64 bytes a pixel. Usage: too large, or too many looks, for the driver.
+    [[nodiscard]] static Result<LookImages> create(int width, int height);
 
     /// Where in a pixel the looks are, px from its middle.
     [[nodiscard]] const std::array<Eigen::Vector2d, kLooks>& offsets() const { return offsets_; }
@@ -25,8 +26,6 @@ class LookImages {
     friend class SurfacePass;
     friend class LightPass;
 
-    int width_ = 0;
-    int height_ = 0;
     gl::Texture color_;
     gl::Texture normal_;
     gl::Texture depth_;

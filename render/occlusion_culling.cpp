@@ -13,6 +13,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr std::uint32_t kWorthwhile = 100'000;  // triangles in view: below, waiting costs more
+constexpr unsigned kImages = 5;                 // of a surface buffer with labels
 constexpr std::uint32_t kLarge = 256;           // triangles of an object that is asked about
 
 /// The object's box, wider by more than a pixel, so that looks beside the pixels' middles and what
@@ -60,7 +61,7 @@ void OcclusionCulling::start(const GpuScene& scene, const View& view,
     setCamera(box_.get(), view);
     glBindVertexArray(no_vertices_.get());
     glDepthMask(GL_FALSE);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (unsigned i = 0; i < kImages; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (std::size_t i = 0; i < in_view.size(); ++i) {
         if (!in_view[i] || scene.whole_objects[i].index_count / 3 < kLarge) continue;
         const std::optional<Eigen::AlignedBox3f> box = boxToAsk(scene.bounds[i], view);
@@ -75,7 +76,7 @@ void OcclusionCulling::start(const GpuScene& scene, const View& view,
         glEndQuery(GL_ANY_SAMPLES_PASSED);
         asked_.push_back({i});
     }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (unsigned i = 0; i < kImages; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glBindVertexArray(scene.layout.get());
     answered_ = false;

@@ -45,7 +45,7 @@ struct SceneRenderer::Impl {
     SurfacePass surfaces;
     OcclusionCulling culling;
     LightPass light;
-    LookImages looks;
+    std::map<std::pair<int, int>, LookImages> looks;  // by size
     SilhouetteCounter silhouettes;
     WholeMaskDrawer whole_masks;
     std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
@@ -59,10 +59,11 @@ struct SceneRenderer::Impl {
 
     /// @param first_row, last_row  of the image, which light is wanted of
     Status prepare(const View& view, int first_row, int last_row) {
-        const bool any =
-            reflections != nullptr && reflections->trace(view, first_row, last_row, reflected);
-        light.setReflections(any ? &reflected : nullptr, view.intrinsics.width,
-                             view.intrinsics.height);
+        if (reflections != nullptr && reflections->trace(view, first_row, last_row, reflected)) {
+            light.setReflections(reflected, view, first_row, last_row);
+        } else {
+            light.blurReflections();
+        }
         glDisable(GL_CULL_FACE);
         if (Status status = surfaces.prepare(scene, view); !status) return status;
         return light.prepare(scene);
@@ -80,22 +81,32 @@ struct SceneRenderer::Impl {
         light.smoothEdges(target);
     }
 
+    Result<LookImages*> looksOf(int width, int height) {
+        const auto known = looks.find({width, height});
+        if (known != looks.end()) return &known->second;
+        Result<LookImages> made = LookImages::create(width, height);
+        if (!made) return tl::unexpected(made.error());
+        return &looks.emplace(std::pair(width, height), std::move(*made)).first->second;
+    }
+
     /// The mean of several looks.
-    void drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
-                   RenderTarget& target) {
+    Status drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
+                     RenderTarget& target) {
+        const Result<LookImages*> images = looksOf(target.width(), target.height());
+        if (!images) return tl::unexpected(images.error());
         const std::array<float, 4> zero{};
         target.makeSum();
         glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
-        looks.resize(target.width(), target.height());
         const float share = 1.0F / static_cast<float>(LookImages::kLooks * shifts.size());
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             const View shifted = shiftedBy(shifts[i], view);
-            surfaces.drawLooks(scene, shifted, culling, looks);
+            surfaces.drawLooks(scene, shifted, culling, **images);
             // It is soft: that of one look is good for all.
-            if (i == 0) light.drawOcclusion(scene, shifted, looks, target);
-            light.addLooks(shifted, surfaces.shine(), share, looks, target);
+            if (i == 0) light.drawOcclusion(scene, shifted, **images, target);
+            light.addLooks(shifted, surfaces.shine(), share, **images, target);
         }
         light.encodeSum(target);
+        return {};
     }
 
     /// @param cull  whether looks at the same view come next
@@ -174,7 +185,7 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget
     if (Status status = impl_->prepare(view, 0, target.height()); !status) return status;
     if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
         impl_->drawLabels(view, true, target, surfaces);
-        impl_->drawLooks(view, shifts, target);
+        if (Status status = impl_->drawLooks(view, shifts, target); !status) return status;
     } else {
         impl_->drawPicture(view, surfaces == nullptr, target);
         if (surfaces != nullptr) impl_->drawLabels(view, false, target, surfaces);
@@ -220,6 +231,12 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
     }
     render::place(impl_->scene, resting->second, motion);
     impl_->light.forgetShadow();
+}
+
+Status SceneRenderer::reserve(int width, int height, Antialias antialias) {
+    if (shiftsOf(antialias).empty()) return {};
+    const Result<LookImages*> images = impl_->looksOf(width, height);
+    return images ? Status() : tl::unexpected(images.error());
 }
 
 void SceneRenderer::setReflections(const TracedReflections* reflections) {

@@ -36,6 +36,9 @@ class SceneRenderer {
     /// stood; its `lamps` are not looked at. Quicker than setLight().
     void changeLight(const LightVolume& light);
 
+    /// Makes what draw() needs of this size beside a target, so that it does not fail for memory.
+    [[nodiscard]] Status reserve(int width, int height, Antialias antialias);
+
     /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
     /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
     /// of each triangle are drawn, and each pixel shows what its centre sees.

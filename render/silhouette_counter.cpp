@@ -103,7 +103,7 @@ SilhouetteCounter::Asked SilhouetteCounter::ask(const View& view, const Piece& p
     if (rect.width() <= image.width() && rect.height() <= image.height()) {
         return {count(cutOut(view, rect), piece, small_), -1, -1};
     }
-    large_.resize(limits.width() + 2 * kStep, limits.height() + 2 * kStep);
+    large_.resize(limits.width(), limits.height());
     if (rect.area() <= kLarge * image.area()) {
         return {count(cutOut(view, rect), piece, large_), -1, -1};
     }

@@ -35,7 +35,7 @@ class SurfacePass {
 
     /// Everything that lighting needs to know, and labels.
     void drawSurfaces(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// The same without labels: the first look of a target.
+    /// The same without labels: the look of a picture that has one, or of a sum.
     void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
     /// Several looks at once, without what the labels of the view have hidden.
     void drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,

@@ -15,11 +15,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rougher surfaces than the first blur what they reflect so far that the room's blurred light will
 // do; between the two, one fades into the other.
-constexpr float kRough = 0.3F;
+constexpr float kRough = 0.3F;  // as in light.frag
 constexpr float kSmooth = 0.15F;
 constexpr float kMetal = 0.5F;
 constexpr int kMostSurfaces = 16;  // sheets, holes and mirrors one after the other
 constexpr int kMostMirrors = 4;
+constexpr float kBrightest = 1e4F;
 
 bool mayReflect(const Material& material, Reflections which) {
     const bool smooth = material.roughness < kRough || material.roughness_map >= 0;
@@ -86,7 +87,11 @@ bool TracedReflections::trace(const View& view, int first_row, int last_row,
         if (!hidden && rect.width() > 0 && rect.height() > 0) rects.push_back(rect);
     }
     if (rects.empty()) return false;
-    image.assign(static_cast<std::size_t>(width) * view.intrinsics.height, Eigen::Vector4f::Zero());
+    const auto pixels = static_cast<std::size_t>(width) * view.intrinsics.height;
+    if (image.size() != pixels) image.assign(pixels, Eigen::Vector4f::Zero());
+    const auto begin_of = image.begin() + static_cast<std::ptrdiff_t>(first_row) * width;
+    const auto end_of = image.begin() + static_cast<std::ptrdiff_t>(last_row) * width;
+    std::fill(begin_of, end_of, Eigen::Vector4f::Zero());
     const auto rowAt = [&](std::size_t y) {
         int from = width;
         int to = 0;
@@ -106,7 +111,8 @@ bool TracedReflections::trace(const View& view, int first_row, int last_row,
                            rowAt(y + static_cast<std::size_t>(first_row));
                        }
                    });
-    return std::ranges::any_of(image, [](const Eigen::Vector4f& pixel) { return pixel[3] > 0.0F; });
+    return std::any_of(begin_of, end_of,
+                       [](const Eigen::Vector4f& pixel) { return pixel[3] > 0.0F; });
 }
 
 Eigen::Vector4f TracedReflections::seenIn(const View& view, double x, double y) const {
@@ -129,7 +135,10 @@ Eigen::Vector4f TracedReflections::seenIn(const View& view, double x, double y) 
         const Eigen::Vector3d mirrored = way - 2.0 * way.dot(point.normal) * point.normal;
         // A smoothed normal may send it through the triangle.
         if (mirrored.dot(point.face) <= 0.0) break;
-        const Eigen::Vector3f light = lightAlong(liftedOff(point, mirrored), mirrored);
+        // Files name emission in any unit; what is so bright is white in any picture.
+        const Eigen::Vector3f light =
+            lightAlong(liftedOff(point, mirrored), mirrored).cwiseMin(kBrightest);
+        if (!light.allFinite()) break;
         return {light.x(), light.y(), light.z(), part};
     }
     return Eigen::Vector4f::Zero();

@@ -24,13 +24,16 @@ class TracedReflections {
     TracedReflections(const Scene& scene, const RayCaster& rays, const LightVolume& light,
                       const MovedShape* moved = nullptr);
 
+    TracedReflections(const TracedReflections&) = delete;  // parts refer to each other
+    TracedReflections& operator=(const TracedReflections&) = delete;
+
     /// Whether a scene has any surface that would be asked about.
     [[nodiscard]] static bool any(const Scene& scene, Reflections which);
 
     /// What each pixel's middle sees in such smooth surfaces as View::reflections names, in the
     /// units of LightVolume::ambient; fourth: the share of the room's blurred light that this takes
-    /// the place of. Rows from first_row to before last_row; the others stay 0. False: no such
-    /// surface is in view.
+    /// the place of. Rows from first_row to before last_row; others stay as they are. False: no
+    /// such surface is in view. What the view hides or cuts away is mirrored nevertheless.
     [[nodiscard]] bool trace(const View& view, int first_row, int last_row,
                              std::vector<Eigen::Vector4f>& image) const;
 

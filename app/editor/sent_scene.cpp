@@ -11,8 +11,10 @@ void SentScene::forget() {
 
 void SentScene::send(const PlanOutcome& shown,
                      const std::shared_ptr<const render::LightVolume>& light) {
-    if (sent_ && scene_ == shown.scene && light_ == light) return;
-    drawing_.setScene({shown.scene, shown.rays, light, shown.geometry});
+    const int anisotropy = shown.params.picture.anisotropy;
+    if (sent_ && scene_ == shown.scene && light_ == light && anisotropy_ == anisotropy) return;
+    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry});
+    anisotropy_ = anisotropy;
     scene_ = shown.scene;
     light_ = light;
     sent_ = true;

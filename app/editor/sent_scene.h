@@ -29,6 +29,7 @@ class SentScene {
     bool looked_at_ = false;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const render::LightVolume> light_;
+    int anisotropy_ = 0;
 };
 
 }  // namespace dollytrack::editor

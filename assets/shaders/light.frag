@@ -17,7 +17,7 @@ layout(location = 10) uniform float glow;        // of emission, for one unit
 layout(location = 17) uniform vec2 image_size;   // px
 
 #ifdef LOOKS  // several looks at each pixel, as light
-const int kLooks = 4;
+const int kLooks = 4;  // as in look_images.h
 layout(location = 11) uniform float share;          // of each in the mean
 layout(location = 25) uniform vec2 offset[kLooks];  // from the pixel's middle, px
 layout(location = 12) uniform vec2 depth_span;      // see surface.vert
@@ -225,7 +225,8 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
     // Radiance has half as much again of the irradiance's slope.
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
 #ifdef REFLECTIONS
-    // Of what the pixel's middle sees. Rough things beside a mirror have no part in it.
+    // Of what the pixel's middle sees. Rough things beside a mirror (as in traced_reflections.cpp)
+    // have no part in it.
     vec4 traced = texelFetch(reflections, ivec2(gl_FragCoord.xy), 0);
     room = mix(room * open, traced.rgb, seen.roughness < 0.3 ? traced.a : 0.0);
 #else
@@ -247,15 +248,19 @@ vec3 skyAt(vec2 pixel) {
     return backdrop.a > 0.0 ? backdrop.rgb : texture(sky_colors, 0.5 + 0.5 * rise).rgb;
 }
 
+// Both are worked out: light is looked up by what neighbours see, too.
 vec3 shown(Seen seen, vec2 pixel) {
-    return seen.z > 0.0 ? toneCurve(lightFrom(seen, pixel)) : skyAt(pixel);
+    vec3 light = toneCurve(lightFrom(seen, pixel));
+    vec3 sky = skyAt(pixel);
+    return seen.z > 0.0 ? light : sky;
 }
 
 #ifdef LOOKS
-// Whether light falls on both in the same way.
+// Whether light falls on both in the same way, and the tone curve is straight between them.
 bool alike(Seen a, Seen b) {
     return abs(a.z - b.z) <= 0.02 * a.z && dot(a.normal, b.normal) >= 0.99 * sign(a.z) &&
-           abs(a.roughness - b.roughness) < 0.03 && abs(a.special - b.special) < 0.02;
+           abs(a.roughness - b.roughness) < 0.03 && abs(a.special - b.special) < 0.02 &&
+           (a.special > 0.5) == (b.special > 0.5) && distance(a.albedo, b.albedo) < 0.1;
 }
 #endif
 
@@ -276,16 +281,16 @@ void main() {
     mean.normal = mean.z > 0.0 ? normalize(mean.normal) : mean.normal;
     mean.z /= float(kLooks);
     out_rgb = vec4(float(kLooks) * share * shown(mean, gl_FragCoord.xy), 1.0);
-    if (!same) discard;  // last: light is looked up by what neighbours see, too
+    if (!same) discard;  // last: neighbours look up light by it
 #elif defined(LOOKS)
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kLooks; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
     out_rgb = vec4(share * sum, 1.0);  // the mean is taken of light
 #elif defined(SENSOR)
     Seen seen = seenBy(0);
-    vec3 light = seen.z > 0.0 ? lightFrom(seen, gl_FragCoord.xy)
-                              : beforeToneCurve(skyAt(gl_FragCoord.xy));
-    out_rgb = weightOfRow() * vec4(light, 1.0);
+    vec3 light = lightFrom(seen, gl_FragCoord.xy);
+    vec3 sky = beforeToneCurve(skyAt(gl_FragCoord.xy));
+    out_rgb = weightOfRow() * vec4(seen.z > 0.0 ? light : sky, 1.0);
 #else
     out_rgb = vec4(encode(shown(seenBy(0), gl_FragCoord.xy)), 1.0);
 #endif

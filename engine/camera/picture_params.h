@@ -44,7 +44,7 @@ void visitPictureParams(Params& p, Visitor&& visit) {
     visit("antialias", p.antialias,
           ChoiceInfo{{"edges", "4x", "8x"},
                      "Smooth edges of drawn pictures: stairs blurred, or the mean of so many looks "
-                     "a pixel, which thin things and textures need"});
+                     "a pixel, which thin things need"});
     visit(
         "reflections", p.reflections,
         ChoiceInfo{{"blurred", "mirrors", "all"},

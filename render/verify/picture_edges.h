@@ -81,7 +81,7 @@ OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines);
 bool isBlank(const Image8& picture);
 constexpr const char* kBlank = "all of it has one colour";
 
-/// "its colours change ...": for findings.
+/// "where objects meet ...": for findings.
 std::string textOf(const Fit& own);
 std::string textOf(const OwnFit& judged);
 

@@ -14,11 +14,12 @@ namespace {
 constexpr double kWellExplained = 0.8;     // rank: no other frame need be asked
 constexpr double kExplainsNothing = 0.65;  // what is below may be a picture of something else
 constexpr double kLeastStructure = 0.02;   // of a picture, to be one of something
+constexpr double kMostStructure = 0.7;     // more is noise, of few paths a pixel, which hides edges
 constexpr double kMoreLikeOthers = 0.1;    // share of frames whose labels fit the colours better
 constexpr double kManyAlike = 0.25;        // of the frames: no longer a few faint ones
 constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, beside the neighbours
 constexpr int kNeighbours = 2;
-constexpr std::size_t kMostTried = 500;  // pictures; a dataset with more is wrong in any case
+constexpr std::size_t kMostTried = 500;  // pictures, those that their labels explain least
 
 }  // namespace
 
@@ -59,6 +60,7 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
     // Two and more of all frames, so that one faint frame of three is no majority.
     const bool many = unexplained >= 2 &&
                       static_cast<double>(unexplained) >= kManyAlike * static_cast<double>(judged);
+    std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return seen_[i]->fit.own.rank; });
     doubtful.resize(std::min(doubtful.size(), kMostTried));
     parallelFor(doubtful.size(),
                 [&](std::size_t i) { wrong[doubtful[i]] = ask(doubtful[i], many, files); });
@@ -74,7 +76,8 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
 }
 
 bool PictureJudge::isUnexplained(const Seen& seen) {
-    return !seen.blank && seen.fit.best < kExplainsNothing && seen.structure >= kLeastStructure;
+    return !seen.blank && seen.fit.best < kExplainsNothing && seen.structure >= kLeastStructure &&
+           seen.structure <= kMostStructure;
 }
 
 PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {

@@ -247,6 +247,33 @@ TEST_F(SceneRendererGl, SilhouettesReachBeyondTheImage) {
     EXPECT_EQ(whole[0], whole[3]);
 }
 
+// Parallel rays have another depth buffer: several looks at each pixel still see the same picture.
+TEST_F(SceneRendererGl, SeveralLooksAtAnOrthographicViewAgreeWithOne) {
+    const Scene scene = furnishedRoom();
+    const CameraParams camera = smallCamera();
+    auto renderer = makeRenderer(scene, camera, /*lit=*/true);
+    ASSERT_TRUE(renderer) << describe(renderer.error());
+    View view = makeView(camera, lookAt({2.0, 1.5, 2.4}, {1.5, 1.0, 0.3}));
+    view.orthographic = Orthographic{60.0, 50.0};
+    const auto drawn = [&](Antialias antialias) {
+        view.antialias = antialias;
+        std::vector<std::uint8_t> rgb;
+        EXPECT_TRUE(renderer->scene().draw(view, renderer->target()));
+        renderer->target().readRgb(rgb);
+        return rgb;
+    };
+    const auto apart = [](const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int{a[i]} - int{b[i]});
+        return sum / static_cast<double>(a.size());
+    };
+    const std::vector<std::uint8_t> once = drawn(Antialias::Edges);
+    EXPECT_LT(apart(once, drawn(Antialias::Samples4)), 2.0);
+    EXPECT_LT(apart(once, drawn(Antialias::Samples8)), 2.0);
+    view.pose = lookAt({2.3, 1.5, 2.4}, {1.8, 1.0, 0.3});
+    EXPECT_GT(apart(once, drawn(Antialias::Samples4)), 4.0);
+}
+
 // Far more of a floor than its image shows: within two thousandths of what similar triangles say.
 // The part inside is that of the labels, pixel for pixel: a floor that ends there is counted to the
 // pixel.

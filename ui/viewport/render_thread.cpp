@@ -263,8 +263,10 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     if (!same) pace.forget();
     if (renderer) renderer->setReflections(nullptr);
     reflections.reset();
+    rays = request.rays;
     if (!scene) {
         renderer.reset();
+        lit_by.reset();
         return {};
     }
     const render::LightVolume plain = plainLight(*scene);
@@ -283,11 +285,11 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
         renderer.emplace(std::move(*made));
     }
     lit_by = request.light;
-    rays = request.rays;
     if (rays && lit_by && render::TracedReflections::any(*scene, Reflections::All)) {
         reflections.emplace(*scene, *rays, *lit_by);
     }
     renderer->setReflections(reflections ? &*reflections : nullptr);
+    renderer->setAnisotropy(request.anisotropy);
     const std::lock_guard lock(mutex);
     is_ready = true;
     final_light = request.light != nullptr;

@@ -73,6 +73,7 @@ struct SceneRequest {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const RayCaster> rays;             // of it, for what mirrors show
     std::shared_ptr<const render::LightVolume> light;  // null: plain light, until this is there
+    int anisotropy = 0;                                // see SceneRenderer::setAnisotropy()
     std::uint64_t geometry = 0;  // a scene of the same number as before is not uploaded again
 };
 
