@@ -1,6 +1,7 @@
 #include "render/silhouette_counter.h"
 
 #include "render/gl/context.h"
+#include "render/gl/image.h"
 #include "render/gl/shader.h"
 #include "render/view_uniforms.h"
 
@@ -36,8 +37,7 @@ void SilhouetteCounter::Canvas::resize(int new_width, int new_height) {
     width = new_width;
     height = new_height;
     used = 0;
-    depth = gl::createTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(depth.get(), 1, GL_DEPTH_COMPONENT32F, width, height);
+    depth = gl::createImage(GL_DEPTH_COMPONENT32F, width, height);
     frame = gl::createFramebuffer();
     glNamedFramebufferTexture(frame.get(), GL_DEPTH_ATTACHMENT, depth.get(), 0);
     glNamedFramebufferDrawBuffer(frame.get(), GL_NONE);

@@ -1,6 +1,7 @@
 #include "render/whole_masks.h"
 
 #include "render/gl/context.h"
+#include "render/gl/image.h"
 #include "render/gl/shader.h"
 #include "render/projected_box.h"
 #include "render/view_uniforms.h"
@@ -69,8 +70,7 @@ Result<std::vector<WholeMask>> WholeMaskDrawer::draw(const GpuScene& scene, cons
     const int side = std::max({kSide, image.width(), image.height()});
     if (side != side_) {
         side_ = side;
-        sheet_ = gl::createTexture(GL_TEXTURE_2D);
-        glTextureStorage2D(sheet_.get(), 1, GL_R8, side, side);
+        sheet_ = gl::createImage(GL_R8, side, side);
         frame_ = gl::createFramebuffer();
         glNamedFramebufferTexture(frame_.get(), GL_COLOR_ATTACHMENT0, sheet_.get(), 0);
     }

@@ -1,24 +1,13 @@
 #include "render/overlays/overlay_canvas.h"
 
 #include "render/gl/context.h"
+#include "render/gl/image.h"
 
 #include <GL/glew.h>
 
 #include <string>
 
 namespace dollytrack::render {
-namespace {
-
-gl::Texture makeImage(unsigned format, int width, int height) {
-    gl::Texture texture = gl::createTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(texture.get(), 1, format, width, height);
-    glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    return texture;
-}
-
-}  // namespace
-
 Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
     int largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -31,11 +20,11 @@ Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
     OverlayCanvas canvas;
     canvas.width_ = width;
     canvas.height_ = height;
-    canvas.picture_ = makeImage(GL_RGBA8, width, height);
+    canvas.picture_ = gl::createImage(GL_RGBA8, width, height, true);
     canvas.frame_ = gl::createFramebuffer();
     glNamedFramebufferTexture(canvas.frame_.get(), GL_COLOR_ATTACHMENT0, canvas.picture_.get(), 0);
-    canvas.surface_color_ = makeImage(GL_RGBA8, width, height);
-    canvas.surface_z_ = makeImage(GL_DEPTH_COMPONENT32F, width, height);
+    canvas.surface_color_ = gl::createImage(GL_RGBA8, width, height, true);
+    canvas.surface_z_ = gl::createImage(GL_DEPTH_COMPONENT32F, width, height, true);
     canvas.surface_frame_ = gl::createFramebuffer();
     const unsigned frame = canvas.surface_frame_.get();
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT0, canvas.surface_color_.get(), 0);
