@@ -18,10 +18,12 @@ KEYS = ["0", "1", "3", "5", "7", "ctrl+1", "ctrl+3", "ctrl+7", "f", "home", "h",
         "shift+right", "ctrl+z", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+=", "ctrl+-", "F1",
         "F2", "F3", "F4", "F5", "F6", "F7", "F8", "ctrl+p", "ctrl+o", "ctrl+e", "ctrl+s",
         "ctrl+r", "esc", "esc", "esc", "enter", "tab", "up", "down", "a", "9", "backspace"]
-# What would leave the test's own ground: the exit, and settings that take minutes to plan.
+# What would leave the test's own ground: the exit, settings that take minutes to plan, and the
+# size of pictures, which decides how much memory drawing them takes.
 AVOIDED = ("command.file.quit", "files.place.", "files.up", "files.new_folder", "files.make",
            "parameters.octree_resolution_m", "parameters.link_iterations", "parameters.width_px",
-           "parameters.height_px", "export.add", "command.window.fullscreen")
+           "parameters.height_px", "export.width_px", "export.height_px", "export.add",
+           "command.window.fullscreen")
 
 
 class Monkey:
