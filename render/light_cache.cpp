@@ -1,5 +1,6 @@
 #include "render/light_cache.h"
 
+#include "engine/io/cache_room.h"
 #include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
 #include "engine/io/user_cache.h"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -167,7 +167,7 @@ void writeProgram(Writer& write) {
 std::optional<LightCache> LightCache::ofUser() {
     const std::optional<io::UserCache> cache = io::userCache("light");
     if (!cache) return std::nullopt;
-    return LightCache(cache->folder);
+    return LightCache(cache->folder, cache->most_bytes);
 }
 
 std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
@@ -192,9 +192,13 @@ fs::path LightCache::fileOf(const std::string& key) const {
 }
 
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
+    std::error_code missing;
+    const std::uint64_t size = fs::file_size(fileOf(key), missing);
+    if (missing || size < kSumLength || size > most_bytes_) return std::nullopt;
+    std::vector<std::uint8_t> bytes(size);
     std::ifstream file(fileOf(key), std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (bytes.size() < kSumLength) return std::nullopt;
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!file) return std::nullopt;
     const auto data = std::span(bytes).first(bytes.size() - kSumLength);
     const std::string sum = io::sha256Of(data);
     if (!std::equal(sum.begin(), sum.end(), bytes.end() - kSumLength)) return std::nullopt;
@@ -211,24 +215,9 @@ void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     Writer write;
     visitVolume(write, volume);
     write.bytes += io::sha256Of(write.bytes);
-    makeRoom();
+    if (write.bytes.size() > most_bytes_) return;
+    io::makeCacheRoom(folder_, {kExtension}, most_bytes_ - write.bytes.size());
     (void)io::writeWhole(fileOf(key), write.bytes, io::Durability::Renamed);
-}
-
-/// For one more.
-void LightCache::makeRoom() const {
-    std::error_code error;
-    std::vector<std::pair<fs::file_time_type, fs::path>> files;
-    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().extension() != kExtension) continue;
-        std::error_code gone;
-        const auto time = entry->last_write_time(gone);
-        if (!gone) files.emplace_back(time, entry->path());
-    }
-    if (files.size() < most_) return;
-    std::ranges::sort(files);
-    for (std::size_t i = 0; i + most_ <= files.size(); ++i) fs::remove(files[i].second, error);
 }
 
 LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const LightRig& rig,

@@ -18,9 +18,9 @@ class LightCache {
     /// The user's, see io::userCache().
     [[nodiscard]] static std::optional<LightCache> ofUser();
 
-    /// The oldest files go when there are more than `most`.
-    explicit LightCache(std::filesystem::path folder, std::size_t most = 64)
-        : folder_(std::move(folder)), most_(most) {}
+    /// The oldest files go where all would be larger than `most_bytes`.
+    LightCache(std::filesystem::path folder, std::uint64_t most_bytes)
+        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
     /// Names what bakeLightVolume() gives: by all that the scene and the light are, and by this
     /// program's file, for another one may light otherwise.
@@ -33,10 +33,9 @@ class LightCache {
 
   private:
     [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
-    void makeRoom() const;
 
     std::filesystem::path folder_;
-    std::size_t most_;
+    std::uint64_t most_bytes_;
 };
 
 /// What bakeLightVolume() gives, from the user's cache where it was computed before.

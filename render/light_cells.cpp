@@ -103,21 +103,25 @@ std::vector<char> LightCells::reachedFrom(const std::vector<std::size_t>& starts
     return reached;
 }
 
-std::vector<Eigen::Vector3f> LightCells::shared(const std::vector<Eigen::Vector3f>& values) const {
-    std::vector<Eigen::Vector3f> result = values;
-    parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (!inAir(i)) continue;
-            float cells = 1.0F;
-            visitOpen(i, [&](std::size_t j) {
-                if (!inAir(j)) return;
-                result[i] += values[j];
-                ++cells;
-            });
-            result[i] /= cells;
-        }
-    });
-    return result;
+void LightCells::blur(std::vector<Eigen::Vector3f>& values, double deviation_m) const {
+    // A mean over a cell and its six neighbours has a variance of 2/7 cells along an axis.
+    const double wanted = 3.5 * std::pow(deviation_m / size_m_, 2.0);
+    std::vector<Eigen::Vector3f> before;
+    for (long pass = 0; pass < std::lround(wanted); ++pass) {
+        before = values;
+        parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!inAir(i)) continue;
+                float cells = 1.0F;
+                visitOpen(i, [&](std::size_t j) {
+                    if (!inAir(j)) return;
+                    values[i] += before[j];
+                    ++cells;
+                });
+                values[i] /= cells;
+            }
+        });
+    }
 }
 
 void LightCells::closeHoles(std::vector<Eigen::Vector3f>& values) const {
@@ -143,26 +147,6 @@ void LightCells::closeHoles(std::vector<Eigen::Vector3f>& values) const {
         });
         values = std::move(next);
     }
-}
-
-std::vector<Eigen::Vector3f> LightCells::smoothed(
-    const std::vector<Eigen::Vector3f>& values) const {
-    std::vector<Eigen::Vector3f> result(values.size());
-    parallelRanges(values.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-            float weights = 0.0F;
-            visitAround(i, [&](std::size_t j, int steps) {
-                // Light does not cross from the air into a closed hole and back.
-                if (!inAir(j) && inAir(i)) return;
-                const float weight = steps == 0 ? 8.0F : 4.0F / static_cast<float>(1U << steps);
-                sum += weight * values[j];
-                weights += weight;
-            });
-            result[i] = sum / weights;
-        }
-    });
-    return result;
 }
 
 }  // namespace dollytrack::render

@@ -11,7 +11,7 @@
 namespace dollytrack::render {
 
 /// The cells of a light volume, x fastest: where they are, which are in the air of the rooms, which
-/// are open to each other, and the means of values over neighbours that follow from that. None of
+/// are open to each other, and the blurs of values over neighbours that follow from that. None of
 /// it depends on the number of threads.
 class LightCells {
   public:
@@ -34,15 +34,13 @@ class LightCells {
     void link(const RayCaster& rays);
     /// Which cells an open way leads to, by cell.
     [[nodiscard]] std::vector<char> reachedFrom(const std::vector<std::size_t>& starts) const;
-    /// The mean of each cell of the air and those of it that are open to it.
-    [[nodiscard]] std::vector<Eigen::Vector3f> shared(
-        const std::vector<Eigen::Vector3f>& values) const;
+    /// Blurs what cells of the air have over those of it that are open to them, by about a normal
+    /// distribution of this standard deviation, m: the chance of the rays goes, and light does not
+    /// cross what stands between cells.
+    void blur(std::vector<Eigen::Vector3f>& values, double deviation_m) const;
 
     /// Gives cells outside the air the light of the air next to them, layer by layer.
     void closeHoles(std::vector<Eigen::Vector3f>& values) const;
-    /// Averages the chance of the rays out of neighbouring cells.
-    [[nodiscard]] std::vector<Eigen::Vector3f> smoothed(
-        const std::vector<Eigen::Vector3f>& values) const;
 
   private:
     /// From a cell to the next one along an axis.

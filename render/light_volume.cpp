@@ -2,8 +2,10 @@
 
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
-#include "engine/scene/labels.h"
+#include "render/lamp_light.h"
+#include "render/light_bounces.h"
 #include "render/light_cells.h"
+#include "render/pathtrace/layer_albedo.h"
 #include "render/pathtrace/sun_rays.h"
 
 #include <algorithm>
@@ -16,23 +18,20 @@ namespace dollytrack::render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr double kReach = 9.0;    // m; farther lamps add too little to be worth a ray
-constexpr int kShadowRays = 6;    // per lamp and cell
-constexpr int kNearestLamps = 4;  // considered per cell
-constexpr std::size_t kNearestOwnLamps = 6;
-constexpr int kOwnShadowRays = 9;
-constexpr double kOffSurface = 2e-3;    // m; of places that light falls on
+constexpr float kWhitest = 0.9F;        // albedo
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
 constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
 
-/// Where a ray from a cell ended.
-struct Bounce {
-    Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
-    Eigen::Vector3f sent = Eigen::Vector3f::Zero();  // by itself: emission or sky
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-    float distance = 0.0F;  // 0: nothing was hit
-    std::size_t cell = 0;   // whose light falls on it
-};
+/// The share of the light that a surface of this material throws back, in its colour and by the
+/// dielectric layer over it, see SurfaceBrdf. Whiter things than real ones would never be dark.
+Eigen::Vector3f meanAlbedo(const Scene& scene, const Material& material) {
+    Eigen::Vector3f base = material.base_color;
+    if (material.texture >= 0 && scene.textures[material.texture].width > 0) {
+        base = base.cwiseProduct(meanTexel(scene.textures[material.texture]));
+    }
+    const float layer = (1.0F - material.metallic) * meanDielectricAlbedo(material.roughness);
+    return (base * (1.0F - layer) + Eigen::Vector3f::Constant(layer)).cwiseMin(kWhitest);
+}
 
 class Baker {
   public:
@@ -43,7 +42,8 @@ class Baker {
           rig_(rig),
           neutral_(rig),
           params_(params),
-          cells_(scene.room_bounds, params.cell_m, params.max_cells) {
+          cells_(scene.room_bounds, params.cell_m, params.max_cells),
+          bounces_(scene, rays, cells_, params.rays_per_cell) {
         const std::size_t count = cells_.count();
         volume_.low = cells_.low();
         volume_.cell_m = cells_.size_m();
@@ -57,24 +57,12 @@ class Baker {
         neutral_.sky_factor.setOnes();
         if (rig.sun.shines()) {
             sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
-            sunny_.assign(count * static_cast<std::size_t>(params.rays_per_cell), 0.0F);
+            sunny_.assign(count * bounces_.perCell(), 0.0F);
         }
-        bounces_.resize(count * static_cast<std::size_t>(params.rays_per_cell));
         sees_sky_.assign(count, 0);
         balanced_.assign(count, 0.0F);
-        for (const bool outside : showsOutside(scene)) {
-            shines_.push_back(rig.shineFactor(outside));
-        }
-        turns_.resize(count);
-        makeSpiral();
         for (const Material& material : scene.materials) {
-            Eigen::Vector3f albedo = material.base_color;
-            const bool textured =
-                material.texture >= 0 && scene.textures[material.texture].width > 0;
-            if (textured) {
-                albedo = albedo.cwiseProduct(meanTexel(scene.textures[material.texture]));
-            }
-            albedo_.emplace_back(albedo.cwiseMin(0.85F));
+            albedo_.push_back(meanAlbedo(scene, material));
             emission_.push_back(neutral_.emissionOf(meanEmission(scene, material)));
         }
     }
@@ -86,17 +74,17 @@ class Baker {
         if (job.cancelled()) return {};
         cells_.link(rays_);
         leaveOutside();
+        cells_.blur(volume_.lamps, blurWidth());
         cells_.closeHoles(volume_.lamps);
-        volume_.lamps = cells_.smoothed(volume_.lamps);
         balance();
-        addSun();
         gatherSent();
-        if (!rig_.own_lamps.empty()) gatherOwnLamps();
-        for (int i = 0; i < params_.bounces; ++i) {
+        if (!rig_.own_lamps.empty()) own_ = ownLampsByCell(rig_, rays_, cells_, bounces_, job);
+        for (int i = 0; i < params_.bounces && !job.cancelled(); ++i) {
             bounce();
             cells_.closeHoles(volume_.ambient);
             cells_.closeHoles(volume_.slope);
         }
+        if (job.cancelled()) return {};
         smoothAmbient();
         joinOwnLamps();
         expose();
@@ -106,25 +94,18 @@ class Baker {
   private:
     void gather(std::size_t i) {
         Random random(17, i);
-        const Eigen::Vector3d from = cells_.center(i);
-        volume_.lamps[i] = lampsAt(from, random);
-        turns_[i] =
-            Eigen::AngleAxisf(static_cast<float>(random.uniform(0.0, 2.0 * std::numbers::pi)),
-                              Eigen::Vector3f::UnitZ())
-                .toRotationMatrix();
-        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
+        volume_.lamps[i] = placedLampsAt(cells_.center(i), rig_, rays_, random);
+        bounces_.follow(i, random);
+        const std::size_t count = bounces_.perCell();
         std::size_t escaped = 0;
         std::size_t stuck = 0;
         for (std::size_t k = 0; k < count; ++k) {
-            Bounce& bounce = bounces_[i * count + k];
-            const Eigen::Vector3d way = (turns_[i] * spiral_[k]).cast<double>().normalized();
-            Eigen::Vector3f wished = rig_.sky_factor;
-            bounce = follow(from, way, wished);
-            balanced_[i] += bounce.sent.mean();
-            bounce.sent = bounce.sent.cwiseProduct(wished);
-            if (sun_rays_) sunny_[i * count + k] = sunOn(bounce, from, way);
-            escaped += bounce.distance == 0.0F ? 1 : 0;
-            stuck += bounce.distance > 0.0F && bounce.distance < volume_.cell_m ? 1 : 0;
+            const LightBounce& ray = bounces_.of(i, k);
+            const Eigen::Vector3d way = bounces_.way(i, k);
+            balanced_[i] += sentAlong(ray, way).mean();
+            if (sun_rays_) sunny_[i * count + k] = sunOn(ray, cells_.center(i), way);
+            escaped += ray.distance_m == 0.0F ? 1 : 0;
+            stuck += ray.distance_m > 0.0F && ray.distance_m < volume_.cell_m ? 1 : 0;
         }
         // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
         // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
@@ -147,121 +128,6 @@ class Baker {
         }
     }
 
-    [[nodiscard]] Eigen::Vector3f lampsAt(const Eigen::Vector3d& from, Random& random) const {
-        std::vector<std::pair<double, const Lamp*>> near;  // by what they would give unshaded
-        for (const Lamp& lamp : rig_.lamps) {
-            const Eigen::Vector3d way = lamp.position - from;
-            const double squared = way.squaredNorm() + lamp.radius_m * lamp.radius_m;
-            if (way.z() <= 0.0 || squared > kReach * kReach) continue;
-            near.emplace_back(lamp.intensity * way.z() / (squared * std::sqrt(squared)), &lamp);
-        }
-        std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
-            return a.first != b.first ? a.first > b.first : a.second < b.second;
-        });
-        if (near.size() > kNearestLamps) near.resize(kNearestLamps);
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const auto& [unshaded, lamp] : near) {
-            const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
-            for (int k = 0; k < kShadowRays; ++k) {
-                const double angle = turn + k * 2.0 * std::numbers::pi / kShadowRays;
-                const double r = lamp->radius_m * std::sqrt((k + random.uniform()) / kShadowRays);
-                const Eigen::Vector3d at =
-                    lamp->position + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0);
-                const Eigen::Vector3d way = at - from;
-                const double distance = way.norm();
-                const double down = way.z() / distance;
-                const double free = std::max(0.0, 1.0 - kLampShade / distance);  // see light_rig.h
-                if (down <= 0.0 || !rays_.sees(from, from + free * way)) continue;
-                const double strength =
-                    lamp->radiance() * lamp->area() * down / (distance * distance);
-                sum += way * (strength / distance / kShadowRays);
-            }
-        }
-        return sum.cast<float>();
-    }
-
-    void gatherOwnLamps() {
-        own_.assign(cells_.count(), Eigen::Vector3f::Zero());
-        parallelRanges(own_.size(), 64, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Random random(18, i);
-                own_[i] = ownLampsAt(i, random);
-            }
-        });
-        cells_.closeHoles(own_);
-    }
-
-    [[nodiscard]] Eigen::Vector3f ownLampsAt(std::size_t i, Random& random) const {
-        const Eigen::Vector3d from = cells_.center(i);
-        std::vector<std::pair<double, const OwnLamp*>> near;  // by what they would give unshaded
-        for (const OwnLamp& lamp : rig_.own_lamps) {
-            const double squared = (lamp.position - from).squaredNorm();
-            if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
-        }
-        std::sort(near.begin(), near.end());  // lamps are in one array
-        if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const auto& [unshaded, lamp] : near) {
-            const Eigen::Vector3d at = litPlace(i, *lamp);
-            const Eigen::Vector3d way = lamp->position - at;
-            // What is nearer than the grid can tell is the lamp itself.
-            const double least = std::max(lamp->radius_m, 0.5 * volume_.cell_m);
-            const double squared = std::max(way.squaredNorm(), least * least);
-            sum += way.normalized() *
-                   (lamp->intensity / squared * visibleShare(from, at, *lamp, random));
-        }
-        return sum.cast<float>();
-    }
-
-    /// Light of a lamp so near falls off steeply, and the volume is looked up off the surfaces: a
-    /// cell beside one has the light that falls there. The place on the nearest surface that the
-    /// lamp shines on, but its own; else the cell's middle.
-    [[nodiscard]] Eigen::Vector3d litPlace(std::size_t i, const OwnLamp& lamp) const {
-        const Eigen::Vector3d from = cells_.center(i);
-        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
-        Eigen::Vector3d nearest = from;
-        double least = 2.1 * volume_.cell_m;  // twice what look-ups are off, as cells interpolate
-        for (std::size_t k = 0; k < count; ++k) {
-            const Bounce& ray = bounces_[i * count + k];
-            if (isSky(ray) || ray.distance > 4.0 * volume_.cell_m) continue;
-            const Eigen::Vector3d way = (turns_[i] * spiral_[k]).cast<double>().normalized();
-            const Eigen::Vector3d normal = ray.normal.cast<double>();
-            const double off = -ray.distance * normal.dot(way);
-            if (off >= least || lamp.shade.contains(from + ray.distance * way)) continue;
-            const Eigen::Vector3d on = from - (off - kOffSurface) * normal;
-            if (normal.dot(lamp.position - on) <= 0.0) continue;
-            least = off;
-            nearest = on;
-        }
-        return nearest;
-    }
-
-    /// Of the ball, from places in the cell as far as they are seen from its middle.
-    [[nodiscard]] double visibleShare(const Eigen::Vector3d& cell, const Eigen::Vector3d& at,
-                                      const OwnLamp& lamp, Random& random) const {
-        int asked = 0;
-        int visible = 0;
-        for (int k = 0; k < kOwnShadowRays; ++k) {
-            Eigen::Vector3d aside;
-            Eigen::Vector3d on_ball;
-            for (int axis = 0; axis < 3; ++axis) aside[axis] = random.uniform(-0.5, 0.5);
-            for (int axis = 0; axis < 3; ++axis) on_ball[axis] = random.uniform(-1.0, 1.0);
-            // Along the surface, where there is one.
-            const Eigen::Vector3d off = cell - at;
-            if (off.squaredNorm() > 1e-8) aside -= off * (off.dot(aside) / off.squaredNorm());
-            const Eigen::Vector3d from = k == 0 ? at : at + volume_.cell_m * aside;
-            if (k != 0 && !rays_.sees(cell, from)) continue;
-            ++asked;
-            const Eigen::Vector3d to =
-                lamp.position + 0.8 * lamp.radius_m / std::max(on_ball.norm(), 1.0) * on_ball;
-            const double distance = (to - from).norm();
-            const Eigen::Vector3d way = (to - from) / distance;
-            const double end = lamp.shadowedFor(from, way, distance);
-            if (end <= 0.0 || rays_.sees(from, from + end * way)) ++visible;
-        }
-        return static_cast<double>(visible) / asked;
-    }
-
     /// One vector for all lamps is what the pictures are lit by.
     void joinOwnLamps() {
         if (own_.empty()) return;
@@ -275,103 +141,79 @@ class Baker {
     }
 
     /// The share of the sun's light that a ray's end gets, its slant included.
-    [[nodiscard]] float sunOn(const Bounce& bounce, const Eigen::Vector3d& from,
+    [[nodiscard]] float sunOn(const LightBounce& ray, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& way) const {
-        if (isSky(bounce)) return 0.0F;
-        const Eigen::Vector3d normal = bounce.normal.cast<double>();
+        if (ray.isSky()) return 0.0F;
+        const Eigen::Vector3d normal = ray.normal().cast<double>();
         const double slant = normal.dot(rig_.sun.way);
         if (slant <= 0.0) return 0.0F;
         constexpr double kLift = 1e-3;
-        const Eigen::Vector3d at = from + bounce.distance * way + kLift * normal;
+        const Eigen::Vector3d at = from + ray.distance_m * way + kLift * normal;
         return static_cast<float>(slant * sun_rays_->share(at, rig_.sun.way));
     }
 
-    /// Surfaces have normals.
-    static bool isSky(const Bounce& bounce) { return bounce.normal.isZero(0.0F); }
+    /// Emission, or the sky's light, as it is balanced: before anybody's wishes.
+    [[nodiscard]] Eigen::Vector3f sentAlong(const LightBounce& ray,
+                                            const Eigen::Vector3d& way) const {
+        return ray.isSky() ? neutral_.skyRadiance(way) : emission_[ray.material];
+    }
 
-    /// As it is balanced; `wished` becomes what is sent from there is multiplied by afterwards, and
-    /// stays as it is where it is the sky's.
-    [[nodiscard]] Bounce follow(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
-                                Eigen::Vector3f& wished) const {
-        Bounce result;
-        const RayHit hit = rays_.cast(from, way);
-        if (hit.object_id != 0) {
-            result.distance = std::max(static_cast<float>(hit.distance), 1e-6F);
+    /// What a cell's ray finds that sends light by itself. What the sun lights sends that on like
+    /// something that shines.
+    [[nodiscard]] Eigen::Vector3f sent(std::size_t cell, std::size_t ray) const {
+        const LightBounce& bounce = bounces_.of(cell, ray);
+        Eigen::Vector3f light = volume_.dimmed * sentAlong(bounce, bounces_.way(cell, ray));
+        if (bounce.isSky()) return light.cwiseProduct(rig_.sky_factor);
+        light *= rig_.shineFactor(bounce.outside);
+        if (!sunny_.empty()) {
+            light += albedo_[bounce.material].cwiseProduct(volume_.sun.irradiance) *
+                     (sunny_[cell * bounces_.perCell() + ray] / kPi);
         }
-        if (hit.object_id == 0 || sendsDaylight(scene_.object(hit.object_id))) {
-            result.sent = neutral_.skyRadiance(way);
-            return result;
-        }
-        const Triangle& triangle = scene_.triangles[hit.triangle];
-        const Eigen::Vector3f a = scene_.positions[triangle[0]];
-        Eigen::Vector3f normal = (scene_.positions[triangle[1]] - a)
-                                     .cross(scene_.positions[triangle[2]] - a)
-                                     .normalized();
-        if (normal.dot(way.cast<float>()) > 0.0F) normal = -normal;
-        result.normal = normal;
-        result.albedo = albedo_[scene_.triangle_material[hit.triangle]];
-        wished.setConstant(shines_[static_cast<std::size_t>(hit.object_id) - 1]);
-        result.sent = emission_[scene_.triangle_material[hit.triangle]];
-        const Eigen::Vector3d at = from + way * hit.distance;
-        result.cell = cells_.cellAt(at + normal.cast<double>() * (0.8 * volume_.cell_m));
-        return result;
+        return light;
     }
 
     /// What sky, shining things and sunlit places send straight to each cell. Few of its rays find
     /// a small bright one: what they find is shared with the cells around, as far as these are open
     /// to each other.
     void gatherSent() {
-        constexpr int kPasses = 8;  // as wide as a cell and a half
-        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         sent_.resize(cells_.count());
         sent_aside_.resize(cells_.count());
         parallelRanges(sent_.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
                 Eigen::Vector3f aside = Eigen::Vector3f::Zero();
-                for (std::size_t k = 0; k < count; ++k) {
-                    const Eigen::Vector3f& sent = bounces_[i * count + k].sent;
-                    sum += sent;
-                    aside += sent.mean() * spiral_[k];
+                for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+                    const Eigen::Vector3f light = sent(i, k);
+                    sum += light;
+                    aside += light.mean() * bounces_.unturned(k);
                 }
                 sent_[i] = sum;
-                sent_aside_[i] = turns_[i] * aside;
+                sent_aside_[i] = bounces_.turn(i) * aside;
             }
         });
-        for (int pass = 0; pass < kPasses; ++pass) {
-            sent_ = cells_.shared(sent_);
-            sent_aside_ = cells_.shared(sent_aside_);
-        }
+        // Wider than what bounces: few rays find a small bright thing.
+        const double width = std::max(0.18, 1.5 * volume_.cell_m);
+        cells_.blur(sent_, width);
+        cells_.blur(sent_aside_, width);
     }
 
     void bounce() {
         std::vector<Eigen::Vector3f> next(cells_.count());
         std::vector<Eigen::Vector3f> slope(cells_.count(), Eigen::Vector3f::Zero());
-        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
-        const Eigen::Vector3f lamp_light = rig_.lampLight();
-        const Eigen::Vector3f own_light = rig_.ownLampLight();
         parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
                 Eigen::Vector3f aside = Eigen::Vector3f::Zero();
-                for (std::size_t k = 0; k < count; ++k) {
-                    const Bounce& ray = bounces_[i * count + k];
-                    const float lamp = std::max(0.0F, ray.normal.dot(volume_.lamps[ray.cell]));
-                    const float facing = 1.0F + volume_.slope[ray.cell].dot(ray.normal);
-                    Eigen::Vector3f falls =
-                        volume_.ambient[ray.cell] * std::max(0.0F, facing) + lamp_light * lamp;
-                    if (!own_.empty()) {
-                        falls += own_light * std::max(0.0F, ray.normal.dot(own_[ray.cell]));
-                    }
-                    const Eigen::Vector3f light = ray.albedo.cwiseProduct(falls) / kPi;
+                for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+                    const Eigen::Vector3f light = thrownBack(bounces_.of(i, k));
                     sum += light;
-                    aside += light.mean() * spiral_[k];
+                    aside += light.mean() * bounces_.unturned(k);
                 }
                 sum += sent_[i];
-                next[i] = sum * (kPi / static_cast<float>(count));
+                next[i] = sum * (kPi / static_cast<float>(bounces_.perCell()));
                 // Of radiance l0 + l1 . way, pi * l0 + 2/3 pi * l1 . n falls on a surface; l1 is
                 // three times the mean of radiance * way.
-                const Eigen::Vector3f mean_way = turns_[i] * aside + sent_aside_[i];
+                const Eigen::Vector3f mean_way = bounces_.turn(i) * aside + sent_aside_[i];
                 if (sum.mean() > 0.0F) slope[i] = mean_way * (2.0F / sum.mean());
             }
         });
@@ -379,25 +221,32 @@ class Baker {
         volume_.slope = std::move(slope);
     }
 
-    /// Evenly over the sphere. Each cell turns it by chance, lest all miss the same thing.
-    void makeSpiral() {
-        const int count = params_.rays_per_cell;
-        for (int k = 0; k < count; ++k) {
-            const double z = 1.0 - 2.0 * (k + 0.5) / count;
-            const double ring = std::sqrt(1.0 - z * z);
-            const double angle = k * 2.399963229728653;
-            spiral_.push_back(
-                Eigen::Vector3d(ring * std::cos(angle), ring * std::sin(angle), z).cast<float>());
+    /// Of the light that falls onto a ray's end by what is known of it so far.
+    [[nodiscard]] Eigen::Vector3f thrownBack(const LightBounce& ray) const {
+        if (ray.isSky()) return Eigen::Vector3f::Zero();
+        const Eigen::Vector3f normal = ray.normal();
+        const float lamp = std::max(0.0F, normal.dot(volume_.lamps[ray.cell]));
+        const float facing = 1.0F + volume_.slope[ray.cell].dot(normal);
+        Eigen::Vector3f falls =
+            volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lampLight() * lamp;
+        if (!own_.empty()) {
+            falls += rig_.ownLampLight() * std::max(0.0F, normal.dot(own_[ray.cell]));
         }
+        return albedo_[ray.material].cwiseProduct(falls) / kPi;
     }
+
+    /// Standard deviation, m: as far as the rays' chance shows.
+    [[nodiscard]] double blurWidth() const { return std::max(0.06, 0.7 * volume_.cell_m); }
 
     void smoothAmbient() {
         std::vector<Eigen::Vector3f> aside(cells_.count());
         for (std::size_t i = 0; i < aside.size(); ++i) {
             aside[i] = volume_.slope[i] * volume_.ambient[i].mean();
         }
-        volume_.ambient = cells_.smoothed(volume_.ambient);
-        aside = cells_.smoothed(aside);
+        for (std::vector<Eigen::Vector3f>* values : {&volume_.ambient, &aside}) {
+            cells_.blur(*values, blurWidth());
+            cells_.closeHoles(*values);
+        }
         for (std::size_t i = 0; i < aside.size(); ++i) {
             const float mean = volume_.ambient[i].mean();
             volume_.slope[i].setZero();
@@ -414,33 +263,22 @@ class Baker {
         return *middle;
     }
 
-    /// Dims sky and emitting things where they would drown the lamps: files give emission in any
-    /// unit, and a house without a roof would be all cool daylight.
+    /// Dims sky, sun and emitting things where they would drown the lamps: files give emission in
+    /// any unit, and a house without a roof would be all cool daylight.
     void balance() {
-        const auto count = static_cast<std::size_t>(params_.rays_per_cell);
         std::vector<float> lamps;
         std::vector<float> others;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
             const float lamp = volume_.lamps[i].norm();
             if (lamp == 0.0F || !cells_.inAir(i)) continue;
             lamps.push_back(lamp);
-            others.push_back(balanced_[i] * kPi / static_cast<float>(count));
+            others.push_back(balanced_[i] * kPi / static_cast<float>(bounces_.perCell()));
         }
         const float wanted = kDaylightShare * median(std::move(lamps));
         const float found = median(std::move(others));
-        if (found <= wanted || wanted == 0.0F) return;
-        volume_.dimmed = wanted / found;
-        for (Bounce& bounce : bounces_) bounce.sent *= volume_.dimmed;
-    }
-
-    /// What the sun lights sends that on like something that shines.
-    void addSun() {
+        if (found > wanted && wanted > 0.0F) volume_.dimmed = wanted / found;
         volume_.sun = rig_.sun;
         volume_.sun.irradiance *= volume_.dimmed;
-        for (std::size_t i = 0; i < sunny_.size(); ++i) {
-            bounces_[i].sent +=
-                bounces_[i].albedo.cwiseProduct(volume_.sun.irradiance) * (sunny_[i] / kPi);
-        }
     }
 
     /// From what the lit cells receive: dark solids and the outside must not decide.
@@ -466,19 +304,16 @@ class Baker {
     LightRig neutral_;
     const LightVolumeParams& params_;
     LightCells cells_;
+    LightBounces bounces_;
     std::optional<TracedSurface> surface_;
     std::optional<SunRays> sun_rays_;  // where there is a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
-    std::vector<Eigen::Vector3f> own_;  // as lamps, of the scene's own; empty without these
-    std::vector<Bounce> bounces_;
+    std::vector<Eigen::Vector3f> own_;         // as lamps, of the scene's own; empty without these
     std::vector<float> balanced_;              // by cell, what its rays find that sends light
-    std::vector<float> shines_;                // by object's id - 1, times its emission
     std::vector<char> sees_sky_;               // by cell
     std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
     std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
-    std::vector<Eigen::Vector3f> spiral_;      // the ways of a cell's rays, before they are turned
-    std::vector<Eigen::Matrix3f> turns_;       // of each cell's spiral, about z
     std::vector<Eigen::Vector3f> albedo_;      // by material
     std::vector<Eigen::Vector3f> emission_;    // likewise
 };

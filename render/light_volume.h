@@ -14,10 +14,10 @@ namespace dollytrack::render {
 
 /// How finely the light is computed. Plain data.
 struct LightVolumeParams {
-    double cell_m = 0.12;    // wanted; grows where the scene would need more than max_cells
-    int max_cells = 60'000;  // bounds time and memory
-    int rays_per_cell = 32;
-    int bounces = 12;          // cheap; white rooms still gain by the tenth
+    double cell_m = 0.08;      // wanted; grows where the scene would need more than max_cells
+    int max_cells = 400'000;   // bounds time and memory
+    int rays_per_cell = 24;    // as cells share what these find, see LightCells::blur
+    int bounces = 20;          // cheap; white rooms still gain by the fifteenth
     bool limit_slopes = true;  // see limited(); not of a part of a light, as the others dilute it
 };
 
@@ -26,7 +26,7 @@ struct LightVolumeParams {
 /// harmonics of order 1 (Ramamoorthi & Hanrahan 2001): in colour the mean, its slope in brightness.
 struct LightVolume {
     Eigen::Vector3d low = Eigen::Vector3d::Zero();  // corner of the grid; cell centres are inside
-    double cell_m = 0.12;
+    double cell_m = 0.0;
     std::array<int, 3> cells = {0, 0, 0};
     std::vector<Eigen::Vector3f> ambient;  // irradiance from all around, linear RGB
     /// How that changes with the direction a surface faces: ambient * (1 + slope . normal).

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t kPlenty = 1U << 30U;
+
 LightVolumeParams coarse() {
     LightVolumeParams params;
     params.max_cells = 500;
@@ -42,7 +44,7 @@ class LightCacheTest : public testing::Test {
 };
 
 TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
-    const LightCache cache(folder_.path());
+    const LightCache cache(folder_.path(), kPlenty);
     const std::string key = LightCache::keyOf(scene_, rig_, coarse());
     EXPECT_FALSE(cache.find(key));
     cache.keep(key, volume_);
@@ -101,7 +103,7 @@ TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {
 }
 
 TEST_F(LightCacheTest, PassesOverWhatIsDamagedOrCutOff) {
-    const LightCache cache(folder_.path());
+    const LightCache cache(folder_.path(), kPlenty);
     cache.keep("one", volume_);
     const fs::path file = fs::directory_iterator(folder_.path())->path();
     const auto size = fs::file_size(file);
@@ -121,12 +123,13 @@ TEST_F(LightCacheTest, PassesOverWhatIsDamagedOrCutOff) {
 }
 
 TEST_F(LightCacheTest, TheOldestMakesRoom) {
-    const LightCache cache(folder_.path(), 2);
+    LightCache(folder_.path(), kPlenty).keep("a", volume_);
+    const auto size = fs::file_size(folder_.path() / "a.light");
+    const LightCache cache(folder_.path(), 2 * size + size / 2);
     const auto age = [&](const char* key, int hours) {
         fs::last_write_time(folder_.path() / (std::string(key) + ".light"),
                             fs::file_time_type::clock::now() - std::chrono::hours(hours));
     };
-    cache.keep("a", volume_);
     cache.keep("b", volume_);
     age("a", 2);
     age("b", 1);
@@ -135,6 +138,8 @@ TEST_F(LightCacheTest, TheOldestMakesRoom) {
     EXPECT_TRUE(cache.find("a"));
     EXPECT_FALSE(cache.find("b"));
     EXPECT_TRUE(cache.find("c"));
+    EXPECT_EQ(files(), 2U);
+    LightCache(folder_.path(), size - 1).keep("d", volume_);  // never fits
     EXPECT_EQ(files(), 2U);
 }
 

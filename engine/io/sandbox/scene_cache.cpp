@@ -1,5 +1,6 @@
 #include "engine/io/sandbox/scene_cache.h"
 
+#include "engine/io/cache_room.h"
 #include "engine/io/durable_file.h"
 #include "engine/io/file_descriptor.h"
 #include "engine/io/import_settings.h"
@@ -199,7 +200,7 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
     const std::size_t size = sizeof(head) + list.size() + frame.size();
     if (size > most_bytes_) return false;
-    makeRoom(size);
+    makeCacheRoom(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(size);
     const auto* first = reinterpret_cast<const std::uint8_t*>(&head);
@@ -207,40 +208,6 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     bytes.insert(bytes.end(), list.begin(), list.end());
     bytes.insert(bytes.end(), frame.begin(), frame.end());
     return writeWhole(fileOf(key), bytes).has_value();
-}
-
-void SceneCache::makeRoom(std::uint64_t bytes) const {
-    struct Old {
-        fs::file_time_type time;
-        fs::path path;
-        std::uint64_t size;
-    };
-    std::vector<Old> entries;
-    std::error_code error;
-    const auto now = fs::file_time_type::clock::now();
-    fs::directory_iterator it(folder_, error);
-    for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
-        std::error_code gone;
-        if (!it->is_regular_file(gone) || it->is_symlink(gone)) continue;
-        const auto time = it->last_write_time(gone);
-        const std::string name = it->path().filename().string();
-        if (name.ends_with(kExtension) || name.ends_with(kDigestExtension)) {
-            entries.push_back({time, it->path(), it->file_size(gone)});
-        } else if (name.find(std::string(kExtension) + ".tmp.") != std::string::npos &&
-                   now - time > std::chrono::hours(1)) {
-            fs::remove(it->path(), gone);  // of a program that was ended while it wrote
-        }
-    }
-    std::sort(entries.begin(), entries.end(), [](const Old& a, const Old& b) {
-        return a.time != b.time ? a.time < b.time : a.path < b.path;
-    });
-    std::uint64_t total = bytes;
-    for (const Old& entry : entries) total += entry.size;
-    for (const Old& entry : entries) {
-        if (total <= most_bytes_) break;
-        fs::remove(entry.path, error);
-        total -= entry.size;
-    }
 }
 
 }  // namespace dollytrack::io

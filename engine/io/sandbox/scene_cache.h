@@ -57,7 +57,6 @@ class SceneCache {
 
   private:
     [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
-    void makeRoom(std::uint64_t bytes) const;
 
     std::filesystem::path folder_;
     std::uint64_t most_bytes_;
