@@ -33,6 +33,7 @@ class OwnLampGatherer {
         }
         std::sort(near.begin(), near.end());  // lamps are in one array
         if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
+        const bool free = standsFree(cell);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const auto& [unshaded, lamp] : near) {
             const Eigen::Vector3d on = litPlace(cell, *lamp);
@@ -41,12 +42,22 @@ class OwnLampGatherer {
             const double least = std::max(lamp->radius_m, 0.5 * cells_.size_m());
             const double squared = std::max(way.squaredNorm(), least * least);
             sum += way.normalized() *
-                   (lamp->intensity / squared * visibleShare(from, on, *lamp, random));
+                   (lamp->intensity / squared * visibleShare(from, free, on, *lamp, random));
         }
         return sum.cast<float>();
     }
 
   private:
+    /// Nothing is in the cell, as far as its rays tell.
+    [[nodiscard]] bool standsFree(std::size_t cell) const {
+        const double corner = 0.5 * std::sqrt(3.0) * cells_.size_m();
+        for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+            const float distance_m = bounces_.of(cell, k).distance_m;
+            if (distance_m > 0.0F && distance_m < corner) return false;
+        }
+        return true;
+    }
+
     /// The volume is looked up off the surfaces. The place on the nearest surface that the lamp
     /// shines on, but its own; else the cell's middle.
     [[nodiscard]] Eigen::Vector3d litPlace(std::size_t cell, const OwnLamp& lamp) const {
@@ -68,9 +79,11 @@ class OwnLampGatherer {
         return nearest;
     }
 
-    /// Of the ball, from places in the cell as far as they are seen from its middle.
-    [[nodiscard]] double visibleShare(const Eigen::Vector3d& middle, const Eigen::Vector3d& at,
-                                      const OwnLamp& lamp, Random& random) const {
+    /// Of the ball, from places in the cell, in one that is not free as far as they are seen from
+    /// its middle.
+    [[nodiscard]] double visibleShare(const Eigen::Vector3d& middle, bool free,
+                                      const Eigen::Vector3d& at, const OwnLamp& lamp,
+                                      Random& random) const {
         int asked = 0;
         int visible = 0;
         for (int k = 0; k < kOwnShadowRays; ++k) {
@@ -82,7 +95,7 @@ class OwnLampGatherer {
             const Eigen::Vector3d off = middle - at;
             if (off.squaredNorm() > 1e-8) aside -= off * (off.dot(aside) / off.squaredNorm());
             const Eigen::Vector3d from = k == 0 ? at : at + cells_.size_m() * aside;
-            if (k != 0 && !rays_.sees(middle, from)) continue;
+            if (k != 0 && !free && !rays_.sees(middle, from)) continue;
             ++asked;
             const Eigen::Vector3d to =
                 lamp.position + 0.8 * lamp.radius_m / std::max(on_ball.norm(), 1.0) * on_ball;

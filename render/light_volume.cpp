@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kWhitest = 0.9F;        // albedo
+constexpr double kSettled = 2e-3;       // of the light, by one more bounce
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
 constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
 
@@ -79,10 +80,14 @@ class Baker {
         balance();
         gatherSent();
         if (!rig_.own_lamps.empty()) own_ = ownLampsByCell(rig_, rays_, cells_, bounces_, job);
+        double before = 0.0;
         for (int i = 0; i < params_.bounces && !job.cancelled(); ++i) {
             bounce();
             cells_.closeHoles(volume_.ambient);
             cells_.closeHoles(volume_.slope);
+            const double now = allAmbient();
+            if (now - before <= kSettled * now) break;
+            before = now;
         }
         if (job.cancelled()) return {};
         smoothAmbient();
@@ -237,6 +242,12 @@ class Baker {
 
     /// Standard deviation, m: as far as the rays' chance shows.
     [[nodiscard]] double blurWidth() const { return std::max(0.06, 0.7 * volume_.cell_m); }
+
+    [[nodiscard]] double allAmbient() const {
+        double sum = 0.0;
+        for (const Eigen::Vector3f& ambient : volume_.ambient) sum += ambient.sum();
+        return sum;
+    }
 
     void smoothAmbient() {
         std::vector<Eigen::Vector3f> aside(cells_.count());

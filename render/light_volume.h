@@ -17,7 +17,7 @@ struct LightVolumeParams {
     double cell_m = 0.08;      // wanted; grows where the scene would need more than max_cells
     int max_cells = 400'000;   // bounds time and memory
     int rays_per_cell = 24;    // as cells share what these find, see LightCells::blur
-    int bounces = 20;          // cheap; white rooms still gain by the fifteenth
+    int bounces = 20;          // at most; in dark rooms light settles before
     bool limit_slopes = true;  // see limited(); not of a part of a light, as the others dilute it
 };
 
