@@ -2,8 +2,9 @@
 
 Usage: gallery.py PROGRAM OUT.jpg NAME=SCENE...
 
-PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene the frame that shows the most
-of its things is taken. Prints how alike the two pictures are."""
+PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene a contact sheet of two frames
+is made, those of either half of the way that show the most of its things: drawn above, path traced
+below. Prints how alike these are."""
 import csv
 import pathlib
 import subprocess
@@ -15,7 +16,7 @@ import numpy as np
 
 WIDTH, HEIGHT = 400, 300
 SIZE = ["--set", f"width_px={WIDTH}", "--set", f"height_px={HEIGHT}"]
-SAMPLES = 128
+SAMPLES = 512
 GAP, CAPTION = 6, 26
 
 
@@ -26,8 +27,8 @@ def run(*command):
     return result.stdout
 
 
-def best_frame(dataset):
-    """Number of the frame whose things take most of the picture."""
+def best_frames(dataset):
+    """Numbers of the frames, of either half of them, whose things take most of the picture."""
     shown = {}
     with open(dataset / "instances.csv", newline="") as rows:
         for row in csv.DictReader(rows):
@@ -35,7 +36,10 @@ def best_frame(dataset):
             # A thing that fills the picture counts no more than one of a tenth of it.
             part = min(float(row["visible_px"]) / (WIDTH * HEIGHT), 0.1)
             shown[frame] = shown.get(frame, 0.0) + part
-    return min(shown, key=lambda frame: (-shown[frame], frame))
+    frames = sorted(shown)
+    half = len(frames) // 2
+    return [min(part, key=lambda frame: (-shown[frame], frame))
+            for part in (frames[:half], frames[half:])]
 
 
 def caption(width, text):
@@ -52,21 +56,23 @@ def room(program, name, scene, folder):
     look = folder / "look"
     run(program, "-q", "export", project, "--out", look, "--modalities", "instance", "--formats",
         "instances")
-    frame = best_frame(look)
+    first, second = best_frames(look)
     sides = {}
     for mode in ("fast", "reference"):
         sides[mode] = folder / mode
         run(program, "-q", "export", project, "--out", sides[mode], "--range",
-            f"{frame}:{frame + 1}", "--modalities", "rgb", "--formats", "camera_json", "--set",
-            f"render_mode={mode}", "--set", f"reference_samples={SAMPLES}", "--set",
-            "antialias=8x")
+            f"{first}:{second + 1}:{second - first}", "--modalities", "rgb", "--formats",
+            "camera_json", "--set", f"render_mode={mode}", "--set", f"reference_samples={SAMPLES}",
+            "--set", "antialias=8x")
     alike = run(program.parent / "picture_agreement", sides["fast"], sides["reference"])
     print(f"{name}: {alike.splitlines()[-1]}", flush=True)
-    fast, traced = (cv2.imread(str(next((sides[mode] / "rgb").glob("*.png"))))
-                    for mode in ("fast", "reference"))
-    both = np.hstack([fast, np.full((HEIGHT, GAP, 3), 255, np.uint8), traced])
-    return np.vstack([caption(both.shape[1], f"{name}: drawn, path traced"), both,
-                      np.full((GAP, both.shape[1], 3), 255, np.uint8)])
+    rows = []
+    for mode in ("fast", "reference"):
+        pictures = [cv2.imread(str(path)) for path in sorted((sides[mode] / "rgb").glob("*.png"))]
+        rows.append(np.hstack([pictures[0], np.full((HEIGHT, GAP, 3), 255, np.uint8),
+                               pictures[1]]))
+        rows.append(np.full((GAP, rows[0].shape[1], 3), 255, np.uint8))
+    return np.vstack([caption(rows[0].shape[1], f"{name}: drawn above, path traced below"), *rows])
 
 
 def main():

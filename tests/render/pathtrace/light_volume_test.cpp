@@ -117,6 +117,41 @@ TEST(LightVolume, BouncedLightIsThatOfThePathTracerFromEachSide) {
     EXPECT_GT(error_without_slope, 1.5 * error);
 }
 
+/// How far off, in shares of what is expected, the light is on the boards of a shelf.
+double errorInsideShelf(double cell_m) {
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 3, 2.6});
+    // Three compartments of 30 cm, open to the room in +x.
+    builder.object("shelf", {39, Role::Target, {0.4F, 0.4F, 0.4F}})
+        .box({0.02, 1.5, 0.5}, {0.02, 0.8, 1.0});
+    for (const double y : {1.1, 1.9}) builder.box({0.2, y, 0.5}, {0.36, 0.02, 1.0});
+    for (const double z : {0.05, 0.36, 0.67, 0.98}) builder.box({0.2, 1.5, z}, {0.36, 0.8, 0.02});
+    Scene scene = builder.build();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    LightVolumeParams params;
+    params.cell_m = cell_m;
+    const LightVolume volume = bakeLightVolume(scene, rays, rig, params);
+    const PathTracer tracer(scene, rays, balanced(rig, volume));
+    double error = 0.0;
+    double sum = 0.0;
+    for (const double z : {0.2, 0.51, 0.82}) {
+        const Eigen::Vector3d at(0.15, 1.5, z);
+        const double expected = irradianceByPaths(tracer, at, Eigen::Vector3d::UnitX());
+        const std::size_t cell = cellAt(volume, at);
+        const double facing = 1.0 + volume.slope[cell].x();
+        error += std::abs(volume.ambient[cell].mean() * facing - expected);
+        sum += expected;
+    }
+    return error / sum;
+}
+
+TEST(LightVolume, InsideAShelfItIsAsDarkAsPathTraced) {
+    EXPECT_LT(errorInsideShelf(LightVolumeParams{}.cell_m), 0.25);
+    EXPECT_GT(errorInsideShelf(0.25), 0.4);
+}
+
 TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {3, 3, 2.6});
