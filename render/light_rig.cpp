@@ -1,6 +1,7 @@
 #include "render/light_rig.h"
 
 #include "engine/scene/labels.h"
+#include "render/ray_distance.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,17 +17,77 @@ constexpr double kBelowCeiling = 0.25;
 constexpr double kFromWall = 1.0;      // m; kLampShade and the largest lamp's radius
 constexpr double kShadesBeyond = 0.5;  // m; eaves and what else stands out a little
 
-/// Under the ceiling that is really there: boxes of rooms include beams and the roof.
-double lampHeight(const RayCaster& rays, const Eigen::AlignedBox3d& room, double x, double y) {
+/// Under the ceiling that is really there, or a lamp that hangs from it: boxes of rooms include
+/// beams and the roof, and cupboards hang over places where a lamp may be wanted.
+double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
+                  const Eigen::Vector2d& at) {
+    constexpr double kFar = 12.0;
     const double start = room.min().z() + std::min(1.6, 0.6 * room.sizes().z());
-    const RayHit up = rays.cast({x, y, start}, Eigen::Vector3d::UnitZ(), 12.0);
-    const double ceiling =
-        up.object_id != 0 ? start + up.distance : std::min(room.max().z(), room.min().z() + 3.0);
+    const auto toFirst = [&](auto&& counts) {
+        return distanceTo(scene, rays, {at.x(), at.y(), start}, Eigen::Vector3d::UnitZ(), kFar,
+                          counts);
+    };
+    double up =
+        toFirst([](const Object& object) { return object.structure || object.nyu40 == kNyuLamp; });
+    if (up >= kFar) up = toFirst([](const Object&) { return true; });
+    const double ceiling = up < kFar ? start + up : std::min(room.max().z(), room.min().z() + 3.0);
     return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
 }
 
-/// The lamp of the scene that hangs near the place, if there is one.
-const Object* hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
+/// How far it is at least to what stands or hangs around a place, m, at most kFromWall. Not to
+/// lamps: the place may be in one.
+double clearAround(const Scene& scene, const RayCaster& rays, const Eigen::Vector3d& place) {
+    constexpr int kWays = 16;
+    const auto other = [](const Object& object) { return object.nyu40 != kNyuLamp; };
+    double clear = kFromWall;
+    for (int k = 0; k < kWays; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kWays;
+        const Eigen::Vector3d way(std::cos(angle), std::sin(angle), 0.0);
+        clear = std::min(clear, distanceTo(scene, rays, place, way, clear, other));
+    }
+    return clear;
+}
+
+/// A lamp at the place or, where walls or cupboards would cut through it, at the nearest one of
+/// some around it that has room for it.
+Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
+              const Eigen::Vector2d& wanted) {
+    constexpr int kRings = 4;
+    constexpr double kApart = 0.35;  // m
+    constexpr double kAside = 0.05;  // m; from what is around
+    constexpr double kSmallest = 0.15;
+    const Eigen::Vector3d size = room.sizes();
+    const double radius = std::clamp(0.12 * std::min(size.x(), size.y()), kSmallest, 0.6);
+    constexpr double kInWall = 0.1;  // m; any side of a wall will do from within it
+    Lamp best;
+    double most = -1.0;
+    const auto behindWall = [&](const Eigen::Vector3d& place) {
+        const Eigen::Vector3d from(wanted.x(), wanted.y(), place.z());
+        const double far = (place - from).norm();
+        return distanceTo(scene, rays, from, (place - from) / far, far,
+                          [](const Object& object) { return object.structure; }) < far;
+    };
+    for (int ring = 0; ring <= kRings && most < radius + kAside; ++ring) {
+        const int places = ring == 0 ? 1 : 8;
+        for (int k = 0; k < places && most < radius + kAside; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / places;
+            const Eigen::Vector2d at =
+                wanted + ring * kApart * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            const Eigen::Vector3d place(at.x(), at.y(), lampHeight(scene, rays, room, at));
+            if (ring > 0 && !room.contains(place)) continue;
+            if (ring > 0 && most > kInWall && behindWall(place)) continue;
+            const double clear = clearAround(scene, rays, place);
+            if (clear <= most) continue;
+            most = clear;
+            best.position = place;
+        }
+    }
+    best.radius_m = std::clamp(most - kAside, kSmallest, radius);
+    return best;
+}
+
+/// The lamp of the scene that hangs near the place, away from walls and cupboards, if there is one.
+const Object* hungNear(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
                        const Eigen::Vector2d& place) {
     const Object* nearest = nullptr;
     double distance = kLampSpacing / 3.0;
@@ -39,7 +100,7 @@ const Object* hungNear(const Scene& scene, const Eigen::AlignedBox3d& room,
         if (object.nyu40 != kNyuLamp || !middle.contains(center)) continue;
         if (center.z() < room.center().z()) continue;  // stands on something
         const double away = (center.head<2>() - place).norm();
-        if (away >= distance) continue;
+        if (away >= distance || clearAround(scene, rays, center) < kFromWall) continue;
         distance = away;
         nearest = &object;
     }
@@ -110,16 +171,13 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
         const int along = std::clamp(static_cast<int>(std::lround(size.y() / kLampSpacing)), 1, 6);
         for (int i = 0; i < across; ++i) {
             for (int j = 0; j < along; ++j) {
-                Lamp lamp;
                 Eigen::Vector2d at(room.min().x() + (i + 0.5) / across * size.x(),
                                    room.min().y() + (j + 0.5) / along * size.y());
-                if (const Object* hangs = hungNear(scene, room, at)) {
+                if (const Object* hangs = hungNear(scene, rays, room, at)) {
                     at = hangs->box.center.head<2>();
                     taken[static_cast<std::size_t>(hangs->id) - 1] = true;
                 }
-                lamp.position = {at.x(), at.y(), lampHeight(rays, room, at.x(), at.y())};
-                lamp.radius_m = std::clamp(0.12 * std::min(size.x(), size.y()), 0.15, 0.6);
-                rig.lamps.push_back(lamp);
+                rig.lamps.push_back(roomLamp(scene, rays, room, at));
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "render/own_lamps.h"
 
 #include "engine/scene/labels.h"
+#include "render/ray_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -16,24 +17,10 @@ constexpr double kSmallest = 0.03;  // radius of a ball, m
 constexpr double kLargest = 0.12;
 constexpr double kAround = 0.01;     // m; a round shade touches its box
 constexpr double kFromWall = 0.005;  // m; what the shade keeps from walls, tables and floors
+constexpr double kLeast = 1e-3;      // m; radius, however near it is seen from
 constexpr double kThinnest = 0.005;  // m; half of a shade between walls
 constexpr double kLong = 0.12;       // m, half of it; what hangs so from a ceiling has a cord
 constexpr double kTouches = 0.06;    // m; to what a thing stands on or hangs from
-
-/// Distance to the first surface that `counts(object)`, at most `far`.
-template <class Counts>
-double distanceTo(const Scene& scene, const RayCaster& rays, const Eigen::Vector3d& from,
-                  const Eigen::Vector3d& way, double far, Counts&& counts) {
-    constexpr int kMostSurfaces = 64;
-    double at = 0.0;
-    for (int i = 0; i < kMostSurfaces; ++i) {
-        const RayHit hit = rays.cast(from, way, far, at);
-        if (hit.object_id == 0) return far;
-        if (counts(scene.object(hit.object_id))) return hit.distance;
-        at = hit.distance + 1e-5;
-    }
-    return far;
-}
 
 /// Where the ball is, by what the box stands on or hangs from.
 Eigen::Vector3d ballOf(const Scene& scene, const RayCaster& rays, const Object& object) {
@@ -100,8 +87,14 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
 
 }  // namespace
 
-double OwnLamp::radiance() const {
-    return intensity / (std::numbers::pi * radius_m * radius_m);
+double OwnLamp::radiusFrom(const Eigen::Vector3d& place) const {
+    constexpr double kOutside = 0.7;  // of the distance
+    return std::clamp(kOutside * (position - place).norm(), kLeast, radius_m);
+}
+
+double OwnLamp::radianceFrom(const Eigen::Vector3d& place) const {
+    const double radius = radiusFrom(place);
+    return intensity / (std::numbers::pi * radius * radius);
 }
 
 double OwnLamp::shadowedFor(const Eigen::Vector3d& from, const Eigen::Vector3d& way,

@@ -18,7 +18,11 @@ struct OwnLamp {
     OrientedBox shade;       // holds the ball; what is in it casts no shadow of this lamp
     int object_id = 0;
 
-    [[nodiscard]] double radiance() const;
+    /// The ball's radius as it is seen from a place: one within the ball, on a shade that the ball
+    /// does not fit into, is lit by a smaller one.
+    [[nodiscard]] double radiusFrom(const Eigen::Vector3d& place) const;
+    /// Of the ball with that radius.
+    [[nodiscard]] double radianceFrom(const Eigen::Vector3d& place) const;
     /// How far light on its way to the ball, `distance` m along a unit vector, may be shadowed.
     [[nodiscard]] double shadowedFor(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
                                      double distance) const;

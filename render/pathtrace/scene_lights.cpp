@@ -8,6 +8,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kTooNear = 2e-3;  // m; to a ball's middle
 
 double areaOf(const std::array<Eigen::Vector3d, 3>& corners) {
     return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
@@ -53,11 +54,12 @@ double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const 
 
 double SceneLights::choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const {
     const double squared = (lamp.position - from).squaredNorm();
-    return squared > lamp.radius_m * lamp.radius_m ? lamp.intensity / squared : 0.0;
+    return squared > kTooNear * kTooNear ? lamp.intensity / squared : 0.0;
 }
 
 double SceneLights::cone(const OwnLamp& lamp, const Eigen::Vector3d& from) {
-    const double sine2 = lamp.radius_m * lamp.radius_m / (lamp.position - from).squaredNorm();
+    const double radius = lamp.radiusFrom(from);
+    const double sine2 = radius * radius / (lamp.position - from).squaredNorm();
     return 2.0 * kPi * sine2 / (1.0 + std::sqrt(1.0 - sine2));
 }
 
@@ -65,7 +67,8 @@ std::optional<double> SceneLights::toBall(const OwnLamp& lamp, const Eigen::Vect
                                           const Eigen::Vector3d& way) {
     const Eigen::Vector3d middle = lamp.position - from;
     const double along = middle.dot(way);
-    const double outside = middle.squaredNorm() - lamp.radius_m * lamp.radius_m;
+    const double radius = lamp.radiusFrom(from);
+    const double outside = middle.squaredNorm() - radius * radius;
     const double root2 = along * along - outside;
     if (outside <= 0.0 || along <= 0.0 || root2 < 0.0) return std::nullopt;
     return along - std::sqrt(root2);
@@ -75,7 +78,8 @@ LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& 
                                     const std::array<double, 2>& where) const {
     const Eigen::Vector3d middle = lamp.position - from;
     const double squared = middle.squaredNorm();
-    const double sine2 = lamp.radius_m * lamp.radius_m / squared;
+    const double radius = lamp.radiusFrom(from);
+    const double sine2 = radius * radius / squared;
     // Evenly over the cone that the ball fills: 1 - cosine goes evenly up to that of its edge.
     const double below = where[0] * sine2 / (1.0 + std::sqrt(1.0 - sine2));
     const double cosine = 1.0 - below;
@@ -89,7 +93,7 @@ LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& 
     sample.distance = toBall(lamp, from, sample.way).value_or(middle.dot(sample.way));
     sample.free = lamp.shadowedFor(from, sample.way, sample.distance);
     sample.density = choice(lamp, from) / totalChoice(from) / cone(lamp, from);
-    sample.radiance = lampRadiance(lamp);
+    sample.radiance = lampRadiance(lamp, from);
     return sample;
 }
 

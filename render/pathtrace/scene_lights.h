@@ -42,7 +42,8 @@ class SceneLights {
             if (!distance) continue;
             const double free = lamp.shadowedFor(from, way, *distance);
             if (free < begin || free >= end) continue;
-            visit(lampRadiance(lamp), choice(lamp, from) / totalChoice(from) / cone(lamp, from));
+            visit(lampRadiance(lamp, from),
+                  choice(lamp, from) / totalChoice(from) / cone(lamp, from));
         }
         if (way.z() <= 0.0) return;
         for (const Lamp& lamp : rig_.lamps) {
@@ -65,9 +66,9 @@ class SceneLights {
   private:
     [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
     [[nodiscard]] double choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const;
-    /// The solid angle of the ball, from outside of it.
+    /// The solid angle of the ball, see OwnLamp::radiusFrom().
     [[nodiscard]] static double cone(const OwnLamp& lamp, const Eigen::Vector3d& from);
-    /// Where a ray from outside meets the ball, if it does.
+    /// Where a ray meets that ball, if it does.
     [[nodiscard]] static std::optional<double> toBall(const OwnLamp& lamp,
                                                       const Eigen::Vector3d& from,
                                                       const Eigen::Vector3d& way);
@@ -77,8 +78,9 @@ class SceneLights {
     [[nodiscard]] Eigen::Vector3f lampRadiance(const Lamp& lamp) const {
         return rig_.lampLight() * static_cast<float>(lamp.radiance());
     }
-    [[nodiscard]] Eigen::Vector3f lampRadiance(const OwnLamp& lamp) const {
-        return rig_.ownLampLight() * static_cast<float>(lamp.radiance());
+    [[nodiscard]] Eigen::Vector3f lampRadiance(const OwnLamp& lamp,
+                                               const Eigen::Vector3d& from) const {
+        return rig_.ownLampLight() * static_cast<float>(lamp.radianceFrom(from));
     }
     /// By which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;

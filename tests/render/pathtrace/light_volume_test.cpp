@@ -177,5 +177,48 @@ TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
     EXPECT_NEAR(middle.lamps.at(0).position.x(), 1.5, 1e-6);
 }
 
+/// The first lamp of a room of 4 x 4 m with a partition at y = 2.2 m, a spotlight 20 cm before it
+/// and a cupboard that hangs over the room's middle, if wanted.
+Lamp lampBesideWall(bool with_wall, bool with_cupboard) {
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {4, 4, 2.6});
+    if (with_wall) {
+        builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}})
+            .box({2.0, 2.25, 1.3}, {4.0, 0.1, 2.6});
+    }
+    if (with_cupboard) builder.object("cupboard").box({2.0, 1.9, 2.1}, {1.2, 0.6, 1.0});
+    builder.object("spotlight", {35, Role::Target, {0.8F, 0.8F, 0.8F}})
+        .box({2.0, 2.0, 1.55}, {0.1, 0.1, 0.1});
+    const Scene scene = builder.build();
+    return makeLightRig(scene, RayCaster(scene)).lamps.at(0);
+}
+
+TEST(LightRig, RoomLampsKeepClearOfWallsAndCupboards) {
+    const Lamp beside = lampBesideWall(true, false);
+    EXPECT_GT(std::abs(beside.position.y() - 2.25) - 0.05, beside.radius_m);
+    EXPECT_GT(beside.position.z(), 2.2);  // not under the spotlight
+    const Lamp aside = lampBesideWall(true, true);
+    EXPECT_LT(aside.position.y() + aside.radius_m, 1.6);  // nor in the cupboard, or behind the wall
+    EXPECT_GT(aside.position.z(), 2.2);
+    // Where nothing is in the way the spotlight is where light comes from.
+    const Lamp free = lampBesideWall(false, false);
+    EXPECT_LT((free.position.head<2>() - Eigen::Vector2d(2, 2)).norm(), 1e-6);
+    EXPECT_LT(free.position.z(), 1.6);
+}
+
+/// What a wall gets from a lamp's ball that it cuts through.
+TEST(LightRig, APlaceInALampsBallIsLitByASmallerBall) {
+    OwnLamp lamp;
+    lamp.radius_m = 0.1;
+    const Eigen::Vector3d inside(0.05, 0, 0);
+    const Eigen::Vector3d outside(1, 0, 0);
+    EXPECT_EQ(lamp.radiusFrom(outside), 0.1);
+    EXPECT_LT(lamp.radiusFrom(inside), 0.05);
+    for (const Eigen::Vector3d& place : {inside, outside}) {
+        const double radius = lamp.radiusFrom(place);
+        EXPECT_NEAR(lamp.radianceFrom(place) * kPi * radius * radius, lamp.intensity, 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace dollytrack::render

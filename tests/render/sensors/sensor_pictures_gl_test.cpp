@@ -23,7 +23,7 @@ constexpr int kHeight = 120;
 /// The left half of the view is a black board at 2 m, the right a white wall at 4 m.
 Scene boardAndWall() {
     SceneBuilder builder;
-    builder.room({-3, -1, 0}, {3, 4, 3});
+    builder.room({-3, -2, 0}, {3, 4, 3});
     SceneBuilder::Look black;
     black.color = {0.0F, 0.0F, 0.0F};
     builder.object("board", black).box({-1.5, 2.05, 1.5}, {3.0, 0.1, 3.0});
