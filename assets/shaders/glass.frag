@@ -1,8 +1,11 @@
 #version 450 core
-// Glass over what is already in the surface buffer: it tints the colour behind it, while depth and
-// label become its own, for the labels treat everything as opaque.
+// Glass over what is already in the surface buffer: it tints the colour behind it and, the more it
+// is looked along, whitens it by what it reflects of the room; light comes later, and takes the
+// room for about as bright as what is behind. Depth and label become its own, for the labels treat
+// everything as opaque.
 
 in vec3 offset_in_world;
+in vec3 normal_in_world;
 in vec2 texture_uv;
 flat in vec4 surface_color;
 flat in vec4 surface_traits;
@@ -22,6 +25,15 @@ layout(location = 0) out vec4 out_color;
 layout(location = 3) out float out_depth;
 layout(location = 4) out uint out_id;
 
+const float kRoom = 0.75;  // root of a room's albedo, as colours are here
+
+// Both faces of a thin sheet, with Schlick's Fresnel.
+float sheetReflectance() {
+    float facing = abs(dot(normalize(normal_in_world), normalize(offset_in_world)));
+    float face = 0.04 + 0.96 * pow(1.0 - facing, 5.0);
+    return 2.0 * face / (1.0 + face);
+}
+
 float depthHere() {
     return depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
                               : 1.0 / gl_FragCoord.w;
@@ -33,7 +45,10 @@ void main() {
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
     vec4 color = surface_color;
     if (textured != 0) color *= texture(base_texture, texture_uv);
-    out_color = vec4(color.rgb, color.a * tint);
+    float reflected = sqrt(sheetReflectance());  // over black it is right, over white a little much
+    float tinted = (1.0 - reflected) * color.a;
+    float share = reflected + tinted;
+    out_color = vec4((reflected * vec3(kRoom) + tinted * color.rgb) / share, share * tint);
     out_depth = depthHere();
     out_id = surface_id;
 }

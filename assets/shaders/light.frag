@@ -176,6 +176,37 @@ vec3 positionOf(float z, vec2 at, vec3 ray) {
     return camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
 }
 
+// What a GGX layer makes of light from one direction, of irradiance 1 across it: with Schlick's
+// Fresnel and Hammon's approximation of Smith's masking (PBR Diffuse Lighting for GGX+Smith
+// Microsurfaces, 2017). In the unit of irradiance, which a white surface throws back whole.
+vec3 highlight(vec3 n, vec3 view, vec3 to_light, vec3 f0, float alpha) {
+    vec3 facet = normalize(view + to_light);
+    float light = max(dot(n, to_light), 0.0);
+    float eye = max(dot(n, view), 0.001);
+    float facing = max(dot(n, facet), 0.0);
+    float spread = facing * facing * (alpha * alpha - 1.0) + 1.0;
+    float shape = 0.5 * alpha * alpha * light /
+                  (spread * spread * mix(2.0 * light * eye, light + eye, alpha) + 1e-6);
+    float grazing = 1.0 - max(dot(view, facet), 0.0);
+    float grazing2 = grazing * grazing;
+    return (f0 + (1.0 - f0) * (grazing2 * grazing2 * grazing)) * shape;
+}
+
+// The share that a GGX layer throws back of the same light from everywhere: a fit (Karis, Physically
+// Based Shading on Mobile, 2014) of single reflections, and what gives back those from facet to facet
+// (Turquin, Practical multiple scattering compensation, 2019).
+struct Layer {
+    vec3 thrown_back;
+    vec3 gain;
+};
+
+Layer layerOf(float eye, vec3 f0, float roughness) {
+    vec4 fit = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float grazing = 1.04 * (min(fit.x * fit.x, exp2(-9.28 * max(eye, 0.0))) * fit.x + fit.y);
+    vec3 gain = 1.0 + f0 * (1.0 / (fit.z + fit.w) - 1.0);
+    return Layer(max(f0 * (fit.z - grazing) + fit.w + grazing, vec3(0.0)) * gain, gain);
+}
+
 // Before the tone curve.
 vec3 lightFrom(Seen seen, vec2 pixel) {
     vec3 ray = rayThrough(pixel);
@@ -216,12 +247,6 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
     vec3 view = -normalize(ray);
     vec3 mirror = reflect(-view, n);
     vec3 f0 = mix(vec3(0.04), albedo, metallic);
-    float grazing = 1.0 - max(dot(n, view), 0.0);
-    float grazing2 = grazing * grazing;
-    vec3 fresnel = f0 + (max(vec3(1.0 - seen.roughness), f0) - f0) * grazing2 * grazing2 * grazing;
-    float r2 = max(seen.roughness * seen.roughness, 0.02);
-    float power = 2.0 / (r2 * r2);
-    float shine = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_lamp), 0.0)));
     // Radiance has half as much again of the irradiance's slope.
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
 #ifdef REFLECTIONS
@@ -232,12 +257,15 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
 #else
     room *= open;
 #endif
-    vec3 shiny = fresnel * (room + lamp_light * (lamp_strength * shine *
-                                                           min(power * 0.06, 2.5)));
+    // A lamp is as wide as a hand at arm's length.
+    float alpha = max(seen.roughness * seen.roughness, 0.002);
+    Layer layer = layerOf(dot(n, view), f0, seen.roughness);
+    vec3 shiny = layer.thrown_back * room +
+                 layer.gain * lamp_light *
+                     (lamp_strength * highlight(n, view, to_lamp, f0, min(alpha + 0.1, 1.0)));
 
 #ifdef SUN
-    float glint = exp2(-power * 0.72 * (1.0 - max(dot(mirror, to_sun), 0.0)));
-    shiny += fresnel * sun * (glint * min(power * 0.06, 2.5));
+    shiny += layer.gain * sun * highlight(n, view, to_sun, f0, max(alpha, 0.02));
 #endif
 
     return exposure * (lit + shiny) + glow * emission * albedo;

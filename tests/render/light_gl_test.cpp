@@ -2,6 +2,7 @@
 
 #include "engine/scene/varied_materials.h"
 #include "render/pathtrace/path_tracer.h"
+#include "render/pathtrace/surface_brdf.h"
 #include "render/tone_curve.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
@@ -112,6 +113,38 @@ TEST_F(LightGl, TheSunDrawsTheWindowOnTheFloor) {
             EXPECT_GT(at(light, along, edge + inwards), 0.9F * expected) << edge << along;
             EXPECT_EQ(at(light, along, edge - inwards), 0.0F) << edge << along;
         }
+    }
+}
+
+// What a black, half glossy floor throws of the sun at eyes about the mirror's way, against the
+// BRDF that path tracing takes. From where the sun comes the floor is all but black.
+TEST_F(LightGl, TheSunGlintsAsTheBrdfHasIt) {
+    Scene scene = sunnyRoom(Hole::Window);
+    for (const float roughness : {0.35F, 0.6F, 0.9F}) {
+        scene.materials[0].base_color.setZero();
+        scene.materials[0].roughness = roughness;
+        const LightRig rig = sunAlone(scene);
+        const LightVolume light = onlySun(rig);
+        const Eigen::Vector3d target(1.5, 1.5, 0.0);
+        double mirrored = 0.0;
+        for (const double height_deg : {30.0, 45.0, 60.0, 135.0}) {
+            const double height = height_deg * std::numbers::pi / 180.0;
+            const Eigen::Vector3d out(std::cos(height), 0.0, std::sin(height));
+            View view = makeView(squareCamera(), lookAt(target + 1.2 * out, target));
+            const std::vector<float> drawn = lightOf(scene, light, view);
+            ASSERT_FALSE(drawn.empty());
+            const float found = drawn[3 * (100UL * 200 + 100)];
+            const SurfaceBrdf brdf(Eigen::Vector3f::Zero(), 0.0, roughness, out);
+            const double slant = rig.sun.way.z();
+            const double expected =
+                std::numbers::pi * brdf.value(rig.sun.way).x() * rig.sun.irradiance.x() * slant;
+            EXPECT_NEAR(found, expected, 0.2 * expected + 0.002) << roughness << " " << height_deg;
+            if (height_deg == 45.0) mirrored = found;
+            if (height_deg == 135.0 && roughness < 0.5F) {
+                EXPECT_LT(found, 0.05 * mirrored);
+            }
+        }
+        EXPECT_GT(mirrored, 0.01);
     }
 }
 

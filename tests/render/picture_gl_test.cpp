@@ -9,14 +9,13 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 
 namespace dollytrack::render {
 namespace {
 
 using dollytrack::test::furnishedRoom;
 using dollytrack::test::SceneBuilder;
-
-class PictureGl : public test::GlTest {};
 
 CameraParams goldenCamera() {
     CameraParams camera;
@@ -25,6 +24,30 @@ CameraParams goldenCamera() {
     camera.hfov_deg = 75.0;
     return camera;
 }
+
+class PictureGl : public test::GlTest {
+  protected:
+    /// How bright a black wall is behind a clear pane that stands at x = 2 m, turned about z.
+    double blackBehindPane(double turn_deg, bool with_pane = true) {
+        SceneBuilder builder;
+        builder.object("wall", {kNyuWall, Role::Structure, {0.0F, 0.0F, 0.0F}})
+            .quad({4, -20, -20}, {0, 40, 0}, {0, 0, 40});
+        const double turn = turn_deg * std::numbers::pi / 180.0;
+        const Eigen::Vector3d along(std::sin(turn), std::cos(turn), 0.0);
+        builder.object("pane", {kNyuOtherStructure, Role::Structure, {0.8F, 0.8F, 0.8F}})
+            .quad(Eigen::Vector3d(2, 0, -5) - 2.0 * along, 4.0 * along,
+                  {0, 0, with_pane ? 10.0 : 1.0});
+        Scene scene = builder.build();
+        scene.materials[1].opacity = 0.01F;
+        const CameraParams camera = goldenCamera();
+        if (!context_) context_ = std::move(*gl::createOsMesaContext());
+        auto renderer = makeRenderer(scene, camera);
+        EXPECT_TRUE(renderer);
+        const auto frame = renderer->render(makeView(camera, lookAt({0, 0, 0}, {1, 0, 0})));
+        EXPECT_TRUE(frame);
+        return frame->rgb[3 * (48UL * 128 + 64)];
+    }
+};
 
 cv::Mat asMat(const FrameRecord& frame) {
     cv::Mat bgr(frame.height, frame.width, CV_8UC3);
@@ -180,6 +203,18 @@ TEST_F(PictureGl, GlassIsSeenThroughButLabelled) {
     EXPECT_EQ(frame->instance[middle], 2);
     EXPECT_NEAR(frame->depth_m[middle], 2.0F, 1e-4F);
     EXPECT_GT(frame->rgb[3 * middle], frame->rgb[3 * middle + 2] + 40);
+}
+
+// A bowl is seen by its rim. Without a pane (it ends below the picture's middle) black is black.
+TEST_F(PictureGl, GlassReflectsTheMoreItIsLookedAlong) {
+    const double none = blackBehindPane(0.0, false);
+    const double facing = blackBehindPane(0.0);
+    const double slanted = blackBehindPane(70.0);
+    const double along = blackBehindPane(85.0);
+    EXPECT_GT(facing, none + 5.0);
+    EXPECT_LT(facing, none + 60.0);
+    EXPECT_GT(slanted, facing + 15.0);
+    EXPECT_GT(along, slanted + 30.0);
 }
 
 TEST_F(PictureGl, TheOverviewHoldsTheWholeRoomWithoutItsCeiling) {
