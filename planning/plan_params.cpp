@@ -1,5 +1,7 @@
 #include "planning/plan_params.h"
 
+#include "engine/scene/light_check.h"
+
 #include <nlohmann/json.hpp>
 
 namespace dollytrack::planning {
@@ -35,6 +37,7 @@ Status setParameter(nlohmann::json& sections, const std::string& name,
         .and_then([&] {
             return setFromJson(fields, {{"parameters", {{name, value}}}});
         })
+        .and_then([&] { return checkLight(params.light); })
         .map([&] { sections = toJson(fields); });
 }
 

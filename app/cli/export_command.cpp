@@ -261,8 +261,9 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     checked.overwrite = arguments.overwrite;
 
     const JobContext job = session.job();
-    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
+    Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
+    opened->params.sensor = render::fitPresetLens(opened->params.camera, opened->params.sensor);
     if (wants(settings, render::kRgbSensor)) {
         Status status = render::validateLens(opened->params.camera, opened->params.sensor);
         if (!status) return tl::unexpected<Error>(std::move(status.error()));

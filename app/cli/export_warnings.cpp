@@ -1,7 +1,9 @@
 #include "app/cli/export_warnings.h"
 
 #include "engine/core/log.h"
+#include "engine/scene/resolved_light.h"
 #include "render/formats/formats.h"
+#include "render/modalities.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +31,39 @@ void warnOfLight(const LightParams& light, const render::DatasetSettings& settin
               "--formats");
 }
 
+void warnOfSun(const LightParams& light) {
+    const LightParams standard;
+    const bool set_strength = light.sun_strength > 0.0;
+    if (!set_strength && light.sun_azimuth_deg == standard.sun_azimuth_deg) return;
+    // A variation draws another time.
+    if (sunElevationDeg(light.time_of_day_h) > 0.0 || resolved(light).sun_elevation_deg > 0.0) {
+        return;
+    }
+    log::warn("export", fmt::format("{} changes nothing while the sun is below the horizon: set "
+                                    "time_of_day_h too, between 6 and 18",
+                                    set_strength ? "sun_strength" : "sun_azimuth_deg"));
+}
+
+void warnOfPictures(const PictureParams& picture) {
+    if (picture.render_mode == RenderMode::Reference ||
+        picture.reference_samples == PictureParams().reference_samples) {
+        return;
+    }
+    log::warn("export",
+              "reference_samples changes nothing while render_mode is fast: set "
+              "render_mode=reference too");
+}
+
+/// Rows that are read one after the other have several looks in any case.
+void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& settings) {
+    const bool blurs = sensor.shutter_s > 0.0 || sensor.aperture_mm > 0.0;
+    if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
+    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    if (!chosen || !render::contains(*chosen, render::kRgbSensor)) return;
+    log::warn("export", fmt::format("{} blurs nothing while looks is 1: set that too, 16 as a rule",
+                                    sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
+}
+
 /// Of the same place, direction and lens: its images are those of the dataset.
 bool repeats(const RigCamera& camera, const CameraParams& planned) {
     const Pose place = carrierFromCamera(camera);
@@ -42,6 +77,9 @@ bool repeats(const RigCamera& camera, const CameraParams& planned) {
 
 void warnOfExport(const planning::PlanParams& params, const render::DatasetSettings& settings) {
     warnOfLight(params.light, settings);
+    warnOfSun(params.light);
+    warnOfPictures(params.picture);
+    warnOfLooks(params.sensor, settings);
     for (const RigCamera& camera : settings.rig) {
         if (!repeats(camera, params.camera)) continue;
         log::warn("export",

@@ -52,6 +52,29 @@ bool fillsPicture(const CameraParams& camera, const LensDistortion& lens) {
 
 }  // namespace
 
+SensorParams fitPresetLens(const CameraParams& camera, SensorParams params) {
+    const SensorParams preset = sensorPreset(params.sensor_preset);
+    const bool as_preset = params.k1 == preset.k1 && params.k2 == preset.k2 &&
+                           params.p1 == preset.p1 && params.p2 == preset.p2 &&
+                           params.k3 == preset.k3;
+    const auto cornerOf = [](const CameraParams& one) {
+        return makeIntrinsics(one).unproject(0.0, 0.0).head<2>().norm();
+    };
+    CameraParams usual;
+    usual.width_px = 640;
+    usual.height_px = 480;
+    usual.hfov_deg = kPresetFov_deg;
+    const double scale = cornerOf(usual) / cornerOf(camera);
+    if (!as_preset || !(scale < 1.0 - 1e-9)) return params;
+    const double square = scale * scale;
+    params.k1 *= square;
+    params.k2 *= square * square;
+    params.k3 *= square * square * square;
+    params.p1 *= scale;
+    params.p2 *= scale;
+    return params;
+}
+
 Status validateLens(const CameraParams& camera, const SensorParams& params) {
     const LensDistortion lens = distortionOf(params);
     if (lens.none() || fillsPicture(camera, lens)) return {};

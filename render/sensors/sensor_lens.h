@@ -18,6 +18,16 @@ namespace dollytrack::render {
 /// The distortion that the sensor's pictures have.
 [[nodiscard]] LensDistortion distortionOf(const SensorParams& params);
 
+/// The presets' distortion is made for this horizontal field of view of a 4:3 picture.
+inline constexpr double kPresetFov_deg = 60.0;
+
+/// The sensor with the lens that its preset has in this camera: where all five coefficients are the
+/// preset's and the picture's corner lies further out than that of kPresetFov_deg, they are scaled,
+/// so that the corner moves by the same share of the picture as there. Else as it is: narrower
+/// pictures are the middle of the preset's, and what was set by hand counts as it stands. Repeating
+/// it changes nothing.
+[[nodiscard]] SensorParams fitPresetLens(const CameraParams& camera, SensorParams params);
+
 /// Whether the lens shows something in every pixel: its model may fold over, or look further than a
 /// picture's size outside, before it comes to the corners. Error: Usage, with what to change.
 [[nodiscard]] Status validateLens(const CameraParams& camera, const SensorParams& params);

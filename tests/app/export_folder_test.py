@@ -84,6 +84,7 @@ class ExportFolder(FolderCase):
             (self.folder / "none.obj", [], 4, "none.obj"),
             (self.folder / "none.dolly", [], 4, "none.dolly"),
             (self.project, ["--set", "hfov_deg=900"], 2, "hfov_deg"),
+            (self.project, ["--set", "lamp_temperature_K=500"], 2, "0, or 1000 .. 20000 K"),
             (self.project, ["--set", "hfof_deg=90"], 2, "hfov_deg"),
             (self.project, ["--modalities", "dept"], 2, "did you mean 'depth'"),
             (self.project, ["--formats", "cocoa"], 2, "did you mean 'coco'"),
@@ -112,6 +113,29 @@ class ExportFolder(FolderCase):
                 self.assertIn(said or "", warnings)
         self.assertNotIn("light", self.export(self.new_folder(), "--modalities", "rgb", "--range",
                                               "0:1").stderr)
+
+    def test_settings_that_others_make_idle_are_warned_of(self):
+        sensor = ["--modalities", "rgb_sensor"]
+        for settings, said, more in [
+            (["light_preset=night", "sun_strength=2"], "sun_strength", []),
+            (["light_preset=night", "sun_azimuth_deg=10"], "sun_azimuth_deg", []),
+            (["light_preset=night"], None, []),
+            (["light_preset=day", "sun_strength=2", "sun_azimuth_deg=10"], None, []),
+            (["reference_samples=2"], "reference_samples", []),
+            (["reference_samples=2", "render_mode=reference"], None, []),
+            (["looks=1", "readout_s=0"], "looks", sensor),
+            (["looks=1", "readout_s=0"], None, ["--modalities", "rgb,depth_sensor"]),
+            (["looks=1"], None, sensor),
+            (["looks=1", "sensor_preset=ideal"], None, sensor),
+            (["looks=2", "readout_s=0"], None, sensor),
+        ]:
+            with self.subTest(settings):
+                warnings = self.export(self.new_folder(), *(more or ["--modalities", "rgb"]),
+                                       "--range", "0:1",
+                                       *[word for one in settings for word in ("--set", one)]).stderr
+                told = [line for line in warnings.splitlines() if " nothing while " in line]
+                self.assertEqual(len(told), 0 if said is None else 1, warnings)
+                self.assertIn(said or "", "".join(told))
 
     def test_other_pictures_than_were_planned_are_said_to_be_other_views(self):
         for arguments, said in [(["--set", "width_px=80"], "width_px; planning again"),

@@ -40,6 +40,30 @@ class SensorsTest(FolderCase):
             self.assertEqual(self.files(clean, folder), self.files(with_sensor, folder))
         self.assertNotIn("sensor", json.loads((clean / "dataset.json").read_text())["parameters"])
 
+    def test_a_presets_lens_is_scaled_to_a_wide_picture_and_recorded_so(self):
+        def lens(*settings):
+            out = self.export("sensor_preset=action_camera", "looks=1", *settings,
+                              more=["--range", "0:1"])
+            card = json.loads((out / "dataset.json").read_text())
+            said = card["conventions"]["rgb_sensor"]["distortion"]
+            text = (out / "calibration.yaml").read_text().split("---", 1)[-1]
+            data = re.search(r"distortion_coefficients.*?data: *\[(.*?)\]", text, re.S).group(1)
+            numbers = [float(number) for number in data.split(",")]
+            verified = run("-q", "verify", out)
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+            for i, name in enumerate(["k1", "k2", "p1", "p2", "k3"]):
+                self.assertAlmostEqual(numbers[i], said[name], places=9)
+                self.assertEqual(card["parameters"]["sensor"][name], said[name])
+            return said["k1"], said["k2"]
+
+        camera = ["width_px=160", "height_px=120", "near_m=0.01"]
+        self.assertEqual(lens(*camera, "hfov_deg=60"), (-0.26, 0.09))
+        squeeze = (np.tan(np.radians(30)) / np.tan(np.radians(60))) ** 2
+        k1, k2 = lens(*camera, "hfov_deg=120")
+        self.assertAlmostEqual(k1, -0.26 * squeeze, places=9)
+        self.assertAlmostEqual(k2, 0.09 * squeeze ** 2, places=9)
+        self.assertEqual(lens(*camera, "hfov_deg=120", "k1=-0.2"), (-0.2, 0.09))
+
     def test_the_same_bytes_with_one_thread_with_two_and_continued(self):
         rolling = ["readout_s=0.02", "looks=64"]
         whole = self.export(*rolling, more=["--threads", "1"])

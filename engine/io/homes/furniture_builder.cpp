@@ -51,7 +51,12 @@ std::vector<std::size_t> placeBox(const HomePiece& piece, double elevation,
     return mesh.addTo(scene, piece.name);
 }
 
-/// Colours and pictures of the piece's own, by the model's names or over all of it.
+/// Sweet Home 3D knows panes by their shapes' names.
+bool isPane(const MeshPart& part, const Material& material) {
+    return part.name.starts_with("sweethome3d_window_pane") || material.opacity < 1.0F;
+}
+
+/// Colours and pictures of the piece's own, by the model's names or over all of it but its panes.
 void overlay(const HomePiece& piece, const std::vector<std::size_t>& parts,
              HomeMaterials& materials, RawScene& scene) {
     for (const std::size_t index : parts) {
@@ -59,8 +64,8 @@ void overlay(const HomePiece& piece, const std::vector<std::size_t>& parts,
         const auto named = piece.materials.find(scene.materials[part.material].name);
         if (named != piece.materials.end()) {
             part.material = materials.overlaid(part.material, named->second);
-        } else if (scene.materials[part.material].opacity >= 1.0F) {
-            part.material = materials.overlaid(part.material, piece.surface);  // panes stay clear
+        } else if (!isPane(part, scene.materials[part.material])) {
+            part.material = materials.overlaid(part.material, piece.surface);
         }
     }
 }

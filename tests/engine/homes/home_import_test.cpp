@@ -255,6 +255,41 @@ TEST_F(HomeImport, ColorsPiecesAndTakesGroupsApart) {
               1);
 }
 
+// Two of three groups are of the same material: only the names tell the pane from the frame.
+TEST_F(HomeImport, PanesKeepTheirOwnMaterialUnderAPiecesColor) {
+    static_cast<void>(folder.write("window.mtl",
+                                   "newmtl glass\nKd 0.2 0.4 0.6\nd 0.3\n"
+                                   "newmtl paint\nKd 0.9 0.1 0.1\n"));
+    static_cast<void>(folder.write(
+        "window.obj",
+        "mtllib window.mtl\nv 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 1\ng frame\nusemtl paint\nf 1 2 3\n"
+        "g sweethome3d_window_pane_on_hinge_1\nusemtl glass\nf 1 2 4\n"
+        "g sweethome3d_window_pane_2\nusemtl paint\nf 1 3 4\n"));
+    const std::string png("\x89PNG none");
+    static_cast<void>(folder.write("wood", png));
+    for (const std::string surface : {"color='FF0000FF'>",
+                                      "><texture catalogId='w' name='w' width='10' height='10' "
+                                      "image='wood'/>"}) {
+        const Scene scene = read(
+            "<doorOrWindow name='Window' catalogId='eTeks#window' model='window.obj' x='200' "
+            "y='0' elevation='100' width='100' depth='10' height='100' " +
+            surface + "</doorOrWindow>");
+        const Object& window = named(scene, "Window");
+        ASSERT_EQ(window.triangle_count, 3U);
+        int glass = 0;
+        int red = 0;
+        for (std::uint32_t i = 0; i < window.triangle_count; ++i) {
+            const Material& material =
+                scene.materials[scene.triangle_material[window.first_triangle + i]];
+            const Eigen::Vector3f& color = material.base_color;
+            if (material.opacity < 0.5F && color.z() > color.x()) ++glass;
+            if (material.texture < 0 && color.x() > 0.5F && color.z() < 0.2F) ++red;
+        }
+        EXPECT_EQ(glass, 1) << surface;
+        EXPECT_EQ(red, 1) << "the second pane and not the frame, " << surface;
+    }
+}
+
 TEST_F(HomeImport, StandsInABoxForAModelThatIsMissing) {
     const Scene scene = read(
         "<pieceOfFurniture name='Bed' catalogId='eTeks#bed' model='../../etc/passwd' x='100' "

@@ -208,6 +208,63 @@ TEST(SensorLens, PresetsRiseToTheCornersOfTheWidestPicture) {
     }
 }
 
+TEST(SensorLens, PresetsMoveTheCornersByTheSameShareOfWiderPictures) {
+    const auto shareOf = [](const CameraParams& camera, const SensorParams& params) {
+        const Eigen::Vector2d corner = makeIntrinsics(camera).unproject(0.0, 0.0).head<2>();
+        return (distortionOf(params).bend(corner) - corner).norm() / corner.norm();
+    };
+    CameraParams usual;
+    usual.hfov_deg = kPresetFov_deg;
+    for (const SensorPreset preset : {SensorPreset::Phone, SensorPreset::Webcam,
+                                      SensorPreset::ActionCamera, SensorPreset::MachineVision}) {
+        const SensorParams params = sensorPreset(preset);
+        EXPECT_EQ(fitPresetLens(usual, params), params);
+        const double share = shareOf(usual, params);
+        for (const double fov : {60.5, 90.0, 120.0, 150.0}) {
+            CameraParams wide = usual;
+            wide.hfov_deg = fov;
+            const SensorParams fitted = fitPresetLens(wide, params);
+            EXPECT_NEAR(shareOf(wide, fitted), share, 1e-9) << fov;
+            EXPECT_GT(std::abs(shareOf(wide, params) - share), 1e-5) << "unless scaled";
+            EXPECT_EQ(fitPresetLens(wide, fitted), fitted);
+            EXPECT_TRUE(validateLens(wide, fitted));
+            SensorParams by_hand = params;
+            by_hand.k1 += 0.01;
+            EXPECT_EQ(fitPresetLens(wide, by_hand), by_hand);
+        }
+        usual.hfov_deg = 40.0;
+        EXPECT_EQ(fitPresetLens(usual, params), params);
+        usual.hfov_deg = kPresetFov_deg;
+    }
+}
+
+// Along a straight line of the room a barrel bends one way only, out to the corner.
+TEST(SensorLens, TheActionCameraIsABarrelOverTheWholePicture) {
+    const auto bendsOneWay = [](const CameraParams& camera, const SensorParams& params) {
+        const LensDistortion lens = distortionOf(params);
+        const Eigen::Vector3d corner =
+            makeIntrinsics(camera).unproject(camera.width_px, camera.height_px);
+        for (const double high : {0.3, 0.6, 1.0}) {
+            const double y = high * corner.y();
+            const double step = corner.x() / 200.0;
+            for (double x = step; x + step <= corner.x(); x += step) {
+                const Eigen::Vector2d a = lens.bend({x - step, y});
+                const Eigen::Vector2d b = lens.bend({x, y}) - a;
+                const Eigen::Vector2d c = lens.bend({x + step, y}) - a;
+                if (!(b.x() * c.y() - b.y() * c.x() < 0.0)) return false;
+            }
+        }
+        return true;
+    };
+    const SensorParams params = sensorPreset(SensorPreset::ActionCamera);
+    CameraParams camera;
+    for (const double fov : {40.0, 60.0, 90.0, 120.0, 150.0}) {
+        camera.hfov_deg = fov;
+        EXPECT_TRUE(bendsOneWay(camera, fitPresetLens(camera, params))) << fov;
+        EXPECT_EQ(bendsOneWay(camera, params), fov <= 60.0) << fov << " unless scaled";
+    }
+}
+
 // r (1 - r^2 + 0.3 r^4) falls from 0.65 on and rises again from 1.26: what a bent place seems to
 // show behind the fold, it shows a second time.
 TEST(SensorLens, WhatLiesBehindAFoldIsRefused) {
