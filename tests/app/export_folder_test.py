@@ -130,9 +130,9 @@ class ExportFolder(FolderCase):
             (["looks=2", "readout_s=0"], None, sensor),
         ]:
             with self.subTest(settings):
+                words = [word for one in settings for word in ("--set", one)]
                 warnings = self.export(self.new_folder(), *(more or ["--modalities", "rgb"]),
-                                       "--range", "0:1",
-                                       *[word for one in settings for word in ("--set", one)]).stderr
+                                       "--range", "0:1", *words).stderr
                 told = [line for line in warnings.splitlines() if " nothing while " in line]
                 self.assertEqual(len(told), 0 if said is None else 1, warnings)
                 self.assertIn(said or "", "".join(told))
