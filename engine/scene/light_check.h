@@ -9,4 +9,7 @@ namespace dollytrack {
 /// field.
 [[nodiscard]] Status checkLight(const LightParams& params);
 
+/// What it takes, for a slider that leaves 0: lamps of less than 1000 K become lamps of that.
+[[nodiscard]] LightParams raisedLight(LightParams params);
+
 }  // namespace dollytrack

@@ -1,4 +1,6 @@
 #include "engine/scene/light_params.h"
+
+#include "engine/scene/light_check.h"
 #include "engine/scene/resolved_light.h"
 #include "engine/scene/varied_materials.h"
 #include "tests/support/scene_builder.h"
@@ -185,6 +187,20 @@ TEST(VariedMaterials, ALittleAndTheSameForTheSameSeed) {
     Scene other = scene;
     varyMaterials(other, params);
     EXPECT_NE(other.materials[0].base_color, varied.materials[0].base_color);
+}
+
+TEST(LightParams, LampsAreOfAThousandKelvinAtLeastOrNone) {
+    for (const auto& [given, raised] : {std::pair{0.0, 0.0},
+                                        {1.0, 1000.0},
+                                        {999.0, 1000.0},
+                                        {1000.0, 1000.0},
+                                        {2700.0, 2700.0}}) {
+        LightParams light;
+        light.lamp_temperature_K = given;
+        EXPECT_EQ(checkLight(light).has_value(), given == raised) << given;
+        EXPECT_EQ(raisedLight(light).lamp_temperature_K, raised);
+        EXPECT_TRUE(checkLight(raisedLight(light)));
+    }
 }
 
 }  // namespace
