@@ -16,7 +16,7 @@ import numpy as np
 
 WIDTH, HEIGHT = 400, 300
 SIZE = ["--set", f"width_px={WIDTH}", "--set", f"height_px={HEIGHT}"]
-SAMPLES = 128
+SAMPLES = 96
 GAP, CAPTION = 6, 26
 
 
