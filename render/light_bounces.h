@@ -17,11 +17,11 @@ namespace dollytrack::render {
 struct LightBounce {
     static constexpr std::uint32_t kSky = 0xFFFFFFFF;
 
-    float distance_m = 0.0F;             // 0: nothing was hit
-    std::uint32_t cell = 0;              // whose light falls on it
-    std::uint32_t material = kSky;       // in Scene::materials; the sky's for what sends daylight
-    std::array<std::int16_t, 3> turned;  // see normal()
-    bool outside = false;                // the object shows the day outside, see light_rig.h
+    float distance_m = 0.0F;               // 0: nothing was hit
+    std::uint32_t cell = 0;                // whose light falls on it
+    std::uint32_t material = kSky;         // in Scene::materials; the sky's for what sends daylight
+    std::array<std::int16_t, 3> turned{};  // see normal()
+    bool outside = false;                  // the object shows the day outside, see light_rig.h
 
     [[nodiscard]] bool isSky() const { return material == kSky; }
     /// Towards where the ray came from; zero of the sky.
