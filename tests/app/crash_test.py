@@ -22,6 +22,8 @@ sys.argv = [word for word in sys.argv if word != "--long"]
 
 
 class Crash(FolderCase):
+    keeps_cache = True
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()

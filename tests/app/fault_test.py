@@ -25,6 +25,8 @@ sys.argv = [word for word in sys.argv if word != "--long"]
 
 
 class Faults(FolderCase):
+    keeps_cache = True
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -133,6 +135,7 @@ class Faults(FolderCase):
 
 class Places(FolderCase):
     """Folders that cannot be written: exit code 6, and a sentence that names them."""
+    keeps_cache = True
 
     @classmethod
     def setUpClass(cls):

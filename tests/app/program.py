@@ -7,10 +7,12 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 PROGRAM = sys.argv.pop(1)
 # Each test reads for itself, and the user's own cache stays as it is.
-os.environ["DOLLYTRACK_NO_CACHE"] = "1"
+NO_CACHE = "DOLLYTRACK_NO_CACHE"
+os.environ[NO_CACHE] = "1"
 
 
 def run(*arguments, **options):
@@ -44,10 +46,20 @@ def hashes(folder):
 class FolderCase(unittest.TestCase):
     """Tests with a temporary folder that all of a class share."""
 
+    # Whether what is read and lit once is kept for the class's other runs, as it is for users; for
+    # tests that stop exports: without it they would mostly stop in the light.
+    keeps_cache = False
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.temporary.name)
+        if cls.keeps_cache:
+            kept = {name: value for name, value in os.environ.items() if name != NO_CACHE}
+            kept["XDG_CACHE_HOME"] = str(cls.folder / "cache")
+            environment = unittest.mock.patch.dict(os.environ, kept, clear=True)
+            environment.start()
+            cls.addClassCleanup(environment.stop)
 
     @classmethod
     def tearDownClass(cls):

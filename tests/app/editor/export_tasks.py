@@ -10,8 +10,9 @@ import numpy
 from task import Programs, Task, plan
 
 DONE, CANCELLED = 3, 4  # of ui/export_job.h
-# Slow enough to be stopped half way.
-SLOW = ("--set", "width_px=320", "--set", "height_px=240", "--max-frames", "60", "--set",
+# Slow enough to be stopped half way, on a busy machine, too.
+FRAMES = 120
+SLOW = ("--set", "width_px=320", "--set", "height_px=240", "--max-frames", str(FRAMES), "--set",
         "max_repeat_rate=1")
 SMALL = ("--set", "width_px=160", "--set", "height_px=120", "--max-frames", "12")
 
@@ -96,10 +97,10 @@ class Exporting(Task):
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
         self.press_job(job, "cancel")
         cancelled = self.finished(job, CANCELLED)
-        self.assertLess(cancelled["frames_done"], 60)
+        self.assertLess(cancelled["frames_done"], FRAMES)
         self.press_job(job, "resume")
-        self.assertEqual(self.finished(job)["frames_done"], 60)
-        self.assertEqual(len(list((out / "depth").glob("*.png"))), 60)
+        self.assertEqual(self.finished(job)["frames_done"], FRAMES)
+        self.assertEqual(len(list((out / "depth").glob("*.png"))), FRAMES)
 
     def test_leaving_while_an_export_runs_asks(self):
         self.start_project(*SLOW)
@@ -134,13 +135,13 @@ class Exporting(Task):
         self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question")
         self.dismiss("later")
         job = self.editor.idle()["exports"][0]
-        self.assertEqual((job["state"], job["frames"]), (CANCELLED, 60))
+        self.assertEqual((job["state"], job["frames"]), (CANCELLED, FRAMES))
         self.editor.kill()
         self.start()
         self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question again")
         self.dismiss("continue")
         job = self.editor.wait(lambda now: now["exports"], "the queue")["exports"][0]
-        self.assertEqual(self.finished(job["id"])["frames_done"], 60)
+        self.assertEqual(self.finished(job["id"])["frames_done"], FRAMES)
         same = self.folder / "same"
         self.by_command_line(same)
         self.assertEqual(self.hashes(out), self.hashes(same))
