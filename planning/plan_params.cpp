@@ -1,6 +1,5 @@
 #include "planning/plan_params.h"
 
-#include "engine/scene/light_check.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,7 +36,6 @@ Status setParameter(nlohmann::json& sections, const std::string& name,
         .and_then([&] {
             return setFromJson(fields, {{"parameters", {{name, value}}}});
         })
-        .and_then([&] { return checkLight(params.light); })
         .map([&] { sections = toJson(fields); });
 }
 

@@ -10,7 +10,6 @@
 #include "engine/document/operation.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
-#include "engine/scene/light_check.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -39,7 +38,7 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     for (const std::string& assignment : all) {
         if (Status status = setField(fields, assignment); !status) return status;
     }
-    return checkLight(params.light);
+    return {};
 }
 
 /// "fill, width_px": the parameters of the plan in which two differ, for a note.

@@ -112,7 +112,6 @@ void Editor::drawEdits() {
 }
 
 void Editor::setParameter(const std::string& name) {
-    parameters_.settle();
     FieldList& fields = parameters_.fields();
     const auto field = std::ranges::find(fields, name, &Field::name);
     workspace_.setParameters(toJson(fields), fmt::format("Set {} to {}", name, field->valueText()),

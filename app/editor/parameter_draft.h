@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/scene/light_check.h"
 #include "planning/plan_params.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,8 +22,6 @@ class ParameterDraft {
         return setFromJson(fields_, parameters).has_value();
     }
     void reset() { params_ = standard_; }
-    /// To what is taken everywhere, after a widget changed something.
-    void settle() { params_.light = raisedLight(params_.light); }
     [[nodiscard]] const planning::PlanParams& params() const { return params_; }
     [[nodiscard]] FieldList& fields() { return fields_; }
     [[nodiscard]] const FieldList& standard() const { return standard_fields_; }

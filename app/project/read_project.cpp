@@ -7,7 +7,6 @@
 #include "engine/io/input_check.h"
 #include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
-#include "engine/scene/light_check.h"
 
 #include <utility>
 
@@ -43,10 +42,6 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     if (!file) return tl::unexpected<Error>(std::move(file.error()));
     Status fits = setFromJson(planning::listFields(content.params), file->parameters);
     if (!fits) return in(path, std::move(fits.error()));
-    if (Status light = checkLight(content.params.light); !light) {
-        light.error().code = ErrorCode::BadInput;
-        return in(path, std::move(light.error()));
-    }
     Result<Edits> edits = editsFromJson(file->edits);
     if (!edits) return in(path, std::move(edits.error()));
     content.project = path;

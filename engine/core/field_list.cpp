@@ -42,24 +42,20 @@ Status outOfRange(const Field& field, std::string_view value) {
 }
 
 Status setNumber(const Field& field, double value, std::string_view text) {
-    return std::visit(
-        Overloaded{[&](const Field::Integer& f) -> Status {
-                       if (value < f.info.min || value > f.info.max || value != std::floor(value)) {
-                           return outOfRange(field, text);
-                       }
-                       *f.value = static_cast<int>(value);
-                       return {};
-                   },
-                   [&](const Field::Real& f) -> Status {
-                       // Negated, so that NaN is refused too.
-                       if (!(value >= f.info.min && value <= f.info.max)) {
-                           return outOfRange(field, text);
-                       }
-                       *f.value = value;
-                       return {};
-                   },
-                   [&](const auto&) -> Status { return outOfRange(field, text); }},
-        field.value);
+    return std::visit(Overloaded{[&](const Field::Integer& f) -> Status {
+                                     if (!f.info.range().has(value) || value != std::floor(value)) {
+                                         return outOfRange(field, text);
+                                     }
+                                     *f.value = static_cast<int>(value);
+                                     return {};
+                                 },
+                                 [&](const Field::Real& f) -> Status {
+                                     if (!f.info.range().has(value)) return outOfRange(field, text);
+                                     *f.value = value;
+                                     return {};
+                                 },
+                                 [&](const auto&) -> Status { return outOfRange(field, text); }},
+                      field.value);
 }
 
 Status setText(const Field& field, std::string_view text) {
@@ -135,12 +131,11 @@ std::string Field::valueText() const {
 }
 
 std::string Field::rangeText() const {
-    return std::visit(
-        Overloaded{[](const Integer& f) { return fmt::format("{} .. {}", f.info.min, f.info.max); },
-                   [](const Real& f) { return fmt::format("{} .. {}", f.info.min, f.info.max); },
-                   [](const Switch&) { return std::string("true | false"); },
-                   [](const Choice& f) { return join(f.info.names); }},
-        value);
+    return std::visit(Overloaded{[](const Integer& f) { return f.info.range().text(); },
+                                 [](const Real& f) { return f.info.range().text(); },
+                                 [](const Switch&) { return std::string("true | false"); },
+                                 [](const Choice& f) { return join(f.info.names); }},
+                      value);
 }
 
 void letPresetSetOthers(FieldList& fields, std::string_view name,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/core/number_range.h"
+
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,9 @@ struct FieldInfo {
     std::string_view unit;
     std::string_view text;
     std::string_view symbol = {};
+    double least_above_zero = 0.0;  // as a NumberRange has it
+
+    [[nodiscard]] NumberRange range() const { return {min, max, least_above_zero}; }
 };
 
 /// What every shell needs to know of an on/off switch.

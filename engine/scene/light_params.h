@@ -51,9 +51,13 @@ void visitLightParams(Params& p, Visitor&& visit) {
     visit("lamp_strength", p.lamp_strength,
           FieldInfo{0, 10, "", "Lamps and what else shines by itself; 1 as in the neutral light"});
     visit("lamp_temperature_K", p.lamp_temperature_K,
-          FieldInfo{0, 20000, "K",
-                    "Colour of the lamps as a black body's, warm from 2700, at least 1000; 0 as "
-                    "in the neutral light"});
+          FieldInfo{0,
+                    20000,
+                    "K",
+                    "Colour of the lamps as a black body's, warm from 2700; 0 as in the neutral "
+                    "light",
+                    {},
+                    1000});
     visit("own_lamps", p.own_lamps,
           FieldInfo{0, 10, "",
                     "The light of the scene's own lamps that stand, or hang beside a room's "

@@ -1,13 +1,14 @@
 #include "engine/scene/light_params.h"
 
-#include "engine/scene/light_check.h"
 #include "engine/scene/resolved_light.h"
 #include "engine/scene/varied_materials.h"
 #include "tests/support/scene_builder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -190,16 +191,20 @@ TEST(VariedMaterials, ALittleAndTheSameForTheSameSeed) {
 }
 
 TEST(LightParams, LampsAreOfAThousandKelvinAtLeastOrNone) {
-    for (const auto& [given, raised] : {std::pair{0.0, 0.0},
-                                        {1.0, 1000.0},
-                                        {999.0, 1000.0},
-                                        {1000.0, 1000.0},
-                                        {2700.0, 2700.0}}) {
+    for (const auto& [given, nearest] : {std::pair{0.0, 0.0},
+                                         {1.0, 1000.0},
+                                         {999.0, 1000.0},
+                                         {1000.0, 1000.0},
+                                         {2700.0, 2700.0}}) {
         LightParams light;
-        light.lamp_temperature_K = given;
-        EXPECT_EQ(checkLight(light).has_value(), given == raised) << given;
-        EXPECT_EQ(raisedLight(light).lamp_temperature_K, raised);
-        EXPECT_TRUE(checkLight(raisedLight(light)));
+        const FieldList fields = listLightFields(light);
+        const Status set = setField(fields, fmt::format("lamp_temperature_K={}", given));
+        EXPECT_EQ(set.has_value(), given == nearest) << given;
+        const auto field = std::ranges::find(fields, "lamp_temperature_K", &Field::name);
+        const auto& real = std::get<Field::Real>(field->value);
+        EXPECT_EQ(real.info.range().nearest(given), nearest);
+        EXPECT_EQ(field->rangeText(), "0, or 1000 .. 20000");
+        EXPECT_EQ(light.lamp_temperature_K, set ? given : 0.0);
     }
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 struct Number {
     Number() {
-        limits.min = 0.01;
-        limits.max = 1.0;
+        limits.range = {0.01, 1.0};
         limits.unit = " m";
     }
     void draw() {
@@ -29,8 +28,7 @@ struct Number {
 
 TEST(NumberInput, ReadsWhatPeopleType) {
     NumberLimits limits;
-    limits.min = -5.0;
-    limits.max = 10.0;
+    limits.range = {-5.0, 10.0};
     limits.unit = " m";
     const auto value = [&](const char* text) { return readNumber(text, limits).value; };
     EXPECT_EQ(value("0.45"), 0.45);
@@ -47,6 +45,17 @@ TEST(NumberInput, ReadsWhatPeopleType) {
     limits.whole = true;
     EXPECT_EQ(value("2.6"), 3.0);
     EXPECT_FALSE(readNumber("2.6", limits).note.empty());
+}
+
+TEST(NumberInput, KnowsRangesThatBeginAboveAZeroOfItsOwn) {
+    NumberLimits limits;
+    limits.range = {0.0, 20000.0, 1000.0};
+    limits.unit = " K";
+    EXPECT_EQ(readNumber("0", limits).note, "");
+    EXPECT_EQ(readNumber("1000", limits).note, "");
+    EXPECT_EQ(readNumber("500", limits).value, 1000.0);
+    EXPECT_EQ(readNumber("500", limits).note, "0, or 1000 .. 20000 K; set to 1000 K");
+    EXPECT_EQ(readNumber("-1", limits).value, 0.0);
 }
 
 TEST(NumberInput, TakesATypedValueAsOneEdit) {
@@ -116,7 +125,7 @@ TEST(NumberInput, APressAloneChangesNothingAndADragDoes) {
 TEST(NumberInput, DragsRelativelyWhereTheRangeIsWide) {
     Number number;
     number.limits.slides = false;
-    number.limits.max = 1e6;
+    number.limits.range.max = 1e6;
     number.limits.speed = 0.5F;
     test::Screen screen([&] { number.draw(); });
     screen.drag("number", 100, 0);

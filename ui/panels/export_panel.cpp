@@ -107,8 +107,7 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
         if (!draft.keep_ratio || draft.ratio <= 0.0) continue;
         const Field::Integer& other = *(*sizes)[1 - i].number;
         const double fits = *size.number->value * (i == 0 ? 1.0 / draft.ratio : draft.ratio);
-        *other.value = static_cast<int>(
-            std::clamp(std::round(fits), std::ceil(other.info.min), std::floor(other.info.max)));
+        *other.value = static_cast<int>(other.info.range().nearest(std::round(fits)));
     }
     // As it was before the drag: what is rounded on the way must not add up.
     if (!active) draft.ratio = double(*(*sizes)[0].number->value) / *(*sizes)[1].number->value;

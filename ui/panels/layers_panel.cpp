@@ -58,8 +58,7 @@ class Switches {
                const char* unit = "") {
         formLabel(label);
         NumberLimits limits;
-        limits.min = low;
-        limits.max = high;
+        limits.range = {low, high};
         limits.format = "%.2f";
         limits.unit = unit;
         const FieldEdit edit = numberInput(value, limits, std::string("layers.") + name);

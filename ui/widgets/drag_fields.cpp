@@ -23,8 +23,7 @@ void merge(FieldEdit& all, const FieldEdit& one) {
 FieldEdit dragNumber(double& value, const DragRange& range, const std::string& name,
                      const std::string& tip) {
     NumberLimits limits;
-    limits.min = range.min;
-    limits.max = range.max;
+    limits.range = {range.min, range.max};
     limits.format = range.format;
     limits.unit = range.unit;
     limits.slides = false;

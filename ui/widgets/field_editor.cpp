@@ -33,24 +33,25 @@ int decimals(double min, double max) {
 
 FieldEdit edit(const Field::Real& real, const Field& field, const std::string& path) {
     NumberLimits limits;
-    limits.min = real.info.min;
-    limits.max = real.info.max;
+    limits.range = real.info.range();
+    const auto& [min, max, least] = limits.range;
     limits.unit = unitSuffix(field);
-    limits.slides = limits.max - limits.min <= kWidestSlider;
-    limits.logarithmic = limits.min > 0.0 && limits.max / limits.min >= 50.0;
-    limits.format = limits.slides ? fmt::format("%.{}f", decimals(limits.min, limits.max)) : "%.3g";
+    limits.slides = max - min <= kWidestSlider;
+    limits.logarithmic = min > 0.0 && max / min >= 50.0;
+    limits.format = limits.slides ? fmt::format("%.{}f", decimals(min, max)) : "%.3g";
     limits.speed = static_cast<float>(std::max(0.01 * std::abs(*real.value), 0.01));
     return numberInput(*real.value, limits, path);
 }
 
 FieldEdit edit(const Field::Integer& integer, const Field& field, const std::string& path) {
     NumberLimits limits;
-    limits.min = std::max(integer.info.min, -2147483647.0);
-    limits.max = std::min(integer.info.max, 2147483647.0);
+    limits.range = integer.info.range();
+    limits.range.min = std::max(limits.range.min, -2147483647.0);
+    limits.range.max = std::min(limits.range.max, 2147483647.0);
     limits.unit = unitSuffix(field);
     limits.whole = true;
     limits.format = "%.0f";
-    limits.slides = limits.max - limits.min <= kWidestSlider;
+    limits.slides = limits.range.max - limits.range.min <= kWidestSlider;
     limits.speed = static_cast<float>(std::max(0.01 * std::abs(*integer.value), 0.2));
     double value = *integer.value;
     const FieldEdit result = numberInput(value, limits, path);

@@ -79,7 +79,7 @@ void drawNote(const std::string& text, const ImVec4& color, const std::string& n
 }
 
 std::string rangeText(const NumberLimits& limits) {
-    return fmt::format("{:g} .. {:g}{}", limits.min, limits.max, limits.unit);
+    return limits.range.text() + limits.unit;
 }
 
 FieldEdit typeNumber(double& value, const NumberLimits& limits, const std::string& name) {
@@ -114,11 +114,10 @@ FieldEdit typeNumber(double& value, const NumberLimits& limits, const std::strin
 
 /// How far along the bar a value is, 0..1.
 double shareOf(double value, const NumberLimits& limits) {
-    const double inside = std::clamp(value, limits.min, limits.max);
-    if (limits.logarithmic) {
-        return std::log(inside / limits.min) / std::log(limits.max / limits.min);
-    }
-    return (inside - limits.min) / (limits.max - limits.min);
+    const auto& [min, max, least] = limits.range;
+    const double inside = std::clamp(value, min, max);
+    if (limits.logarithmic) return std::log(inside / min) / std::log(max / min);
+    return (inside - min) / (max - min);
 }
 
 /// A bar behind the number: a knob would hide it.
@@ -147,10 +146,11 @@ bool slide(double& value, const NumberLimits& limits) {
     for (const ImGuiCol color : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) {
         ImGui::PushStyleColor(color, ImVec4(0, 0, 0, 0));
     }
-    const bool changed = ImGui::SliderScalar(
-        "##value", ImGuiDataType_Double, &value, &limits.min, &limits.max, limits.format.c_str(),
-        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
-            (limits.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    const bool changed =
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &limits.range.min,
+                            &limits.range.max, limits.format.c_str(),
+                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
+                                (limits.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     ImGui::PopStyleColor(3);
     return changed;
 }
@@ -164,7 +164,7 @@ FieldEdit moveNumber(double& value, const NumberLimits& limits, const std::strin
     const bool asked =
         limits.slides ? slide(moved, limits)
                       : ImGui::DragScalar("##value", ImGuiDataType_Double, &moved, limits.speed,
-                                          &limits.min, &limits.max, format.c_str(),
+                                          &limits.range.min, &limits.range.max, format.c_str(),
                                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     if (ImGui::IsItemActivated()) drag = {name, false};
     // The first press of a double click must not move anything.
@@ -172,6 +172,7 @@ FieldEdit moveNumber(double& value, const NumberLimits& limits, const std::strin
         ImGui::IsMouseDown(ImGuiMouseButton_Left) &&
         !ImGui::IsMouseDragPastThreshold(ImGuiMouseButton_Left, kLeastMove_px);
     if (asked && !only_pressed) {
+        moved = limits.range.nearest(moved);
         edit.changed = moved != value;
         drag.changed = drag.changed || edit.changed;
         value = moved;
@@ -212,7 +213,7 @@ TypedNumber readNumber(const std::string& text, const NumberLimits& limits) {
         return {std::nullopt, fmt::format("\"{}\" is not a number", text)};
     }
     TypedNumber read;
-    read.value = std::clamp(value, limits.min, limits.max);
+    read.value = limits.range.nearest(value);
     if (*read.value != value) {
         read.note = fmt::format("{}; set to {}{}", rangeText(limits), plain(*read.value, limits),
                                 limits.unit);

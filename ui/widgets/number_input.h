@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/core/number_range.h"
+
 #include <optional>
 #include <string>
 
@@ -16,8 +18,7 @@ struct FieldEdit {
 
 /// Limits and looks of a number.
 struct NumberLimits {
-    double min = 0.0;
-    double max = 1.0;
+    NumberRange range;
     std::string format = "%.3f";  // printf's, without the unit
     std::string unit = {};        // with the space before it, where it has one
     bool whole = false;
