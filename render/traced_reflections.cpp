@@ -1,6 +1,7 @@
 #include "render/traced_reflections.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/scene/mirror.h"
 #include "render/light_sample.h"
 #include "render/projected_box.h"
 #include "render/tone_curve.h"
@@ -15,28 +16,19 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rougher surfaces than the first blur what they reflect so far that the room's blurred light will
 // do; between the two, one fades into the other.
-constexpr float kRough = 0.3F;  // as in light.frag
+constexpr float kRough = kMirrorRoughness;  // as in light.frag
 constexpr float kSmooth = 0.15F;
-constexpr float kMetal = 0.5F;
 constexpr int kMostSurfaces = 16;  // sheets, holes and mirrors one after the other
 constexpr int kMostMirrors = 4;
 constexpr float kBrightest = 1e4F;
 
-bool mayReflect(const Material& material, Reflections which) {
-    const bool smooth = material.roughness < kRough || material.roughness_map >= 0;
-    return smooth && (which == Reflections::All || material.metallic > kMetal);
-}
-
-bool mayReflect(const Scene& scene, const Object& object, Reflections which) {
-    const auto first = scene.triangle_material.begin() + object.first_triangle;
-    return std::any_of(first, first + object.triangle_count, [&](std::uint32_t material) {
-        return mayReflect(scene.materials[material], which);
-    });
+auto* thatReflects(Reflections which) {
+    return which == Reflections::All ? isSmooth : isMirror;
 }
 
 /// Of the blurred light, what a traced reflection takes the place of.
 float share(const SurfacePoint& point, Reflections which) {
-    if (which == Reflections::Mirrors && point.metallic <= kMetal) return 0.0F;
+    if (which == Reflections::Mirrors && point.metallic <= kMirrorMetal) return 0.0F;
     return std::clamp((kRough - point.roughness) / (kRough - kSmooth), 0.0F, 1.0F);
 }
 
@@ -60,17 +52,15 @@ TracedReflections::TracedReflections(const Scene& scene, const RayCaster& rays,
       outside_(showsOutside(scene)) {
     const std::vector<Eigen::Vector3f>& positions = moved ? moved->positions : scene.positions;
     for (const Object& object : scene.objects) {
-        if (!mayReflect(scene, object, Reflections::All)) continue;
+        if (!hasMaterial(scene, object, isSmooth)) continue;
         smooth_.push_back(
-            {object.id, mayReflect(scene, object, Reflections::Mirrors), boxOf(object, positions)});
+            {object.id, hasMaterial(scene, object, isMirror), boxOf(object, positions)});
     }
 }
 
 bool TracedReflections::any(const Scene& scene, Reflections which) {
     return which != Reflections::Blurred &&
-           std::ranges::any_of(scene.materials, [which](const Material& material) {
-               return mayReflect(material, which);
-           });
+           std::ranges::any_of(scene.materials, thatReflects(which));
 }
 
 bool TracedReflections::trace(const View& view, int first_row, int last_row,

@@ -4,8 +4,9 @@
 
 namespace dollytrack {
 
-/// Sets of settings that belong together. Typical of the kind, measured on no single camera; their
-/// distortion rises outwards without end, so it goes with every field of view.
+/// Sets of settings that belong together. Typical of the kind, measured on no single camera. Their
+/// distortion is that of a picture 60 degrees wide; in wider ones render/sensors/sensor_lens fits
+/// it.
 enum class SensorPreset { Ideal, Phone, Webcam, ActionCamera, MachineVision };
 
 /// How the depth camera errs; the models and their sources are in render/sensors/depth_noise.h.

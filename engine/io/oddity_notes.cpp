@@ -2,6 +2,7 @@
 
 #include "engine/io/import_notes.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/mirror.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -126,7 +127,7 @@ void noteOddities(const Scene& scene, ImportReport& report) {
     std::size_t inside_out = 0;
     std::size_t mirrors = 0;
     for (const Object& object : scene.objects) {
-        if (object.nyu40 == kMirror) ++mirrors;
+        if (object.nyu40 == kMirror && !hasMaterial(scene, object, isMirror)) ++mirrors;
         if (isTwoSided(scene, object)) {
             ++two_sided;
         } else if (!object.structure && isInsideOut(scene, object)) {

@@ -1,3 +1,4 @@
+#include "engine/io/oddity_notes.h"
 #include "engine/io/scene_import.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
@@ -134,6 +135,14 @@ TEST(AwkwardHouse, MirrorsAndWindowsAreNoHoles) {
     obj.object("window").box({2.0, 0.0, 0.9}, {3.0, 0.02, 2.1});
     const Scene scene = importedText(obj.text());
     EXPECT_TRUE(says(scene.report.notes, "1 mirror is drawn as a plain surface"));
+    Scene silvered = scene;
+    for (Material& material : silvered.materials) {
+        material.metallic = 1.0F;
+        material.roughness = 0.05F;
+    }
+    ImportReport report;
+    noteOddities(silvered, report);
+    EXPECT_FALSE(says(report.notes, "mirror"));
     const auto window = std::find_if(scene.objects.begin(), scene.objects.end(),
                                      [](const Object& object) { return object.name == "window"; });
     ASSERT_NE(window, scene.objects.end());
