@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 import tiny_room
-from program import FolderCase, hashes, run, start, wait_for
+from program import FolderCase, hashes, lines_in, run, start, wait_for
 
 SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
 FRAMES = 10
@@ -149,9 +149,8 @@ class ExportFolder(FolderCase):
         out = self.new_folder()
         process = start("-q", "export", self.room, "--out", out, "--max-frames", 60,
                         "--formats", "camera_json")
-        journal = out / ".dollytrack-export"
-        self.assertTrue(wait_for(lambda: process.poll() is not None or (
-            journal.exists() and journal.read_bytes().count(b"\n") > 2)))
+        self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                 lines_in(out / ".dollytrack-export") > 2))
         process.send_signal(signal.SIGSTOP)
         shutil.rmtree(out)
         process.send_signal(signal.SIGCONT)

@@ -15,7 +15,7 @@ import tempfile
 import time
 import unittest
 
-from program import FolderCase, hashes, run, start, wait_for
+from program import FolderCase, hashes, lines_in, run, start, wait_for
 
 APARTMENT = sys.argv.pop(1)
 # Their drawing takes long enough to be stopped on a busy machine, too.
@@ -65,9 +65,8 @@ class Export(FolderCase):
         """A folder with an export that was killed after some frames."""
         out = self.new_folder()
         process = start("export", self.project, "--out", out)
-        journal = out / MARK
-        self.assertTrue(wait_for(lambda: process.poll() is not None or (
-            journal.exists() and journal.read_bytes().count(b"\n") > frames)))
+        self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                 lines_in(out / MARK) > frames))
         process.kill()
         process.communicate()
         self.assertFalse((out / "dataset.json").exists())
@@ -95,7 +94,7 @@ class Export(FolderCase):
 
     def test_a_killed_export_is_continued_and_not_repeated(self):
         out = self.part_of_export(frames=8)
-        listed = (out / MARK).read_bytes().count(b"\n") - 1
+        listed = lines_in(out / MARK) - 1
         times = {path: path.stat().st_mtime_ns for path in out.glob("rgb/*.png")}
         result = self.assertContinues(out)
         self.assertIn("continuing", result.stderr)
@@ -154,14 +153,14 @@ class Export(FolderCase):
             self.assertFalse((out / "dataset.json").exists())
             self.assertEqual([path for path in out.rglob("*") if ".tmp." in path.name], [])
             # What was drawn is kept: a line for the header, and one for each frame's files.
-            lines = (out / MARK).read_bytes().count(b"\n")
-            self.assertEqual(lines, 1 + len(list(out.glob("semantic/*.png"))))
+            self.assertEqual(lines_in(out / MARK), 1 + len(list(out.glob("semantic/*.png"))))
             self.assertContinues(out)
 
     def test_two_exports_do_not_share_a_folder(self):
         out = self.new_folder()
         process = start("export", self.project, "--out", out)
-        self.assertTrue(wait_for(lambda: (out / MARK).exists() or process.poll() is not None))
+        # Its first line: without one it may be the mark of a look at the folder, which goes again.
+        self.assertTrue(wait_for(lambda: process.poll() is not None or lines_in(out / MARK) > 0))
         os.kill(process.pid, signal.SIGSTOP)
         try:
             for more in [[], ["--resume"], ["--overwrite"]]:
@@ -212,9 +211,9 @@ class Export(FolderCase):
             subprocess.run(["umount", disk], check=True)
 
     def test_a_folder_that_cannot_be_written_is_told_at_once(self):
-        begin = time.time()
         self.assertFails(run("export", self.project, "--out", "/proc/nothing"), 6, "/proc/nothing")
-        self.assertLess(time.time() - begin, 0.5 * self.seconds + 0.5)
+        result = run("export", self.project, "--out", "/proc/nothing", "--progress", "json")
+        self.assertEqual([list(line) for line in lines_of(result.stderr)], [["error"]])
 
     # --- watching
 

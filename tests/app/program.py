@@ -34,6 +34,14 @@ def wait_for(condition, seconds=120):
     return False
 
 
+def lines_in(file):
+    """How many it has by now; none where it is not there, or not any more."""
+    try:
+        return file.read_bytes().count(b"\n")
+    except FileNotFoundError:
+        return 0
+
+
 def hashes(folder):
     """Relative path -> SHA-256 of every file below a folder."""
     return {
