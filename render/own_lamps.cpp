@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kSmallest = 0.03;  // radius of a ball, m
 constexpr double kLargest = 0.12;
-constexpr double kAround = 0.01;     // m; a round shade touches its box
-constexpr double kFromWall = 0.005;  // m; what the shade keeps from walls, tables and floors
-constexpr double kLeast = 1e-3;      // m; radius, however near it is seen from
-constexpr double kThinnest = 0.005;  // m; half of a shade between walls
-constexpr double kLong = 0.12;       // m, half of it; what hangs so from a ceiling has a cord
-constexpr double kTouches = 0.06;    // m; to what a thing stands on or hangs from
+constexpr double kAround = 0.01;            // m; a round shade touches its box
+constexpr double kOwnLampFromWall = 0.005;  // m; what the shade keeps from walls, tables and floors
+constexpr double kLeast = 1e-3;             // m; radius, however near it is seen from
+constexpr double kThinnest = 0.005;         // m; half of a shade between walls
+constexpr double kLong = 0.12;     // m, half of it; what hangs so from a ceiling has a cord
+constexpr double kTouches = 0.06;  // m; to what a thing stands on or hangs from
 
 /// Where the ball is, by what the box stands on or hangs from.
 Eigen::Vector3d ballOf(const Scene& scene, const RayCaster& rays, const Object& object) {
@@ -64,11 +64,11 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
                 object.box.toWorld(in_box + sign * wanted * Eigen::Vector3d::Unit(axis));
             const Eigen::Vector3d way = (to - lamp.position).normalized();
             const double free = distanceTo(scene, rays, lamp.position, way, wanted, blocks);
-            reach[side] = std::max(free < wanted ? free - kFromWall : wanted, kThinnest);
+            reach[side] = std::max(free < wanted ? free - kOwnLampFromWall : wanted, kThinnest);
             // What stands does so on the box's own floor: light must not get below that.
             if (axis == 2 && side == 0) {
                 reach[side] =
-                    std::max(std::min(reach[side], wanted - kAround - kFromWall), kThinnest);
+                    std::max(std::min(reach[side], wanted - kAround - kOwnLampFromWall), kThinnest);
             }
         }
         low[axis] = in_box[axis] - reach[0];

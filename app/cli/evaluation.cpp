@@ -16,7 +16,7 @@
 namespace dollytrack::cli {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr std::size_t kNameWidth = 24;
 
 nlohmann::json toJson(const ErrorFigures& figures, double factor) {
@@ -53,7 +53,7 @@ nlohmann::json toJson(const RunFigures& run) {
                                                            : nlohmann::json()},
                           {"ate_m", toJson(run.error.absolute_m, 1.0)},
                           {"rpe_m", toJson(run.error.relative_m, 1.0)},
-                          {"rpe_deg", toJson(run.error.relative_rad, kDegrees)}};
+                          {"rpe_deg", toJson(run.error.relative_rad, kDegreesPerRadian)}};
     if (!run.not_measured.empty()) one["reason"] = run.not_measured;
     if (run.reconstruction) {
         one["reconstruction"] = {{"cloud", run.cloud},
@@ -84,7 +84,7 @@ std::string row(const RunFigures& run) {
         text += cell(1e3 * value, ate.count > 0, 1);
     }
     text += cell(1e3 * error.relative_m.rmse, error.relative_m.count > 0, 2);
-    text += cell(kDegrees * error.relative_rad.rmse, error.relative_rad.count > 0, 3);
+    text += cell(kDegreesPerRadian * error.relative_rad.rmse, error.relative_rad.count > 0, 3);
     return text + (run.success ? "  success\n" : "  FAILED\n");
 }
 

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr auto kBetween = std::chrono::milliseconds(100);
 // Before this much is done a guess of the time left would only jump about.
-constexpr double kEnoughToGuess = 0.02;
+constexpr double kLeastFractionToGuess = 0.02;
 
 /// In one call, so that lines of several threads do not mix.
 void writeLine(const Json& json) {
@@ -85,7 +85,7 @@ struct ProgressLines::State {
             const double rate = (frames_done - frames_found) / spent;
             line["frames_per_s"] = rounded(rate);
             line["seconds_left"] = rounded((frames - frames_done) / rate);
-        } else if (frames == 0 && fraction > kEnoughToGuess) {
+        } else if (frames == 0 && fraction > kLeastFractionToGuess) {
             line["seconds_left"] = rounded(spent / fraction * (1.0 - fraction));
         }
         writeLine(line);

@@ -7,7 +7,7 @@ namespace dollytrack::editor {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = FolderFinding::Kind;
+using FindingKind = FolderFinding::Kind;
 
 // Files come and go while one looks at the form.
 constexpr std::chrono::seconds kLookAgain{1};
@@ -15,29 +15,29 @@ constexpr std::chrono::seconds kLookAgain{1};
 }  // namespace
 
 FolderFinding lookAtFolder(const fs::path& folder) {
-    FolderFinding found{folder, Kind::Unknown};
+    FolderFinding found{folder, FindingKind::Unknown};
     std::error_code error;
     if (fs::exists(folder, error)) {
         const auto has = [&](const char* name) { return fs::exists(folder / name, error); };
         if (!fs::is_directory(folder, error)) {
-            found.kind = Kind::NoFolder;
+            found.kind = FindingKind::NoFolder;
         } else if (has("dataset.json") || has("rooms.json")) {
-            found.kind = Kind::Dataset;
+            found.kind = FindingKind::Dataset;
         } else if (has(".dollytrack-export")) {
-            found.kind = Kind::Unfinished;
+            found.kind = FindingKind::Unfinished;
         } else {
-            found.kind = fs::is_empty(folder, error) ? Kind::Free : Kind::OtherFiles;
+            found.kind = fs::is_empty(folder, error) ? FindingKind::Free : FindingKind::OtherFiles;
         }
         return found;
     }
     fs::path parent =
         folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
-    found.kind = fs::exists(parent, error) ? Kind::New : Kind::NewInNew;
+    found.kind = fs::exists(parent, error) ? FindingKind::New : FindingKind::NewInNew;
     while (!parent.empty() && !fs::exists(parent, error) && parent != parent.root_path()) {
         parent = parent.parent_path();
     }
     found.around = parent;
-    if (!fs::is_directory(parent, error)) found.kind = Kind::NoFolder;
+    if (!fs::is_directory(parent, error)) found.kind = FindingKind::NoFolder;
     return found;
 }
 
@@ -50,7 +50,7 @@ const FolderFinding& FolderCheck::of(const fs::path& folder) {
         looker_.start(
             [folder, outbox = answer_](const JobContext&) { outbox->put(lookAtFolder(folder)); });
     }
-    if (found_.folder != folder) found_ = {folder, Kind::Unknown};
+    if (found_.folder != folder) found_ = {folder, FindingKind::Unknown};
     return found_;
 }
 

@@ -21,7 +21,7 @@ namespace dollytrack::editor {
 
 namespace {
 
-constexpr timeval kPatience{2, 0};
+constexpr timeval kSendTimeout{2, 0};
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void Inspector::Impl::loop() {
         const int client = accept(listener, nullptr, nullptr);
         if (client < 0) continue;
         // Who asks and then does not listen must not keep the editor from ending.
-        setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof(kPatience));
+        setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &kSendTimeout, sizeof(kSendTimeout));
         serve(client);
         close(client);
     }

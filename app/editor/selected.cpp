@@ -5,7 +5,7 @@
 
 namespace dollytrack::editor {
 
-using Kind = ui::Selection::Kind;
+using SelectionKind = ui::Selection::Kind;
 
 namespace {
 
@@ -22,16 +22,16 @@ int positionPointFor(const Plan& plan, int observation_point) {
 }  // namespace
 
 const PositionPoint* Selected::positionPoint(const Plan* plan) const {
-    if (!is(Kind::PositionPoint) || plan == nullptr) return nullptr;
+    if (!is(SelectionKind::PositionPoint) || plan == nullptr) return nullptr;
     return index() < plan->position_points.size() ? &plan->position_points[index()] : nullptr;
 }
 
 const NoGoBox* Selected::noGoBox(const std::vector<NoGoBox>& boxes) const {
-    return is(Kind::NoGoBox) && index() < boxes.size() ? &boxes[index()] : nullptr;
+    return is(SelectionKind::NoGoBox) && index() < boxes.size() ? &boxes[index()] : nullptr;
 }
 
 const Region* Selected::region(const std::vector<Region>& regions) const {
-    return is(Kind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
+    return is(SelectionKind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
 }
 
 void Selected::set(ui::Selection selection, const Plan* plan,
@@ -57,7 +57,8 @@ bool Selected::selectPin(const std::string& name, const Plan& plan,
         const int pin = plan.position_points[i].pin;
         if (pin < 0 || static_cast<std::size_t>(pin) >= pinned.size()) continue;
         if (pinned[static_cast<std::size_t>(pin)].name != name) continue;
-        set(ui::Selection::ofItem(Kind::PositionPoint, static_cast<int>(i)), &plan, pinned);
+        set(ui::Selection::ofItem(SelectionKind::PositionPoint, static_cast<int>(i)), &plan,
+            pinned);
         return true;
     }
     return false;
@@ -73,7 +74,7 @@ ui::Selection Selected::withObject(int object, bool add) const {
         selection.objects.push_back(object);
     }
     if (selection.objects.empty()) return selection;
-    selection.kind = selection.objects.size() == 1 ? Kind::Object : Kind::Objects;
+    selection.kind = selection.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
     return selection;
 }
 
@@ -90,20 +91,21 @@ bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) 
 
 bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
     // Objects, cells of space and boxes are not the plan's.
-    if (is(Kind::None) || is(Kind::Voxel) || is(Kind::NoGoBox) || is(Kind::Region) ||
-        !now_.objects.empty()) {
+    if (is(SelectionKind::None) || is(SelectionKind::Voxel) || is(SelectionKind::NoGoBox) ||
+        is(SelectionKind::Region) || !now_.objects.empty()) {
         return true;
     }
     const auto fits = [&](std::size_t count) {
         return now_.index >= 0 && static_cast<std::size_t>(now_.index) < count;
     };
     // A frame is a moment; a point is what it looks at; other numbers mean something else now.
-    if (plan != nullptr && is(Kind::Frame) && fits(plan->trajectory.frames.size())) return true;
+    if (plan != nullptr && is(SelectionKind::Frame) && fits(plan->trajectory.frames.size()))
+        return true;
     if (plan != nullptr && selectPin(std::string(pin_of_point_), *plan, pinned)) return true;
     if (plan != nullptr && !objects_of_point_.empty()) {
         for (std::size_t i = 0; i < plan->observation_points.size(); ++i) {
             if (plan->observation_points[i].objects != objects_of_point_) continue;
-            const int found = is(Kind::ObservationPoint)
+            const int found = is(SelectionKind::ObservationPoint)
                                   ? static_cast<int>(i)
                                   : positionPointFor(*plan, static_cast<int>(i));
             if (found < 0) break;
@@ -125,7 +127,7 @@ void Selected::follow(const std::shared_ptr<const ObjectTrace>& objects) {
     if (now_.objects.empty()) return;
     now_.objects = followObjects(now_.objects, from, *objects);
     if (now_.objects.empty()) return clear();
-    now_.kind = now_.objects.size() == 1 ? Kind::Object : Kind::Objects;
+    now_.kind = now_.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
 }
 
 void Selected::forget() {
@@ -162,15 +164,15 @@ Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
         box.extend(place + Eigen::Vector3d::Constant(0.4));
     };
     for (const int id : now_.objects) include(scene.object(id).box);
-    if (is(Kind::Voxel)) around(now_.place);
+    if (is(SelectionKind::Voxel)) around(now_.place);
     if (const PositionPoint* point = positionPoint(plan)) around(point->pose.position);
     if (const NoGoBox* one = noGoBox(edits.no_go)) include(one->box);
     if (const Region* one = region(edits.regions)) include(one->box);
     if (plan == nullptr) return box;
-    if (is(Kind::ObservationPoint) && index() < plan->observation_points.size()) {
+    if (is(SelectionKind::ObservationPoint) && index() < plan->observation_points.size()) {
         around(plan->observation_points[index()].position);
     }
-    if (is(Kind::Frame) && index() < plan->trajectory.frames.size()) {
+    if (is(SelectionKind::Frame) && index() < plan->trajectory.frames.size()) {
         around(plan->trajectory.frames[index()].pose.position);
     }
     return box;
@@ -181,7 +183,7 @@ std::vector<int> Selected::objectsOfPoint(const Plan* plan) const {
     std::size_t at = index();
     if (const PositionPoint* point = positionPoint(plan)) {
         at = static_cast<std::size_t>(point->observation_point);
-    } else if (!is(Kind::ObservationPoint)) {
+    } else if (!is(SelectionKind::ObservationPoint)) {
         return {};
     }
     return at < plan->observation_points.size() ? plan->observation_points[at].objects

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr int kMostObjects = 65'535;
+constexpr int kHighestObjectId = 65'535;
 // Poses and directions from files may be off by a few roundings, not more.
 constexpr double kUnitTolerance = 1e-6;
 constexpr double kLevelTolerance = 1e-6;
@@ -89,7 +89,7 @@ json regionJson(const Region& region) {
 /// What a person writes by hand has names alone; numbers are found with the scene.
 ObjectRef readRef(const JsonReader& from) {
     const JsonReader id = from.at("id");
-    return {id.absent() ? 0 : id.integer(1, kMostObjects), from.at("name").text()};
+    return {id.absent() ? 0 : id.integer(1, kHighestObjectId), from.at("name").text()};
 }
 
 std::vector<ObjectRef> readRefs(const JsonReader& from, std::size_t least) {

@@ -12,10 +12,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // cm
-constexpr double kLift = 0.05;      // between a thing and what it stands on
-constexpr double kUneven = 0.6;     // how much lower a corner's support may be
-constexpr double kHeadroom = 1.0;   // above a thing in a shelf
-constexpr double kSupported = 0.7;  // how far out its corners are carried, of half its size
+constexpr double kLift = 0.05;          // between a thing and what it stands on
+constexpr double kUneven = 0.6;         // how much lower a corner's support may be
+constexpr double kShelfHeadroom = 1.0;  // above a thing in a shelf
+constexpr double kSupported = 0.7;      // how far out its corners are carried, of half its size
 
 /// Height at which the vertical line through p meets a triangle.
 std::optional<double> heightAt(const TriangleInRoom& t, const Vector2d& p) {
@@ -119,7 +119,7 @@ std::optional<CarrierSurface::Rest> CarrierSurface::restFor(const PlacedPiece& t
         UprightBox from_above = box;
         from_above.high = std::max(carrier_.high, box.high) + 1.0;
         UprightBox in_shelf = box;
-        in_shelf.high += kHeadroom;
+        in_shelf.high += kShelfHeadroom;
         if (isFree(from_above)) return Rest{base + kLift, std::nullopt};
         const UprightBox way = wayIn(in_shelf);
         if (isFree(way)) return Rest{base + kLift, way};

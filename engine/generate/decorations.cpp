@@ -6,11 +6,11 @@
 namespace dollytrack::generate {
 namespace {
 
-constexpr int kTries = 12;
+constexpr int kPlacementTries = 12;
 constexpr double kEyeHeight = 155.0;  // cm: the middle of what hangs on a wall
 constexpr double kSwitchSize = 20.0;
-constexpr double kHeadroom = 165.0;  // under a lamp
-constexpr double kFixed = 0.3;       // between a thing and the wall or ceiling it hangs on
+constexpr double kLampHeadroom_cm = 165.0;  // under a lamp
+constexpr double kFixed = 0.3;              // between a thing and the wall or ceiling it hangs on
 
 /// Where the library hangs it, or at eye height.
 double hangingHeight(const CatalogPiece& piece, double room_height) {
@@ -22,7 +22,7 @@ double hangingHeight(const CatalogPiece& piece, double room_height) {
 }  // namespace
 
 void addCeilingLamp(Furnisher& f, const Eigen::Vector2d& at) {
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kPlacementTries; ++i) {
         const CatalogPiece* piece = f.pick(FurnitureRole::CeilingLamp);
         if (!piece) return;
         PlacedPiece placed;
@@ -31,12 +31,12 @@ void addCeilingLamp(Furnisher& f, const Eigen::Vector2d& at) {
         placed.at = at;
         placed.hold = PlacedPiece::Hold::Ceiling;
         placed.elevation = f.layout.height() - piece->height - kFixed;
-        if (placed.elevation > kHeadroom && f.layout.add(placed)) return;
+        if (placed.elevation > kLampHeadroom_cm && f.layout.add(placed)) return;
     }
 }
 
 void addWallThing(Furnisher& f) {
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kPlacementTries; ++i) {
         const CatalogPiece* piece = f.pick(FurnitureRole::WallThing);
         if (!piece) return;
         const int wall = f.anyWall();
@@ -52,7 +52,7 @@ void addWallThing(Furnisher& f) {
 }
 
 void addFloorThing(Furnisher& f, FurnitureRole role) {
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kPlacementTries; ++i) {
         const CatalogPiece* piece = f.pick(role);
         if (!piece) return;
         // Not in the middle of the room: within half a metre of some wall, its back to it.

@@ -7,7 +7,7 @@ namespace dollytrack::generate {
 namespace {
 
 constexpr int kChoices = 3;
-constexpr int kTries = 8;
+constexpr int kFurnishingTries = 8;
 
 /// How often a room may hold the same thing; pairs and rows of furniture are as they should be.
 int mostAlike(FurnitureRole role, int most_small) {
@@ -50,7 +50,7 @@ const CatalogPiece* Furnisher::pick(FurnitureRole role) const {
     };
     const int most = mostAlike(role, most_alike);
     // Only what is chosen is read: a library is large.
-    for (int attempt = 0; attempt < kTries; ++attempt) {
+    for (int attempt = 0; attempt < kFurnishingTries; ++attempt) {
         const CatalogPiece* best = nullptr;
         for (int i = 0; i < kChoices; ++i) {
             const auto* piece = pieces[random.below(static_cast<std::uint32_t>(pieces.size()))];

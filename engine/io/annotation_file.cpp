@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "dollytrack-objects";
+constexpr const char* kAnnotationFormat = "dollytrack-objects";
 constexpr int kVersion = 1;
 constexpr int kMostTriangles = 1'000'000'000;
 
@@ -89,7 +89,7 @@ void readAll(const JsonReader& from, Annotations& into) {
     doubtKeys(from.json(),
               {"format", "version", "unit_m", "up_axis", "objects", "relations", "edits"}, "",
               into.doubts);
-    if (from.at("format").absent() || from.at("format").text() != kFormat) {
+    if (from.at("format").absent() || from.at("format").text() != kAnnotationFormat) {
         from.at("format").refuse("This must be \"dollytrack-objects\".");
     }
     if (from.at("version").integer(1, 1'000'000) > kVersion && from.good()) {
@@ -162,7 +162,7 @@ Result<Annotations> findAnnotations(const std::filesystem::path& scene,
 
 std::string annotationText(const json& earlier, const json& import, const json& edits) {
     json content = earlier.is_object() ? earlier : json::object();
-    content["format"] = kFormat;
+    content["format"] = kAnnotationFormat;
     content["version"] = kVersion;
     for (const char* key : {"unit_m", "up_axis"}) {
         if (import.contains(key)) content[key] = import[key];

@@ -11,13 +11,13 @@ namespace dollytrack::io {
 namespace {
 
 constexpr unsigned kReadOnly = 0;  // H5F_ACC_RDONLY, a macro that calls the library
-constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
+constexpr std::uint64_t kMostHdf5Bytes = std::uint64_t{512} << 20U;
 
 /// The file as bytes, so that the library itself opens none.
 hid_t openBytes(const Hdf5Functions& h5, const std::filesystem::path& path) {
     h5.H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
     h5.H5PLset_loading_state(0);                     // a file can name programs to unpack it with
-    Result<std::string> bytes = readNamedFile(path, kMostBytes);
+    Result<std::string> bytes = readNamedFile(path, kMostHdf5Bytes);
     if (!bytes) return -1;
     const Hdf5Handle access(h5.H5Pcreate(h5.file_access), h5.H5Pclose);
     constexpr std::size_t kGrowth = 65536;

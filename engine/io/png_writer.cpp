@@ -47,12 +47,12 @@ void appendBytes(png_structp png, png_bytep data, png_size_t size) {
     bytes.insert(bytes.end(), data, data + size);
 }
 
-[[noreturn]] void onError(png_structp png, png_const_charp message) {
+[[noreturn]] void keepPngError(png_structp png, png_const_charp message) {
     static_cast<PngWrite*>(png_get_error_ptr(png))->problem = message;
     png_longjmp(png, 1);
 }
 
-void onWarning(png_structp, png_const_charp) {}
+void ignoreWriterWarning(png_structp, png_const_charp) {}
 
 /// All that libpng may jump out of; holds no object with a destructor.
 bool write(png_structp png, png_infop info, PngWrite& target, int width, int height,
@@ -90,7 +90,8 @@ Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat for
     }
     PngWrite target;
     target.bytes.reserve(count / 2 + 1024);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, onError, onWarning);
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keepPngError, ignoreWriterWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     const bool done =
         info != nullptr && write(png, info, target, width, height, look, pixels.data());

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "dollytrack-rig";
+constexpr const char* kRigFormat = "dollytrack-rig";
 
 Result<Lens> lensOf(std::string_view name) {
     RigCamera camera;
@@ -79,7 +79,7 @@ void readAll(const JsonReader& from, Rig& rig) {
             "A rig is an object: {\"format\": \"dollytrack-rig\", \"version\": 1, "
             "\"cameras\": [...]}.");
     }
-    if (from.at("format").absent() || from.at("format").text() != kFormat) {
+    if (from.at("format").absent() || from.at("format").text() != kRigFormat) {
         from.at("format").refuse("This must be \"dollytrack-rig\".");
     }
     if (from.at("version").integer(1, 1'000'000) > 1 && from.good()) {

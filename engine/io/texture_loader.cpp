@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLargestSide = 1024;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 29;
+constexpr std::uint64_t kMostTextureFileBytes = std::uint64_t{1} << 29;
 
-std::string lower(std::string text) {
+std::string lowerName(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
@@ -51,11 +51,11 @@ std::string percentDecoded(const std::string& name) {
 struct PictureFolder {
     explicit PictureFolder(const fs::path& folder) : files(folder) {
         for (const fs::path& file : files.list()) {
-            by_name.try_emplace(lower(file.filename().string()), file);
+            by_name.try_emplace(lowerName(file.filename().string()), file);
         }
     }
     io::ConfinedFolder files;
-    std::map<std::string, fs::path> by_name;  // lower case; of equal names the nearest the top
+    std::map<std::string, fs::path> by_name;  // in lower case; of equal names the nearest the top
 };
 
 std::optional<fs::path> locate(const std::string& name, bool only_there,
@@ -70,7 +70,7 @@ std::optional<fs::path> locate(const std::string& name, bool only_there,
             return direct;
         }
         if (only_there) continue;
-        const auto found = folder.by_name.find(lower(baseName(relative)));
+        const auto found = folder.by_name.find(lowerName(baseName(relative)));
         if (found != folder.by_name.end()) return found->second;
     }
     return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<fs::path> locate(const std::string& name, bool only_there,
 std::string readBytes(const io::ConfinedFolder& folder, const fs::path& path) {
     const Result<io::InputFile> file = folder.open(path);
     if (!file) return {};
-    Result<std::string> bytes = file->readAll(kMostBytes);
+    Result<std::string> bytes = file->readAll(kMostTextureFileBytes);
     return bytes ? std::move(*bytes) : std::string();
 }
 

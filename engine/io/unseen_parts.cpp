@@ -13,14 +13,14 @@ namespace {
 
 enum class Proxy { No, Maybe, Yes };
 
-std::string lower(std::string text) {
+std::string lowerCase(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
 /// "UCX_sofa_01" as "ucx_sofa".
 std::string plainName(const std::string& name) {
-    std::string plain = lower(name);
+    std::string plain = lowerCase(name);
     const std::size_t end = plain.find_last_not_of("0123456789_.- ");
     plain.resize(end == std::string::npos ? 0 : end + 1);
     return plain;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr zip_int64_t kMostEntries = 100'000;
 constexpr std::uint64_t kMostEntryBytes = std::uint64_t{512} << 20;
-constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30;
+constexpr std::uint64_t kMostArchiveBytes = std::uint64_t{4} << 30;
 
 struct CloseArchive {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -116,7 +116,7 @@ class ZipSource : public Archive {
             return refuse(fmt::format("\"{}\" in it is larger than 512 MiB unpacked", clean));
         }
         total += stat.size;
-        if (total > kMostBytes) return refuse("it is larger than 4 GiB unpacked");
+        if (total > kMostArchiveBytes) return refuse("it is larger than 4 GiB unpacked");
         entries_.try_emplace(*safe, Entry{index, stat.size});
         return {};
     }
@@ -138,7 +138,7 @@ Result<std::unique_ptr<Archive>> openArchive(std::vector<std::uint8_t> bytes,
 }
 
 Result<std::unique_ptr<Archive>> openArchive(const std::filesystem::path& path) {
-    const Result<std::string> bytes = io::readNamedFile(path, kMostBytes);
+    const Result<std::string> bytes = io::readNamedFile(path, kMostArchiveBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return openArchive({bytes->begin(), bytes->end()}, path.string());
 }

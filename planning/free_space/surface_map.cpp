@@ -17,7 +17,7 @@ namespace {
 
 // 130 million cells take about 0.9 GB while the map is built.
 constexpr std::size_t kMaxCells = std::size_t{1} << 27U;
-constexpr std::size_t kRules = 3;
+constexpr std::size_t kEnclosureRules = 3;
 
 }  // namespace
 
@@ -29,7 +29,8 @@ struct SurfaceMap::Impl {
     FloorPlan plan;
     std::int64_t air = 0;
     std::mutex asked;
-    std::array<std::unique_ptr<const Enclosure>, kRules> enclosures;  // by rule; null: never asked
+    std::array<std::unique_ptr<const Enclosure>, kEnclosureRules>
+        enclosures;  // by rule; null: never asked
 
     [[nodiscard]] SeenCells seen() const { return {grid, surfaces.cells, sight}; }
 };
@@ -113,7 +114,7 @@ Result<SurfaceMap> SurfaceMap::afterMoves(const SurfaceMap& before, const Scene&
     impl->air = std::ranges::count(cells, std::uint8_t{0});
     if (impl->plan == old.plan) {
         const std::lock_guard lock(old.asked);
-        for (std::size_t rule = 0; rule < kRules; ++rule) {
+        for (std::size_t rule = 0; rule < kEnclosureRules; ++rule) {
             if (!old.enclosures[rule]) continue;
             impl->enclosures[rule] = std::make_unique<const Enclosure>(
                 *old.enclosures[rule], old.seen(), impl->seen(), impl->plan, changed);

@@ -91,16 +91,16 @@ std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<Position
     return ends;
 }
 
-using Step = AlgorithmStep::Kind;
+using StepKind = AlgorithmStep::Kind;
 
 /// Adds the samples of one link to the roadmap's, and the steps that made them.
 void addSamples(Roadmap& roadmap, const RrtStarResult& way, const Ends& pair,
                 const Eigen::Vector3d& start) {
-    roadmap.steps.add({Step::Link, pair.a, pair.b});
+    roadmap.steps.add({StepKind::Link, pair.a, pair.b});
     const int first = static_cast<int>(roadmap.samples.size());
     for (std::size_t i = 0; i < way.samples.size(); ++i) {
         const int parent = way.parents[i];
-        AlgorithmStep step{Step::LinkSample, pair.a, pair.b};
+        AlgorithmStep step{StepKind::LinkSample, pair.a, pair.b};
         step.index = first + static_cast<int>(i);
         step.parent = parent < 0 ? -1 : first + parent;
         step.point = way.samples[i].cast<float>();
@@ -160,10 +160,10 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 const int spent = static_cast<int>(way.samples.size());
                 addSamples(roadmap, way, pair, problem.start);
                 if (!way.found) {
-                    roadmap.steps.add({Step::LinkFailed, pair.a, pair.b, spent});
+                    roadmap.steps.add({StepKind::LinkFailed, pair.a, pair.b, spent});
                     continue;
                 }
-                roadmap.steps.add({Step::LinkFound, pair.a, pair.b,
+                roadmap.steps.add({StepKind::LinkFound, pair.a, pair.b,
                                    static_cast<std::int32_t>(roadmap.edges.size())});
                 RoadmapEdge edge{pair.a, pair.b, {}, 0.0, true, true};
                 edge.via = shortened(way.corners, problem.start, problem.goal, sphere);

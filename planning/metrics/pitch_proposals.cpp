@@ -10,7 +10,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kPitchDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr int kMoreSteps = 5;
 
 /// The pitch band with one of its ends moved outwards by steps of up to a degree: onto whole
@@ -49,10 +49,10 @@ SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked
         return promise(view, what.well) >= asked;
     };
     // Past this the object is in the image's middle.
-    int enough =
-        static_cast<int>(std::ceil(steep.down ? from.min_pitch_deg - elevation * kDegrees
-                                              : elevation * kDegrees - from.max_pitch_deg)) +
-        1;
+    int enough = static_cast<int>(std::ceil(
+                     steep.down ? from.min_pitch_deg - elevation * kPitchDegreesPerRadian
+                                : elevation * kPitchDegreesPerRadian - from.max_pitch_deg)) +
+                 1;
     const ViewEstimator::Estimate whole = seen(enough);
     if (!promises(whole)) return steep;
     steep.goodness = goodness(whole);

@@ -19,7 +19,7 @@
 namespace dollytrack::planning {
 namespace {
 
-bool has(const std::vector<int>& ids, int id) {
+bool containsId(const std::vector<int>& ids, int id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
@@ -28,17 +28,18 @@ bool names(const std::vector<ObjectRef>& objects, int id) {
                        [&](const ObjectRef& ref) { return ref.id == id; });
 }
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// As pinText() has it: who pins what it says gets what was tried.
 Pose asWritten(const Pose& view) {
     const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
     const Eigen::Vector3d ahead = view.forward();
-    const double pitch = rounded(std::asin(std::clamp(ahead.z(), -1.0, 1.0)), 0.1 / kDegrees);
+    const double pitch =
+        rounded(std::asin(std::clamp(ahead.z(), -1.0, 1.0)), 0.1 / kDegreesPerRadian);
     Pose pose = view;
     for (double& value : pose.position) value = rounded(value, 1e-3);
-    if (std::abs(pitch) > 89.0 / kDegrees) return pose;  // next to no heading
-    const double yaw = rounded(std::atan2(ahead.y(), ahead.x()), 0.1 / kDegrees);
+    if (std::abs(pitch) > 89.0 / kDegreesPerRadian) return pose;  // next to no heading
+    const double yaw = rounded(std::atan2(ahead.y(), ahead.x()), 0.1 / kDegreesPerRadian);
     pose.rotation = lookAlong(Eigen::Vector3d(std::cos(yaw) * std::cos(pitch),
                                               std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
     return pose;
@@ -48,8 +49,8 @@ std::string pinText(const Pose& view) {
     const Eigen::Vector3d& p = view.position;
     const Eigen::Vector3d ahead = view.forward();
     return fmt::format("pin a point at ({:.3f}, {:.3f}, {:.3f}), yaw_deg {:.1f}, pitch_deg {:.1f}",
-                       p.x(), p.y(), p.z(), std::atan2(ahead.y(), ahead.x()) * kDegrees,
-                       std::asin(std::clamp(ahead.z(), -1.0, 1.0)) * kDegrees);
+                       p.x(), p.y(), p.z(), std::atan2(ahead.y(), ahead.x()) * kDegreesPerRadian,
+                       std::asin(std::clamp(ahead.z(), -1.0, 1.0)) * kDegreesPerRadian);
 }
 
 bool lostInSearch(const LedgerRow& row) {
@@ -287,7 +288,7 @@ class Finder {
         std::vector<Proposal> pins;
         for (const PositionPoint& point : plan_.position_points) {
             const auto& shown = row.captured ? point.well_captured : point.captured;
-            if (!has(shown, row.object_id)) continue;
+            if (!containsId(shown, row.object_id)) continue;
             Proposal made{unchanged(), {}, point.pose, true};
             pins.push_back(std::move(made));
         }
@@ -327,7 +328,8 @@ class Finder {
         };
         for (std::size_t k = 0; k < keys.size(); ++k) {
             const PositionPoint& point = plan_.position_points[static_cast<std::size_t>(keys[k])];
-            if (!has(row.captured ? point.well_captured : point.captured, row.object_id)) continue;
+            if (!containsId(row.captured ? point.well_captured : point.captured, row.object_id))
+                continue;
             propose(k + 1);
             break;
         }

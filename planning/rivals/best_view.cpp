@@ -20,7 +20,7 @@ constexpr double kApart = 1.0;   // m
 constexpr int kHeadings = 24;
 constexpr int kRaysPerTurn = 360;
 
-struct View {
+struct BestView {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     double yaw = 0.0;
     double area_m2 = 0.0;
@@ -74,8 +74,8 @@ double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
 }
 
 /// The heading with the largest visible part of the plan, at the camera's height.
-View bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3d& place,
-                 double hfov) {
+BestView bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3d& place,
+                     double hfov) {
     std::array<double, kRaysPerTurn> slices{};  // m2 each
     constexpr double kSlice = 2.0 * std::numbers::pi / kRaysPerTurn;
     for (int i = 0; i < kRaysPerTurn; ++i) {
@@ -87,7 +87,7 @@ View bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3
         slices[static_cast<std::size_t>(i)] = 0.5 * reach * reach * kSlice;
     }
     const int wedge = std::max(1, static_cast<int>(std::lround(hfov / kSlice)));
-    View best{place, 0.0, -1.0};
+    BestView best{place, 0.0, -1.0};
     for (int h = 0; h < kHeadings; ++h) {
         const int middle = h * kRaysPerTurn / kHeadings;
         double area = 0.0;
@@ -100,17 +100,17 @@ View bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3
     return best;
 }
 
-std::vector<View> bestViews(const RivalScene& scene, const Room& room, int count, double hfov) {
+std::vector<BestView> bestViews(const RivalScene& scene, const Room& room, int count, double hfov) {
     std::vector<Eigen::Vector3d> places = candidatePlaces(scene, room);
     if (places.empty()) places.push_back(room.sample);
-    std::vector<View> views(places.size());
+    std::vector<BestView> views(places.size());
     parallelFor(places.size(),
                 [&](std::size_t i) { views[i] = bestHeading(scene, room, places[i], hfov); });
     std::stable_sort(views.begin(), views.end(),
-                     [](const View& a, const View& b) { return a.area_m2 > b.area_m2; });
-    std::vector<View> chosen;
-    for (const View& view : views) {
-        const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const View& other) {
+                     [](const BestView& a, const BestView& b) { return a.area_m2 > b.area_m2; });
+    std::vector<BestView> chosen;
+    for (const BestView& view : views) {
+        const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const BestView& other) {
             return (other.place - view.place).norm() < kApart;
         });
         if (!near && static_cast<int>(chosen.size()) < count) chosen.push_back(view);
@@ -131,7 +131,7 @@ Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, i
     const double hfov = params.camera.hfov_deg * std::numbers::pi / 180.0;
     for (std::size_t room = 0; room < rooms.size(); ++room) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-        for (const View& view : bestViews(scene, rooms[room], 1 + shares[room], hfov)) {
+        for (const BestView& view : bestViews(scene, rooms[room], 1 + shares[room], hfov)) {
             if (static_cast<int>(frames.size()) == frameBudget(params)) break;
             TrajectoryFrame frame;
             frame.time_s = static_cast<double>(frames.size()) * flight.trajectory.frame_interval_s;

@@ -19,7 +19,7 @@ constexpr double kLeastDistance = 0.1;                 // m, from camera to look
 constexpr int kColumns = 64;
 constexpr int kRows = 48;
 
-struct View {
+struct WalkView {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
 };
@@ -29,10 +29,10 @@ class Walk {
     Walk(const RivalScene& scene, int room, Random random)
         : scene_(scene), room_(room), random_(random) {}
 
-    View first() {
-        std::vector<View> candidates;
+    WalkView first() {
+        std::vector<WalkView> candidates;
         for (int i = 0; i < kCandidates; ++i) {
-            View view{randomPlace(scene_, room_, random_), randomPlace(scene_, room_, random_)};
+            WalkView view{randomPlace(scene_, room_, random_), randomPlace(scene_, room_, random_)};
             if ((view.at - view.from).norm() > kLeastDistance) candidates.push_back(view);
         }
         if (candidates.empty()) {
@@ -45,10 +45,10 @@ class Walk {
     }
 
     /// The last view again where no candidate can be found.
-    View next(const View& last) {
-        std::vector<View> candidates;
+    WalkView next(const WalkView& last) {
+        std::vector<WalkView> candidates;
         for (int i = 0; i < kDraws && static_cast<int>(candidates.size()) < kCandidates; ++i) {
-            const View view{near(last.from), near(last.at)};
+            const WalkView view{near(last.from), near(last.at)};
             if ((view.at - view.from).norm() < kLeastDistance || !fits(view.from) ||
                 !scene_.rays->sees(last.from, view.from) ||
                 scene_.free_space->componentAt(view.at) < 0 ||
@@ -80,13 +80,13 @@ class Walk {
         return scene_.free_space->componentAt(place) == room_ && scene_.sphere->fits(place);
     }
 
-    [[nodiscard]] std::vector<double> scoreAll(const std::vector<View>& candidates) const {
+    [[nodiscard]] std::vector<double> scoreAll(const std::vector<WalkView>& candidates) const {
         std::vector<double> scores(candidates.size(), 0.0);
         parallelFor(candidates.size(), [&](std::size_t i) { scores[i] = score(candidates[i]); });
         return scores;
     }
 
-    [[nodiscard]] double score(const View& view) const {
+    [[nodiscard]] double score(const WalkView& view) const {
         const Pose pose = lookAt(view.from, view.at);
         const Intrinsics& k = scene_.views->intrinsics();
         std::vector<RayCaster::BundleRay> rays;
@@ -128,7 +128,7 @@ Result<Flight> planDensityWalk(const RivalScene& scene, const PlanParams& params
         for (int done = 0; done < shares[room]; done += kSequence, ++path) {
             Walk walk(scene, static_cast<int>(room),
                       Random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(path)));
-            View view = walk.first();
+            WalkView view = walk.first();
             for (int i = 0; i < std::min(kSequence, shares[room] - done); ++i) {
                 if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
                 if (i > 0) view = walk.next(view);

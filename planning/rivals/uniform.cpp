@@ -5,7 +5,7 @@
 
 namespace dollytrack::planning {
 namespace {
-constexpr double kSteepest = 30.0 * std::numbers::pi / 180.0;
+constexpr double kSteepestUniform = 30.0 * std::numbers::pi / 180.0;
 }
 
 Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, int seed,
@@ -24,7 +24,7 @@ Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, in
             frame.component = static_cast<int>(room);
             const Eigen::Vector3d place = randomPlace(scene, frame.component, random);
             const double yaw = random.uniform(0.0, 2.0 * std::numbers::pi);
-            const double pitch = random.uniform(-kSteepest, kSteepest);
+            const double pitch = random.uniform(-kSteepestUniform, kSteepestUniform);
             frame.target_in_world =
                 place + Eigen::Vector3d(std::cos(yaw) * std::cos(pitch),
                                         std::sin(yaw) * std::cos(pitch), std::sin(pitch));

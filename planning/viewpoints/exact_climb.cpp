@@ -8,12 +8,12 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kNearlyThere = 1.94;  // of nearness, by every pixel: with less it is hopeless
-constexpr std::size_t kParents = 5;
-constexpr std::size_t kChildren = 48;
-constexpr int kGenerations = 30;
-constexpr double kFirstSpread = 0.15;  // of the distance to the target
+constexpr std::size_t kClimbParents = 5;
+constexpr std::size_t kClimbChildren = 48;
+constexpr int kClimbGenerations = 30;
+constexpr double kClimbFirstSpread = 0.15;  // of the distance to the target
 constexpr double kLeastSpread = 0.005;
-constexpr double kShrinking = 0.6;  // of the spread, when no child is nearer than its parents
+constexpr double kClimbShrinking = 0.6;  // of the spread, when no child is nearer than its parents
 
 struct Looked {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -36,7 +36,7 @@ class Climb {
     [[nodiscard]] std::vector<Looked> lookBeside(const std::vector<Looked>& parents, double spread,
                                                  Random& random, std::vector<Judged>& tried) const {
         std::vector<Eigen::Vector3d> places;
-        for (std::size_t i = 0; i < kChildren; ++i) {
+        for (std::size_t i = 0; i < kClimbChildren; ++i) {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
             const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
             const double distance = (parent - judge_.subject().center).norm();
@@ -63,7 +63,7 @@ void keepBest(std::vector<Looked>& looked) {
     std::stable_sort(looked.begin(), looked.end(), [](const Looked& a, const Looked& b) {
         return std::pair(a.well, a.nearness) > std::pair(b.well, b.nearness);
     });
-    looked.resize(std::min(looked.size(), kParents));
+    looked.resize(std::min(looked.size(), kClimbParents));
 }
 
 }  // namespace
@@ -73,19 +73,19 @@ Climbed climbToCapture(const Surroundings& around, const CandidateJudge& judge, 
     const Climb climb(around, judge, object_id);
     Climbed climbed;
     std::vector<Looked> best;
-    for (std::size_t i = 0; i < std::min(kParents, places.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kClimbParents, places.size()); ++i) {
         best.push_back(climb.look(places[i]));
     }
     if (best.empty()) return climbed;
     keepBest(best);
-    double spread = kFirstSpread;
-    for (int generation = 0; generation < kGenerations; ++generation) {
+    double spread = kClimbFirstSpread;
+    for (int generation = 0; generation < kClimbGenerations; ++generation) {
         const Looked before = best.front();
         if (before.well || before.nearness < kNearlyThere || spread < kLeastSpread) break;
         const auto children = climb.lookBeside(best, spread, random, climbed.tried);
         best.insert(best.end(), children.begin(), children.end());
         keepBest(best);
-        if (best.front().nearness <= before.nearness) spread *= kShrinking;
+        if (best.front().nearness <= before.nearness) spread *= kClimbShrinking;
     }
     if (best.front().well) climbed.place = best.front().position;
     return climbed;

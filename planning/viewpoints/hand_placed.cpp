@@ -21,7 +21,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kFirstGrid = 8;
-constexpr double kWorthALook = 0.6;  // visible fraction at a glance
+constexpr double kLeastVisibleByHand = 0.6;  // visible fraction at a glance
 
 std::vector<int> idsOf(const std::vector<ObjectRef>& objects, const Scene& scene) {
     std::vector<int> ids;
@@ -189,7 +189,7 @@ class HandPlacing {
         if (target.objects.empty()) {
             for (const Object& object : scene_.objects) {
                 const auto glance = [&] { return estimate(point.pose, object.id, kFirstGrid); };
-                if (object.role != Role::Target || glance().visible_fraction < kWorthALook)
+                if (object.role != Role::Target || glance().visible_fraction < kLeastVisibleByHand)
                     continue;
                 addCaptured(point, object.id);
             }

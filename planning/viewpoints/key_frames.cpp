@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kGlance = 6;
-constexpr double kWorthALook = 0.7;  // visible fraction
+constexpr double kLeastVisibleAsKeyFrame = 0.7;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
 constexpr double kRidesAlong = 0.6;
@@ -43,7 +43,7 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point
         }
         // A coarse look spares the closer one where it is clear that little shows.
         const auto glance = views.estimate(pose, object.id, kGlance);
-        if (glance.tells() && glance.visible_fraction < kWorthALook) continue;
+        if (glance.tells() && glance.visible_fraction < kLeastVisibleAsKeyFrame) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) entry.shown.push_back({object.id, estimate.box_share});
     }

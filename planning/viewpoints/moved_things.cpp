@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 // Surfaces are asked for in floats; what passes a thing by less than this counts as meeting it.
-constexpr double kHair = 0.002;
+constexpr double kMovedTolerance_m = 0.002;
 
 const std::vector<Eigen::Vector3f>& cellsOf(const FreeSpace& map, const AllowedRegion* region,
                                             std::size_t room) {
@@ -65,7 +65,7 @@ void MovedThings::add(const std::vector<int>& objects,
     std::ranges::sort(objects_);
     objects_.erase(std::unique(objects_.begin(), objects_.end()), objects_.end());
     for (const Eigen::AlignedBox3d& box : boxes) {
-        const Eigen::Vector3d hair = Eigen::Vector3d::Constant(kHair);
+        const Eigen::Vector3d hair = Eigen::Vector3d::Constant(kMovedTolerance_m);
         const Eigen::AlignedBox3d grown(box.min() - hair, box.max() + hair);
         // A drag leaves many boxes in one another's place.
         const bool known = std::ranges::any_of(
@@ -141,7 +141,7 @@ bool MapChange::within(const Eigen::Vector3d& center, double distance_m) const {
 
 bool isTouched(const LookedAt& looked, const MovedThings& moved, const MapChange& map,
                double camera_radius_m) {
-    const double reach = camera_radius_m + SweptSphere::kMargin + kHair;
+    const double reach = camera_radius_m + SweptSphere::kMargin + kMovedTolerance_m;
     Eigen::AlignedBox3d all = looked.target;
     for (const LookedAt::Place& place : looked.places) all.extend(place.position);
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(reach);

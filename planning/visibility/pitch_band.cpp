@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRight = 0.5 * std::numbers::pi;
 // What is moved into the band stays this far inside: a quaternion's elevation is rounded.
-constexpr double kHair = 1e-9;
+constexpr double kPitchTolerance = 1e-9;
 
 }  // namespace
 
@@ -20,11 +20,11 @@ bool PitchBand::restricts() const {
 
 bool PitchBand::holds(const Eigen::Quaterniond& rotation) const {
     const double elevation = elevationOf(rotation * Eigen::Vector3d::UnitZ());
-    return elevation >= lowest - kHair && elevation <= highest + kHair;
+    return elevation >= lowest - kPitchTolerance && elevation <= highest + kPitchTolerance;
 }
 
 double PitchBand::nearest(double elevation) const {
-    const double hair = std::min(kHair, 0.5 * (highest - lowest));
+    const double hair = std::min(kPitchTolerance, 0.5 * (highest - lowest));
     return std::clamp(elevation, lowest + hair, highest - hair);
 }
 

@@ -13,11 +13,11 @@ namespace dollytrack::render {
 namespace {
 
 // A line on a floor is not in it. As in overlay_painter.cpp.
-constexpr float kBias = 0.01F;              // of the depth
-constexpr float kOrthographicBias = 0.02F;  // m
+constexpr float kDepthBias = 0.01F;              // of the depth
+constexpr float kOrthographicDepthBias = 0.02F;  // m
 
 float biasOf(const View& view) {
-    return view.orthographic ? kOrthographicBias : kBias;
+    return view.orthographic ? kOrthographicDepthBias : kDepthBias;
 }
 
 }  // namespace

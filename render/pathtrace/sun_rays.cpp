@@ -6,7 +6,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr int kMostSheets = 64;  // of glass, windows or holes one after the other
+constexpr int kMostSheetsToSun = 64;  // of glass, windows or holes one after the other
 
 /// How far it is along the way until the box is left for good; negative: it is not met.
 double exitFrom(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
@@ -53,7 +53,7 @@ SunRays::SunRays(const Scene& scene, const RayCaster& rays, const TracedSurface&
 double SunRays::share(Eigen::Vector3d from, const Eigen::Vector3d& way) const {
     double free = exitFrom(sun_.shades, from, way);
     double share = 1.0;
-    for (int sheet = 0; sheet < kMostSheets && share > 0.0; ++sheet) {
+    for (int sheet = 0; sheet < kMostSheetsToSun && share > 0.0; ++sheet) {
         if (free <= 0.0) return share;
         const RayHit hit = rays_.cast(from, way, free);
         if (hit.object_id == 0) return share;

@@ -6,7 +6,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPiF = std::numbers::pi;
 
 }  // namespace
 
@@ -47,14 +47,14 @@ Eigen::Vector3f SurfaceBrdf::value(const Eigen::Vector3d& in) const {
     const float let_in =
         std::max(0.0F, 1.0F - albedo.at(kDielectricF0) * gain(albedo, kDielectricF0));
     const float diffuse = (1.0F - metallic_) * let_out_ * let_in * let_in_norm_;
-    return static_cast<float>(shape) * glossy + base_ * (diffuse / static_cast<float>(kPi));
+    return static_cast<float>(shape) * glossy + base_ * (diffuse / static_cast<float>(kPiF));
 }
 
 double SurfaceBrdf::density(const Eigen::Vector3d& in) const {
     if (in.z() <= 0.0 || out_.z() <= 0.0) return 0.0;
     const Eigen::Vector3d facet = (in + out_).normalized();
     const double glossy = ggxDensity(facet, alpha_) / (4.0 * out_.z() * (1.0 + out_masking_));
-    return glossy_share_ * glossy + (1.0 - glossy_share_) * in.z() / kPi;
+    return glossy_share_ * glossy + (1.0 - glossy_share_) * in.z() / kPiF;
 }
 
 Eigen::Vector3d SurfaceBrdf::sample(double which, const std::array<double, 2>& where) const {
@@ -63,7 +63,7 @@ Eigen::Vector3d SurfaceBrdf::sample(double which, const std::array<double, 2>& w
         return 2.0 * out_.dot(facet) * facet - out_;
     }
     const double radius = std::sqrt(where[0]);
-    const double angle = 2.0 * kPi * where[1];
+    const double angle = 2.0 * kPiF * where[1];
     return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - where[0])};
 }
 

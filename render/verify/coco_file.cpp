@@ -11,9 +11,9 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
-CocoAnnotation annotationFrom(const Json& one) {
+CocoAnnotation annotationFrom(const PlainJson& one) {
     CocoAnnotation read;
     read.id = one.at("id").get<int>();
     read.category = one.at("category_id").get<int>();
@@ -34,8 +34,8 @@ class CocoReader {
           findings_(findings),
           by_frame_(dataset.frames.size()) {}
 
-    CocoByFrame read(const Json& root) {
-        for (const Json& one : root.at("categories")) {
+    CocoByFrame read(const PlainJson& root) {
+        for (const PlainJson& one : root.at("categories")) {
             const int id = one.at("id").get<int>();
             categories_.insert(id);
             const std::string name = one.at("name").get<std::string>();
@@ -43,11 +43,11 @@ class CocoReader {
                 add({}, fmt::format("category {} is {}", id, name), "NYU40's own");
             }
         }
-        for (const Json& one : root.at("images")) readImage(one);
+        for (const PlainJson& one : root.at("images")) readImage(one);
         if (frame_of_.size() != frames_.size()) {
             add({}, fmt::format("{} images", frame_of_.size()), fmt::format("{}", frames_.size()));
         }
-        for (const Json& one : root.at("annotations")) readAnnotation(one);
+        for (const PlainJson& one : root.at("annotations")) readAnnotation(one);
         return std::move(by_frame_);
     }
 
@@ -56,7 +56,7 @@ class CocoReader {
         findings_.add({file_, frame, {}, std::move(found), std::move(expected)});
     }
 
-    void readImage(const Json& one) {
+    void readImage(const PlainJson& one) {
         const int id = one.at("id").get<int>();
         const int frame = id - 1;
         if (!frames_.contains(frame)) {
@@ -78,7 +78,7 @@ class CocoReader {
         }
     }
 
-    void readAnnotation(const Json& json) {
+    void readAnnotation(const PlainJson& json) {
         CocoAnnotation one = annotationFrom(json);
         const int image = json.at("image_id").get<int>();
         const auto at = frame_of_.find(image);
@@ -124,14 +124,14 @@ class CocoReader {
 
 std::optional<CocoByFrame> readCoco(const StoredDataset& dataset, const std::string& file,
                                     std::span<const int> frames, Findings& findings) {
-    const Result<Json> root = readJson(dataset.folder / file);
+    const Result<PlainJson> root = readJson(dataset.folder / file);
     if (!root) {
         findings.add({file, {}, {}, root.error().message, "COCO"});
         return std::nullopt;
     }
     try {
         return CocoReader(dataset, file, frames, findings).read(*root);
-    } catch (const Json::exception& error) {
+    } catch (const PlainJson::exception& error) {
         findings.add({file, {}, {}, error.what(), "COCO"});
     }
     return std::nullopt;
@@ -168,7 +168,7 @@ void compareCoco(const StoredDataset& dataset, const std::string& file,
         }
         try {
             compare_mask(one, *ids, frame, findings);
-        } catch (const Json::exception& error) {
+        } catch (const PlainJson::exception& error) {
             findings.add({file,
                           frame,
                           {},

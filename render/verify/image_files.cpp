@@ -16,17 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLargestSide = 1 << 14;  // px: what a dataset may have
+constexpr int kLargestImageSide = 1 << 14;  // px: what a dataset may have
 
-tl::unexpected<Error> unreadable(std::string message) {
+tl::unexpected<Error> unreadableImage(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
 }
 
 Result<std::string> bytesOf(const fs::path& path) {
     std::error_code error;
-    if (!fs::exists(path, error)) return unreadable("it is missing");
+    if (!fs::exists(path, error)) return unreadableImage("it is missing");
     Result<std::string> bytes = io::readText(path);
-    if (!bytes) return unreadable("it cannot be read");
+    if (!bytes) return unreadableImage("it cannot be read");
     return bytes;
 }
 
@@ -35,16 +35,18 @@ Result<std::string> bytesOf(const fs::path& path) {
 Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
-    if (!bytes.starts_with(kBegin)) return unreadable("it is no PNG");
+    if (!bytes.starts_with(kBegin)) return unreadableImage("it is no PNG");
     // Sides, most significant byte first, before anything is made of that size.
     for (const std::size_t at : {16U, 20U}) {
         std::uint64_t side = 0;
         for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
             side = 256 * side + static_cast<std::uint8_t>(bytes[at + i]);
         }
-        if (side > kLargestSide) return unreadable(fmt::format("it says it is {} px", side));
+        if (side > kLargestImageSide)
+            return unreadableImage(fmt::format("it says it is {} px", side));
     }
-    if (!bytes.ends_with(kEnd)) return unreadable("its end is missing, or something follows it");
+    if (!bytes.ends_with(kEnd))
+        return unreadableImage("its end is missing, or something follows it");
     return {};
 }
 
@@ -55,16 +57,16 @@ Result<cv::Mat> decode(const std::string& bytes, int depth, int channels) {
                           const_cast<char*>(bytes.data()));
         picture = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
     } catch (const cv::Exception& error) {
-        return unreadable(fmt::format("it cannot be decoded ({})", error.err));
+        return unreadableImage(fmt::format("it cannot be decoded ({})", error.err));
     }
-    if (picture.empty()) return unreadable("it cannot be decoded");
+    if (picture.empty()) return unreadableImage("it cannot be decoded");
     if (picture.depth() != depth || picture.channels() != channels) {
         const auto kind = [](int one, int count) {
             return fmt::format("{} bit x {}", 8 * CV_ELEM_SIZE1(one), count);
         };
-        return unreadable(fmt::format("it is {} where {} is said",
-                                      kind(picture.depth(), picture.channels()),
-                                      kind(depth, channels)));
+        return unreadableImage(fmt::format("it is {} where {} is said",
+                                           kind(picture.depth(), picture.channels()),
+                                           kind(depth, channels)));
     }
     return picture;
 }
@@ -86,9 +88,9 @@ Image<T> imageFrom(const cv::Mat& picture) {
 
 /// A JPEG that ends early is decoded, too, grey where it ends.
 Status endsAsJpeg(const std::string& bytes) {
-    if (!bytes.starts_with("\xff\xd8")) return unreadable("it is no JPEG");
+    if (!bytes.starts_with("\xff\xd8")) return unreadableImage("it is no JPEG");
     if (!bytes.ends_with("\xff\xd9")) {
-        return unreadable("its end is missing, or something follows it");
+        return unreadableImage("its end is missing, or something follows it");
     }
     return {};
 }
@@ -138,19 +140,19 @@ Result<ImageF> readFlow(const fs::path& path) {
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     constexpr std::size_t kHead = 12;
     if (bytes->size() < kHead || !bytes->starts_with("PIEH")) {
-        return unreadable("it is no .flo file");
+        return unreadableImage("it is no .flo file");
     }
     const int width = numberAt<std::int32_t>(*bytes, 4);
     const int height = numberAt<std::int32_t>(*bytes, 8);
-    if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
-        return unreadable(fmt::format("it says {} x {} px", width, height));
+    if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide) {
+        return unreadableImage(fmt::format("it says {} x {} px", width, height));
     }
     ImageF image{width, height, 2, {}};
     const std::size_t count =
         2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (bytes->size() != kHead + 4 * count) {
-        return unreadable(fmt::format("it has {} bytes where {} x {} px need {}", bytes->size(),
-                                      width, height, kHead + 4 * count));
+        return unreadableImage(fmt::format("it has {} bytes where {} x {} px need {}",
+                                           bytes->size(), width, height, kHead + 4 * count));
     }
     image.values.resize(count);
     std::memcpy(image.values.data(), bytes->data() + kHead, 4 * count);

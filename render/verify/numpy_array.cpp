@@ -14,9 +14,9 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr int kLargestSide = 1 << 16;
+constexpr int kLargestArraySide = 1 << 16;
 
-tl::unexpected<Error> unreadable(std::string message) {
+tl::unexpected<Error> unreadableArray(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
 }
 
@@ -40,7 +40,7 @@ std::vector<int> shapeFrom(std::string_view text) {
         if (text.empty()) break;
         int size = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-        if (error != std::errc() || size < 1 || size > kLargestSide) return {};
+        if (error != std::errc() || size < 1 || size > kLargestArraySide) return {};
         shape.push_back(size);
         text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     }
@@ -51,34 +51,35 @@ template <class T>
 Result<Image<T>> readArray(const std::filesystem::path& path, std::string_view type, int channels) {
     static_assert(std::endian::native == std::endian::little);
     const Result<std::string> bytes = io::readText(path);
-    if (!bytes) return unreadable("it cannot be read");
+    if (!bytes) return unreadableArray("it cannot be read");
     constexpr std::size_t kBefore = 10;
     if (bytes->size() < kBefore || !bytes->starts_with(std::string_view("\x93NUMPY\x01\x00", 8))) {
-        return unreadable("it is no .npy file of version 1.0");
+        return unreadableArray("it is no .npy file of version 1.0");
     }
     const auto byteAt = [&](std::size_t i) { return static_cast<unsigned char>((*bytes)[i]); };
     const std::size_t length = byteAt(8) + 256U * byteAt(9);
-    if (bytes->size() < kBefore + length) return unreadable("its header is cut off");
+    if (bytes->size() < kBefore + length) return unreadableArray("its header is cut off");
     const auto header = std::string_view(*bytes).substr(kBefore, length);
     const auto descr = valueOf(header, "descr");
     if (!descr || !descr->starts_with(fmt::format("'{}'", type))) {
-        return unreadable(fmt::format("its type is not {}", type));
+        return unreadableArray(fmt::format("its type is not {}", type));
     }
     const auto order = valueOf(header, "fortran_order");
-    if (!order || !order->starts_with("False")) return unreadable("it is not in C's order");
+    if (!order || !order->starts_with("False")) return unreadableArray("it is not in C's order");
     const std::vector<int> shape = shapeFrom(valueOf(header, "shape").value_or(""));
     const bool flat = shape.size() == 2 && channels == 1;
     const bool deep = shape.size() == 3 && shape[2] == channels;
     if (!flat && !deep) {
-        return unreadable(fmt::format("its shape is not rows x columns, {} a pixel", channels));
+        return unreadableArray(
+            fmt::format("its shape is not rows x columns, {} a pixel", channels));
     }
     Image<T> image{shape[1], shape[0], channels, {}};
     const std::size_t count = static_cast<std::size_t>(shape[0]) *
                               static_cast<std::size_t>(shape[1]) *
                               static_cast<std::size_t>(channels);
     if (bytes->size() - kBefore - length != count * sizeof(T)) {
-        return unreadable(fmt::format("it has {} bytes of values where its shape needs {}",
-                                      bytes->size() - kBefore - length, count * sizeof(T)));
+        return unreadableArray(fmt::format("it has {} bytes of values where its shape needs {}",
+                                           bytes->size() - kBefore - length, count * sizeof(T)));
     }
     image.values.resize(count);
     std::memcpy(image.values.data(), bytes->data() + kBefore + length, count * sizeof(T));

@@ -14,7 +14,7 @@ namespace dollytrack::ui {
 namespace {
 
 using Mark = render::OverlayMark;
-using Shape = LegendEntry::Shape;
+using EntryShape = LegendEntry::Shape;
 
 // There are many of those refused, over all of the room: they shall not hide it.
 constexpr double kLegal_px = 8.0;
@@ -177,7 +177,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
                                    {0, 0, 0},
                                    toTag(Picked::ObservationPoint, index)});
     auto& entries = layer.legend.entries;
-    entries.push_back({"Observation point", Shape::Dot, kLargeTargetColor, 1});
+    entries.push_back({"Observation point", EntryShape::Dot, kLargeTargetColor, 1});
     for (std::size_t verdict = 0; verdict < kVerdicts; ++verdict) {
         const int number = counts[verdict];
         if (number == 0) continue;
@@ -185,7 +185,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
         std::string words(inWords(kind));
         words[0] = static_cast<char>(words[0] - 'a' + 'A');
         if (!options.shown[verdict]) words += " (not drawn)";
-        entries.push_back({std::move(words), Shape::SmallDot, colorOf(kind), number});
+        entries.push_back({std::move(words), EntryShape::SmallDot, colorOf(kind), number});
     }
     if (search.position_point >= 0) {
         const Eigen::Vector3d& best =
@@ -196,7 +196,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
             {best, Mark::Shape::Ring, kKeyFrameColor, 16.0, {0, 0, 0}, tag});
         layer.overlay.marks.push_back(
             {best, Mark::Shape::Cross, kKeyFrameColor, 9.0, {0, 0, 0}, tag});
-        entries.push_back({"Taken", Shape::Ring, kKeyFrameColor, 1});
+        entries.push_back({"Taken", EntryShape::Ring, kKeyFrameColor, 1});
     }
     const int selected = options.selected_candidate;
     if (selected >= 0 && selected < static_cast<int>(search.candidates.size())) {
@@ -205,7 +205,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
         layer.overlay.lines.push_back({at, point.position, kSelectedColor, 1.6, 5.0, tag});
         layer.overlay.marks.push_back(
             {at, Mark::Shape::Ring, kSelectedColor, 16.0, {0, 0, 0}, tag});
-        entries.push_back({"Selected", Shape::Ring, kSelectedColor, 1});
+        entries.push_back({"Selected", EntryShape::Ring, kSelectedColor, 1});
     }
     return layer;
 }

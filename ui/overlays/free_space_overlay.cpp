@@ -64,9 +64,9 @@ bool inLevels(const FreeSpaceOverlayOptions& options, int level) {
     return level >= options.min_level && level <= options.max_level;
 }
 
-class Builder {
+class FreeSpaceBuilder {
   public:
-    Builder(const FreeSpace& free_space, const FreeSpaceOverlayOptions& options)
+    FreeSpaceBuilder(const FreeSpace& free_space, const FreeSpaceOverlayOptions& options)
         : map_(free_space), options_(options), cell_m_(free_space.resolution_m()) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<Eigen::Index>(k);
@@ -276,7 +276,7 @@ class Builder {
 }  // namespace
 
 PlanLayer freeSpaceLayer(const FreeSpace& free_space, const FreeSpaceOverlayOptions& options) {
-    return Builder(free_space, options).build();
+    return FreeSpaceBuilder(free_space, options).build();
 }
 
 std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& view,

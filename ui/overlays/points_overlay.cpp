@@ -12,10 +12,10 @@ namespace {
 using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
-class Builder {
+class PointsBuilder {
   public:
-    Builder(const Scene& scene, const Plan& plan, const CameraParams& camera,
-            const PointsOverlayOptions& options)
+    PointsBuilder(const Scene& scene, const Plan& plan, const CameraParams& camera,
+                  const PointsOverlayOptions& options)
         : scene_(scene),
           plan_(plan),
           camera_(camera),
@@ -145,7 +145,7 @@ class Builder {
 
 PlanLayer pointsLayer(const Scene& scene, const Plan& plan, const CameraParams& camera,
                       const PointsOverlayOptions& options) {
-    return Builder(scene, plan, camera, options).build();
+    return PointsBuilder(scene, plan, camera, options).build();
 }
 
 }  // namespace dollytrack::ui

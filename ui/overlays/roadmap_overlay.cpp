@@ -57,9 +57,9 @@ struct Parts {
     }
 };
 
-class Builder {
+class RoadmapBuilder {
   public:
-    Builder(const Plan& plan, const RoadmapOverlayOptions& options)
+    RoadmapBuilder(const Plan& plan, const RoadmapOverlayOptions& options)
         : plan_(plan), options_(options), parts_(plan) {}
 
     PlanLayer build() {
@@ -212,7 +212,7 @@ class Builder {
 }  // namespace
 
 PlanLayer roadmapLayer(const Plan& plan, const RoadmapOverlayOptions& options) {
-    return Builder(plan, options).build();
+    return RoadmapBuilder(plan, options).build();
 }
 
 }  // namespace dollytrack::ui

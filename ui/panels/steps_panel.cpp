@@ -15,7 +15,7 @@
 namespace dollytrack::ui {
 namespace {
 
-using Kind = AlgorithmStep::Kind;
+using StepKind = AlgorithmStep::Kind;
 
 struct GroupStyle {
     const char* name;
@@ -50,7 +50,7 @@ std::optional<std::size_t> nextRefusal(const StepsView& view) {
     const auto& steps = view.steps->steps;
     const auto at =
         std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(view.taken), steps.end(),
-                     [](const AlgorithmStep& step) { return step.kind == Kind::Refused; });
+                     [](const AlgorithmStep& step) { return step.kind == StepKind::Refused; });
     if (at == steps.end()) return std::nullopt;
     return static_cast<std::size_t>(at - steps.begin()) + 1;
 }
@@ -106,10 +106,10 @@ void drawSpeedAndRefusal(const StepsView& view, StepsState& state, StepsActions&
     }
 }
 
-ImVec4 colorOf(Kind kind) {
-    if (kind == Kind::Refused || kind == Kind::LinkFailed) return palette().bad;
-    if (kind == Kind::Accepted || kind == Kind::LinkFound) return palette().good;
-    if (kind == Kind::Prune) return palette().warning;
+ImVec4 colorOf(StepKind kind) {
+    if (kind == StepKind::Refused || kind == StepKind::LinkFailed) return palette().bad;
+    if (kind == StepKind::Accepted || kind == StepKind::LinkFound) return palette().good;
+    if (kind == StepKind::Prune) return palette().warning;
     return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
@@ -174,27 +174,27 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
 
 }  // namespace
 
-StepGroup groupOf(Kind kind) {
+StepGroup groupOf(StepKind kind) {
     switch (kind) {
-        case Kind::Sample:
+        case StepKind::Sample:
             return StepGroup::Sample;
-        case Kind::Near:
-        case Kind::Skip:
+        case StepKind::Near:
+        case StepKind::Skip:
             return StepGroup::Near;
-        case Kind::Edge:
-        case Kind::Leave:
+        case StepKind::Edge:
+        case StepKind::Leave:
             return StepGroup::Edge;
-        case Kind::Accepted:
-        case Kind::Refused:
+        case StepKind::Accepted:
+        case StepKind::Refused:
             return StepGroup::CollisionFree;
-        case Kind::Link:
-        case Kind::LinkSample:
-        case Kind::LinkFound:
-        case Kind::LinkFailed:
+        case StepKind::Link:
+        case StepKind::LinkSample:
+        case StepKind::LinkFound:
+        case StepKind::LinkFailed:
             return StepGroup::Link;
-        case Kind::Prune:
+        case StepKind::Prune:
             return StepGroup::Prune;
-        case Kind::Visit:
+        case StepKind::Visit:
             break;
     }
     return StepGroup::Branch;

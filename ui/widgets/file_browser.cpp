@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = FileRequest::Purpose;
 
-constexpr const char* kId = "##file_browser";
+constexpr const char* kBrowserId = "##file_browser";
 
 /// What an answer from the disk is waited for.
 enum class Intent { None, Enter, Accept };
@@ -442,14 +442,14 @@ std::optional<FileAnswer> FileBrowser::draw() {
     Impl& impl = *impl_;
     if (!impl.open) return std::nullopt;
     impl.collect();
-    if (impl.begins) ImGui::OpenPopup(kId);
+    if (impl.begins) ImGui::OpenPopup(kBrowserId);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(scaled(900), screen.x - scaled(40)),
                               std::min(scaled(560), screen.y - scaled(40))});
     pushDialogStyle();
     const bool visible =
-        ImGui::BeginPopupModal(kId, nullptr,
+        ImGui::BeginPopupModal(kBrowserId, nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
     popDialogStyle();

@@ -13,7 +13,7 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
+constexpr std::uint64_t kMostJsonBytes = std::uint64_t{512} << 20U;
 constexpr std::size_t kMostValues = 50'000'000;
 
 /// Brackets and commas, which bound the number of values; those in texts are counted, too.
@@ -46,7 +46,7 @@ Result<nlohmann::json> parseBoundedJson(std::string_view text, const std::string
 }
 
 Result<nlohmann::json> readBoundedJson(const std::filesystem::path& path) {
-    const Result<std::string> text = readNamedFile(path, kMostBytes);
+    const Result<std::string> text = readNamedFile(path, kMostJsonBytes);
     if (!text) return tl::unexpected(text.error());
     return parseBoundedJson(*text, path.string());
 }

@@ -57,8 +57,8 @@ std::vector<std::filesystem::path> pictureFolders(const std::filesystem::path& s
     return foldersFor(scene, options.model_folders, {"3D-FRONT-texture"});
 }
 
-std::vector<std::filesystem::path> modelFolders(const std::filesystem::path& scene,
-                                                const ImportOptions& options) {
+std::vector<std::filesystem::path> front3dModelFolders(const std::filesystem::path& scene,
+                                                       const ImportOptions& options) {
     return foldersFor(scene, options.model_folders,
                       {"3D-FUTURE-model", "3D-FUTURE-model-part1", "3D-FUTURE-model-part2",
                        "3D-FUTURE-model-part3", "3D-FUTURE-model-part4"});
@@ -93,7 +93,7 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
     noteRooms(*source, *document, scene);
     addFront3dArchitecture(*document, *labels, pictureFolders(path, options), scene);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
-    const std::vector<std::filesystem::path> folders = modelFolders(path, options);
+    const std::vector<std::filesystem::path> folders = front3dModelFolders(path, options);
     if (Status added = addFront3dFurniture(*source, *labels, folders, path.string(), job, scene);
         !added) {
         return tl::unexpected(added.error());
@@ -109,7 +109,7 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
 
 std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options) {
-    const std::vector<std::filesystem::path> models = modelFolders(path, options);
+    const std::vector<std::filesystem::path> models = front3dModelFolders(path, options);
     std::vector<std::filesystem::path> inputs = pictureFolders(path, options);
     inputs.insert(inputs.end(), models.begin(), models.end());
     const std::vector<std::filesystem::path> beside = modelInfoBeside(models);

@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 constexpr const char* kObjects = "metadata_objects.csv";
 constexpr const char* kScene = "metadata_scene.csv";
 constexpr const char* kCameras = "metadata_cameras.csv";
-constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20U;
+constexpr std::uint64_t kMostAnnotationBytes = std::uint64_t{512} << 20U;
 constexpr const char* kBox = "metadata_semantic_instance_bounding_box_object_aligned_2d_";
 
 /// The lines after the first, without blanks at the ends and quotes around.
 Result<std::vector<std::string>> readColumn(const fs::path& path) {
-    const Result<std::string> text = readNamedFile(path, kMostBytes);
+    const Result<std::string> text = readNamedFile(path, kMostAnnotationBytes);
     if (!text) return tl::unexpected(text.error());
     std::vector<std::string> cells;
     bool header = true;

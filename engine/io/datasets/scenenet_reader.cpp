@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> modelFolders(const fs::path& scene, const ImportOptions& options) {
+std::vector<fs::path> sceneNetModelFolders(const fs::path& scene, const ImportOptions& options) {
     return foldersFor(scene, options.model_folders,
                       {"ShapeNetCore.v2", "ShapeNetCore.v1", "ShapeNetCore", "ShapeNet"});
 }
@@ -91,7 +91,7 @@ class SceneNetImport {
         : where_(path.string()),
           source_(source),
           labels_(labels),
-          folders_(modelFolders(path, options)),
+          folders_(sceneNetModelFolders(path, options)),
           layout_(findLayout(layoutFolders(path, options), source.layout_file)) {
         for (const SceneNetObject& object : source.objects) {
             const std::optional<fs::path> file = findModel(folders_, object);
@@ -209,7 +209,7 @@ Result<RawScene> readSceneNetScene(const fs::path& path, const ImportOptions& op
 
 std::vector<fs::path> sceneNetInputs(const fs::path& path, const ImportOptions& options) {
     std::vector<fs::path> inputs = layoutFolders(path, options);
-    const std::vector<fs::path> models = modelFolders(path, options);
+    const std::vector<fs::path> models = sceneNetModelFolders(path, options);
     inputs.insert(inputs.end(), models.begin(), models.end());
     return inputs;
 }

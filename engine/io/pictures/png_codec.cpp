@@ -9,27 +9,27 @@
 namespace dollytrack::io {
 namespace {
 
-struct Source {
+struct PngSource {
     PictureBytes bytes;
     UnpackedPicture picture;
     std::vector<png_bytep> rows;
 };
 
 void readBytes(png_structp png, png_bytep into, png_size_t size) {
-    auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+    auto& source = *static_cast<PngSource*>(png_get_io_ptr(png));
     if (size > source.bytes.size()) png_error(png, "end of file");
     std::memcpy(into, source.bytes.data(), size);
     source.bytes = source.bytes.subspan(size);
 }
 
-[[noreturn]] void onError(png_structp png, png_const_charp) {
+[[noreturn]] void leaveOnPngError(png_structp png, png_const_charp) {
     png_longjmp(png, 1);
 }
 
-void onWarning(png_structp, png_const_charp) {}
+void ignorePngWarning(png_structp, png_const_charp) {}
 
 /// All that libpng may jump out of; holds no object with a destructor.
-bool read(png_structp png, png_infop info, Source& source) {
+bool read(png_structp png, png_infop info, PngSource& source) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_read_fn(png, &source, readBytes);
     png_read_info(png, info);
@@ -56,8 +56,9 @@ bool read(png_structp png, png_infop info, Source& source) {
 }  // namespace
 
 std::optional<UnpackedPicture> unpackPng(PictureBytes bytes) {
-    Source source{bytes, {}, {}};
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+    PngSource source{bytes, {}, {}};
+    png_structp png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leaveOnPngError, ignorePngWarning);
     if (png == nullptr) return std::nullopt;
     png_infop info = png_create_info_struct(png);
     const bool whole = info != nullptr && read(png, info, source);

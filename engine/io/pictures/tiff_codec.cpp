@@ -9,13 +9,13 @@
 namespace dollytrack::io {
 namespace {
 
-struct Source {
+struct TiffSource {
     PictureBytes bytes;
     std::size_t at = 0;
 };
 
 tmsize_t readBytes(thandle_t handle, void* into, tmsize_t size) {
-    auto& source = *static_cast<Source*>(handle);
+    auto& source = *static_cast<TiffSource*>(handle);
     const std::size_t left = source.bytes.size() - std::min(source.at, source.bytes.size());
     const std::size_t count = std::min(left, static_cast<std::size_t>(std::max<tmsize_t>(size, 0)));
     if (count > 0) std::memcpy(into, source.bytes.data() + source.at, count);
@@ -28,7 +28,7 @@ tmsize_t writeNothing(thandle_t, void*, tmsize_t) {
 }
 
 toff_t seek(thandle_t handle, toff_t offset, int from) {
-    auto& source = *static_cast<Source*>(handle);
+    auto& source = *static_cast<TiffSource*>(handle);
     const std::size_t base = from == SEEK_CUR   ? source.at
                              : from == SEEK_END ? source.bytes.size()
                                                 : 0;
@@ -41,7 +41,7 @@ int closeNothing(thandle_t) {
 }
 
 toff_t sizeOf(thandle_t handle) {
-    return static_cast<Source*>(handle)->bytes.size();
+    return static_cast<TiffSource*>(handle)->bytes.size();
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ toff_t sizeOf(thandle_t handle) {
 std::optional<UnpackedPicture> unpackTiff(PictureBytes bytes) {
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
-    Source source{bytes};
+    TiffSource source{bytes};
     const std::unique_ptr<TIFF, decltype(&TIFFClose)> file(
         TIFFClientOpen("picture", "rm", &source, readBytes, writeNothing, seek, closeNothing,
                        sizeOf, nullptr, nullptr),

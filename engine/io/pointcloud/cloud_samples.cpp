@@ -14,8 +14,8 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kNear = 3.0;              // voxels around a point that its normal is made of
-constexpr std::size_t kFewNeighbours = 4;  // a speck has no more, itself included
+constexpr double kNear = 3.0;  // voxels around a point that its normal is made of
+constexpr std::size_t kMostNeighboursOfSpeck = 4;  // a speck has no more, itself included
 
 struct Thinned {
     std::vector<Eigen::Vector3d> points;
@@ -60,7 +60,7 @@ Eigen::Vector3d normalAt(const PointGrid& grid, const std::vector<Eigen::Vector3
         near.push_back(j);
         mean += points[j];
     });
-    if (near.size() <= kFewNeighbours) return Eigen::Vector3d::Zero();
+    if (near.size() <= kMostNeighboursOfSpeck) return Eigen::Vector3d::Zero();
     mean /= static_cast<double>(near.size());
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const std::uint32_t j : near) {

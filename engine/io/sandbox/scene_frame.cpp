@@ -12,11 +12,11 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31454E454353'5444ULL;  // "DTSCENE1"
+constexpr std::uint64_t kFrameMagic = 0x31454E454353'5444ULL;  // "DTSCENE1"
 constexpr std::size_t kLongestMessage = 2000;
 
 struct Header {
-    std::uint64_t magic = kMagic;
+    std::uint64_t magic = kFrameMagic;
     std::uint32_t version = kFrameVersion;
     std::uint32_t is_error = 0;
     std::uint64_t size = 0;  // with this header
@@ -193,7 +193,7 @@ Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged) 
     Header header;
     if (frame.size() < sizeof(header)) return tl::unexpected(damage("it is too short"));
     std::memcpy(&header, frame.data(), sizeof(header));
-    if (header.magic != kMagic) return tl::unexpected(damage("it does not begin like one"));
+    if (header.magic != kFrameMagic) return tl::unexpected(damage("it does not begin like one"));
     if (header.version != kFrameVersion) return tl::unexpected(damage("its version is another"));
     if (header.is_error > 1) return tl::unexpected(damage("its kind is unknown"));
     if (header.size != frame.size()) return tl::unexpected(damage("its length is wrong"));

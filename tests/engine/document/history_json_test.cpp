@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-Status setAnything(json& parameters, const std::string& name, const json& value) {
+Status setAnyParameter(json& parameters, const std::string& name, const json& value) {
     parameters["all"][name] = value;
     return {};
 }
@@ -30,7 +30,7 @@ CommandStack::History someWork() {
     };
     for (const json& operation : operations) {
         ProjectState next = *stack.state();
-        const auto names = applyOperations(next, scene, setAnything, json::array({operation}));
+        const auto names = applyOperations(next, scene, setAnyParameter, json::array({operation}));
         EXPECT_TRUE(names) << describe(names.error());
         if (names) stack.push(names->front(), next);
     }
