@@ -11,19 +11,28 @@
 
 namespace dollytrack::render {
 
-/// A pixel that was drawn to show nothing, though the ray through its centre meets a surface.
-/// Drawing rounds corners; where surfaces meet without sharing them (walls that stand on a floor)
-/// it leaves gaps of a pixel between the two.
+/// A pixel of which drawing does not tell what its centre sees, and what a ray through it meets.
+/// Drawing rounds corners: where surfaces meet without sharing them (walls that stand on a floor)
+/// it leaves gaps of a pixel between the two, and of a surface seen along itself it extrapolates
+/// depth by metres.
 struct CrackPixel {
     std::size_t pixel = 0;
-    std::size_t like = 0;  // the neighbour whose colours it takes: of the same object, if one is
-    RayHit hit;            // distance: planar depth, m
+    bool drawn = false;           // it shows a surface, of unknown depth
+    std::size_t like = 0;         // the pixel whose colours it takes: of the same object, if one is
+    std::uint16_t object_id = 0;  // what it shows; 0: nothing
+    RayHit hit;                   // distance: planar depth, m
 };
 
-/// Looks at pixels without a label most of whose neighbours have one; 0 is none. `rays` are of the
+/// Gaps: pixels without a label most of whose neighbours have one; 0 is none. `rays` are of the
 /// scene as it is in the frame.
 [[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
                                                  std::span<const std::uint16_t> labels,
+                                                 const RayCaster& rays);
+
+/// The same and those of unknown depth, as RenderTarget::readDrawnDepth() marks them.
+[[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
+                                                 std::span<const std::uint16_t> labels,
+                                                 std::span<const float> drawn_depth_m,
                                                  const RayCaster& rays);
 
 /// Gives the pixels what their rays meet, in every image of the left camera that the record has.
@@ -33,13 +42,7 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
 /// The same in a picture alone, 3 bytes a pixel.
 void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb);
 
-/// Depth of pixels that stand alone with theirs, asked of rays again: along the rim of what is seen
-/// along itself, drawing carries a plane's depth on beyond its end. `labels` say which object the
-/// ray has to meet; empty where any will do.
-void mendDepths(const View& view, std::span<const std::uint16_t> labels, const RayCaster& rays,
-                std::vector<float>& depth_m);
-
-/// Both in the right camera's images, which have no labels.
+/// Both in the right camera's images, which have no labels. Its depth is as it was drawn.
 void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record);
 
 }  // namespace dollytrack::render

@@ -112,7 +112,7 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
             reference_ ? renderer_->drawLabels(right, *right_) : renderer_->draw(right, *right_);
         if (!status) return status;
         if (!reference_) right_->readRgb(record.rgb_right);
-        right_->readDepth(record.depth_right_m);
+        right_->readDrawnDepth(record.depth_right_m);
         fillRightCracks(context_, right, record);
         if (reference_) {
             status = reference_->take(right, record.index, record.rgb_right);
@@ -199,8 +199,10 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     FrameRecord record = emptyRecord(missing_[drawn_]);
     target.readIds(record.instance);
     const View view = viewOf(record.index);
+    std::vector<float> depth_m;
+    target.readDrawnDepth(depth_m);
     const std::vector<CrackPixel> cracks =
-        findCracks(view, record.instance, *context_.moving.raysAt(record.index));
+        findCracks(view, record.instance, depth_m, *context_.moving.raysAt(record.index));
     fillCracks(cracks, context_, view, record);  // before it is counted
     if (Status status = countLast(ledger); !status) return status;
     // What silhouettes a frame needs depends on the frames before it, so these must be counted in
@@ -223,7 +225,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     }
     if (needs(kNeedsRgb) && !reference_) target.readRgb(record.rgb);
     const bool focuses = needs(kNeedsSensorLight) && focusesByDepth(contents_.sensor);
-    if (needs(kNeedsDepth) || focuses) target.readDepth(record.depth_m);
+    if (needs(kNeedsDepth) || focuses) record.depth_m = std::move(depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, context_, view, record);
     if (reference_ && needs(kNeedsRgb)) {
@@ -231,7 +233,6 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
             return status;
         }
     }
-    mendDepths(view, record.instance, *context_.moving.raysAt(record.index), record.depth_m);
     if (needs(kNeedsSensorLight)) {
         Status status = sensor_->take(record, *renderer_, reference_ ? &*reference_ : nullptr,
                                       record.sensor_light);

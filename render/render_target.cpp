@@ -6,6 +6,7 @@
 #include <GL/glew.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace dollytrack::render {
@@ -108,6 +109,11 @@ void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {
 }
 
 void RenderTarget::readDepth(std::vector<float>& depth) const {
+    readDrawnDepth(depth);
+    for (float& value : depth) value = std::isfinite(value) ? std::abs(value) : 0.0F;
+}
+
+void RenderTarget::readDrawnDepth(std::vector<float>& depth) const {
     depth.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(depth_.get(), 0, GL_RED, GL_FLOAT,
@@ -142,6 +148,7 @@ RenderTarget::Pixel RenderTarget::readPixel(int x, int y) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureSubImage(depth_.get(), 0, x, y, 0, 1, 1, 1, GL_RED, GL_FLOAT, sizeof(pixel.depth_m),
                          &pixel.depth_m);
+    pixel.depth_m = std::abs(pixel.depth_m);
     glGetTextureSubImage(ids_.get(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
                          sizeof(pixel.object_id), &pixel.object_id);
     return pixel;

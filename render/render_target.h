@@ -20,6 +20,9 @@ class RenderTarget {
     void readRgb(std::vector<std::uint8_t>& rgb) const;
     /// Planar depth in metres, 0 where nothing was hit.
     void readDepth(std::vector<float>& depth) const;
+    /// The same as it is drawn: no positive number where a surface is seen so nearly along itself
+    /// that drawing cannot tell its depth; a ray can, see findCracks().
+    void readDrawnDepth(std::vector<float>& depth) const;
     /// Object ids, 0 where nothing was hit.
     void readIds(std::vector<std::uint16_t>& ids) const;
 
@@ -29,7 +32,7 @@ class RenderTarget {
 
     /// The finished picture as an OpenGL texture, to be shown in a window.
     [[nodiscard]] unsigned picture() const { return picture_.get(); }
-    /// What readDepth() gives, as an OpenGL texture of 32-bit floats.
+    /// What readDrawnDepth() gives, as an OpenGL texture of 32-bit floats.
     [[nodiscard]] unsigned depth() const { return depth_.get(); }
     /// The depth buffer behind it: 1 at the near plane, 0 infinitely far or at the view's far end.
     [[nodiscard]] unsigned zBuffer() const { return z_buffer_.get(); }

@@ -39,7 +39,19 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
+// Surfaces steeper than this, m a pixel, are marked: drawing places a pixel within a hundredth of
+// one, which on a gentler surface is less than half a millimetre of depth.
+const float kSteep = 0.05;
+
+// Negative where the surface is too steep for drawing to tell its depth; see readDrawnDepth().
+float markedDepth(float z) {
+    if (depth_span.y > 0.0) return z;
+    float slope = fwidth(gl_FragCoord.w) * z * z;
+    return slope < kSteep && z > 0.0 ? z : -abs(z);
+}
+
 void main() {
+    float marked = markedDepth(depthHere());
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
@@ -49,6 +61,6 @@ void main() {
     float tinted = (1.0 - reflected) * color.a;
     float share = reflected + tinted;
     out_color = vec4((reflected * vec3(kRoom) + tinted * color.rgb) / share, share * tint);
-    out_depth = depthHere();
+    out_depth = marked;
     out_id = surface_id;
 }

@@ -21,7 +21,7 @@ void main() {
     float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - gl_FragCoord.z) * depth_span.y
                                  : 1.0 / gl_FragCoord.w;
     float nearer = depth_span.y > 0.0 ? z - bias : z * (1.0 - bias);
-    float scene = texelFetch(surface, ivec2(gl_FragCoord.xy), 0).r;
+    float scene = abs(texelFetch(surface, ivec2(gl_FragCoord.xy), 0).r);
     float share = scene > 0.0 && nearer > scene ? opacity.y : opacity.x;
     float alpha = mix(color.a, min(1.0, 1.35 * color.a), edge);
     out_rgba = vec4(color.rgb * (1.0 - 0.3 * edge), alpha * share);

@@ -55,6 +55,17 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
+// Surfaces steeper than this, m a pixel, are marked: drawing places a pixel within a hundredth of
+// one, which on a gentler surface is less than half a millimetre of depth.
+const float kSteep = 0.05;
+
+// Negative where the surface is too steep for drawing to tell its depth; see readDrawnDepth().
+float markedDepth(float z) {
+    if (depth_span.y > 0.0) return z;
+    float slope = fwidth(gl_FragCoord.w) * z * z;
+    return slope < kSteep && z > 0.0 ? z : -abs(z);
+}
+
 #ifdef MAPS
 vec3 to_u;  // along the surface
 vec3 to_v;
@@ -97,6 +108,8 @@ vec3 seenNormal(vec3 face, vec3 along) {
 }
 
 void main() {
+    float z = depthHere();
+    float marked = markedDepth(z);
     // Before anything is left away: neighbours that end early have no place to compare with.
     vec3 face = cross(dFdx(offset_in_world), dFdy(offset_in_world));
 #ifdef MAPS
@@ -146,8 +159,7 @@ void main() {
 #endif
     out_color = vec4(color, special);
     out_normal = vec4(n, roughness);
-    float z = depthHere();
     out_surface = z;
-    out_depth = z;
+    out_depth = marked;
     out_id = surface_id;
 }

@@ -1,5 +1,6 @@
 // The images that say what a pixel shows must say the same.
 #include "render/verify/check_list.h"
+#include "render/verify/frame_rays.h"
 
 #include <fmt/format.h>
 
@@ -48,9 +49,11 @@ void checkBoxes(const StoredDataset& dataset, FrameImages& images, const Image16
             if (const Eigen::Isometry3d* moved = frame.movement(object->id)) {
                 point = moved->inverse() * point;
             }
-            // The box is that of the exact corners; a surface seen along itself is drawn up to
-            // a millimetre beside it.
-            const double margin = depth.rounding_m * along.norm() + 0.002 + 1e-4 * metres;
+            // The box is that of the exact corners. Depth is rounded by the file and by drawing,
+            // and drawing places the surface's end a little beside the truth.
+            const double margin = along.norm() * (depth.rounding_m + FrameRays::kDrawn_m +
+                                                  FrameRays::kDrawing * (1.0 + metres) +
+                                                  FrameRays::kNudge_px * metres / dataset.lens.fx);
             if (object->box.contains(point, margin)) continue;
             wrong.add(x, y, [&] {
                 return WrongPixels::Text{

@@ -7,7 +7,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kNudge = 0.01;  // px; corners are drawn at 256ths
+constexpr double kRay_px = 1e-3;  // what single precision may turn a ray by
 
 /// Whether rays around a pixel's centre get as far as what it shows.
 class Sight {
@@ -24,7 +24,6 @@ class Sight {
             on_edge_ = true;
         }
     }
-    [[nodiscard]] bool reaches() const { return reaches_; }
     /// Along an edge of two triangles drawing may leave a crack, and see what no ray meets.
     [[nodiscard]] bool mayPass() const { return reaches_ || on_edge_; }
 
@@ -105,14 +104,15 @@ double FrameRays::planeDepth(std::uint32_t triangle, double x, double y) const {
     return normal.dot(a - pose_.position) / normal.dot(alongWorld(x, y));
 }
 
-/// Whether the plane of a triangle has this depth at a pixel's centre. A plane seen along itself
-/// changes by metres a pixel, and so by more than `slack` within a nudge.
+/// Whether the plane of a triangle has this depth at a pixel's centre. Drawing is off by kNudge_px
+/// on surfaces up to kSteep; on steeper ones rays were asked, as here.
 bool FrameRays::isDepthOn(std::uint32_t triangle, int x, int y, double metres, double slack) const {
     constexpr double kMostSlope = 5.0;  // m a px: beyond it a plane is a line
     const double at_centre = planeDepth(triangle, x + 0.5, y + 0.5);
     const double slope = std::abs(planeDepth(triangle, x + 0.501, y + 0.5) - at_centre) * 1e3 +
                          std::abs(planeDepth(triangle, x + 0.5, y + 0.501) - at_centre) * 1e3;
-    return std::abs(metres - at_centre) <= slack + kNudge * std::min(slope, kMostSlope);
+    return std::abs(metres - at_centre) <=
+           slack + kNudge_px * std::min(slope, kSteep) + kRay_px * std::min(slope, kMostSlope);
 }
 
 /// Of things that share a surface each is near it. An id of 0 stands for any object.
@@ -126,30 +126,7 @@ bool FrameRays::isNear(int id, const Eigen::Vector3d& point, double radius_m) co
 /// along itself its depth is not.
 bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) const {
     const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
-    return isNear(id, pose_.position + metres * along, slack * along.norm() + 0.0005);
-}
-
-/// Whether the pixel shows a thin thing seen along itself: rays pass beside what is drawn there,
-/// and what is drawn is a little beside the thing. Only where several surfaces meet, so that no
-/// wall is excused.
-bool FrameRays::isHair(int x, int y, int id, double metres) const {
-    constexpr double kBeside_m = 0.02;
-    const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
-    if (!isNear(id, pose_.position + metres * along, kBeside_m)) return false;
-    double least = kFarthest, most = 0.0;
-    Sight sight(id, metres - kBeside_m);
-    for (const double dy : {-0.7, 0.0, 0.7}) {
-        for (const double dx : {-0.7, 0.0, 0.7}) {
-            const RayHit hit = rays_.cast(pose_.position, alongWorld(x + 0.5 + dx, y + 0.5 + dy),
-                                          kFarthest, dataset_.near_m);
-            const double depth =
-                hit.object_id == 0 ? kFarthest : planeDepth(hit.triangle, x + 0.5, y + 0.5);
-            sight.add(hit);
-            least = std::min(least, depth);
-            most = std::max(most, depth);
-        }
-    }
-    return sight.reaches() && most - least > 0.001;
+    return isNear(id, pose_.position + metres * along, (slack + kDrawn_m) * along.norm());
 }
 
 bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
@@ -158,7 +135,8 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
     Sight sight(id, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
-            const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
+            const Eigen::Vector3d along =
+                alongWorld(x + 0.5 + kNudge_px * dx, y + 0.5 + kNudge_px * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
             sight.add(hit);
             if (id == 0 || hit.object_id == 0) {
@@ -173,7 +151,7 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
         }
     }
     if (id == 0) return false;
-    return (sight.mayPass() && isBeside(x, y, id, metres, slack)) || isHair(x, y, id, metres);
+    return sight.mayPass() && isBeside(x, y, id, metres, slack);
 }
 
 bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) const {
@@ -182,13 +160,14 @@ bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) con
     Sight sight(0, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
-            const Eigen::Vector3d along = alongWorld(x + 0.5 + kNudge * dx, y + 0.5 + kNudge * dy);
+            const Eigen::Vector3d along =
+                alongWorld(x + 0.5 + kNudge_px * dx, y + 0.5 + kNudge_px * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
             sight.add(hit);
             if (hit.object_id != 0 && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
         }
     }
-    return (sight.mayPass() && isBeside(x, y, 0, metres, slack)) || isHair(x, y, 0, metres);
+    return sight.mayPass() && isBeside(x, y, 0, metres, slack);
 }
 
 }  // namespace dollytrack::verify

@@ -40,6 +40,12 @@ class FrameRays {
 
     static constexpr double kFarthest = 65.5355;  // what a depth image can hold, m
     static constexpr double kDrawing = 5e-5;      // single precision, a metre
+    // Drawing keeps corners at 256ths of a pixel, and computes them in single precision.
+    static constexpr double kNudge_px = 0.01;
+    // Depth of steeper surfaces (m a px) is not drawn but found by rays.
+    static constexpr double kSteep = 0.05;
+    // What drawing may place a surface beside its true depth, m.
+    static constexpr double kDrawn_m = kNudge_px * kSteep;
 
   private:
     struct MovedScene;
@@ -49,7 +55,6 @@ class FrameRays {
     [[nodiscard]] double planeDepth(std::uint32_t triangle, double x, double y) const;
     [[nodiscard]] bool isNear(int id, const Eigen::Vector3d& point, double radius_m) const;
     [[nodiscard]] bool isBeside(int x, int y, int id, double metres, double slack) const;
-    [[nodiscard]] bool isHair(int x, int y, int id, double metres) const;
     [[nodiscard]] bool isDepthOn(std::uint32_t triangle, int x, int y, double metres,
                                  double slack) const;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dollytrack::render {
 namespace {
@@ -71,6 +72,73 @@ TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
         }
     }
     EXPECT_GT(drawn_as_nothing, 0) << "this room has no cracks to be filled";
+}
+
+/// A room with boards at eye level, which are seen along themselves.
+Scene roomOfBoards() {
+    dollytrack::test::SceneBuilder builder;
+    const dollytrack::test::SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
+    builder.object("floor", wall).box({2, 1.5, -0.05}, {4.0, 3.0, 0.1});
+    builder.object("wall_2", wall).box({4.05, 1.52, 1.3}, {0.1, 3.17, 2.6});
+    builder.object("wall_4", wall).box({2.01, 3.05, 1.3}, {4.37, 0.1, 2.6});
+    for (int i = 0; i < 4; ++i) {
+        builder.object("board").box({2.3 + 0.2 * i, 2.5 - 0.3 * i, 1.2},
+                                    {1.9, 0.37, 0.002 + 0.01 * i});
+    }
+    return builder.build();
+}
+
+/// Pixels whose depth no ray through them, or a hundredth of a pixel beside, finds on their object.
+int depthsOfNothing(const FrameRecord& frame, const View& view, const RayCaster& rays) {
+    int wrong = 0;
+    for (std::size_t pixel = 0; pixel < frame.instance.size(); ++pixel) {
+        const double x = static_cast<double>(pixel % static_cast<std::size_t>(frame.width)) + 0.5;
+        const double y = static_cast<double>(pixel / static_cast<std::size_t>(frame.width)) + 0.5;
+        const double depth = frame.depth_m[pixel];
+        bool found = frame.instance[pixel] == 0;
+        for (const double down : {0.0, -0.01, 0.01}) {
+            for (const double right : {0.0, -0.01, 0.01}) {
+                if (found) continue;
+                const ViewRay ray = view.rayThrough(x + right, y + down);
+                const RayHit hit = rays.cast(ray.origin, ray.direction,
+                                             std::numeric_limits<double>::infinity(), view.near_m);
+                // Half a millimetre for the pixel's hundredth, and as much for the ray's.
+                found = hit.object_id == frame.instance[pixel] &&
+                        std::abs(hit.distance - depth) <= 0.001 + 1e-4 * depth;
+            }
+        }
+        wrong += found ? 0 : 1;
+    }
+    return wrong;
+}
+
+// Drawing carries the plane of a board that is seen along itself on beyond its end, by metres.
+TEST_F(CrackFillingGl, DepthOfASurfaceSeenAlongItselfIsThatOfItsRay) {
+    const Scene scene = roomOfBoards();
+    const RayCaster rays(scene);
+    const MovingObjects still(scene, rays, {});
+    CameraParams camera;
+    camera.width_px = 160;
+    camera.height_px = 120;
+    const DatasetContents contents{scene, camera, {}, {}};
+    const FrameContext context{contents, still};
+    Result<OffscreenRenderer> renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+
+    int drawn_wrong = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Eigen::Vector3d eye(0.3 + 0.01 * i, 0.4 + 0.013 * i, 1.2 + 0.0005 * (i - 20));
+        const View view =
+            makeView(camera, lookAt(eye, {3.0, 2.4 - 0.03 * i, 1.2 + 0.01 * (i % 7)}));
+        Result<FrameRecord> frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        drawn_wrong += depthsOfNothing(*frame, view, rays);
+        std::vector<float> drawn;
+        renderer->target().readDrawnDepth(drawn);
+        fillCracks(findCracks(view, frame->instance, drawn, rays), context, view, *frame);
+        EXPECT_EQ(depthsOfNothing(*frame, view, rays), 0) << "frame " << i;
+    }
+    EXPECT_GT(drawn_wrong, 0) << "nothing here is seen along itself";
 }
 
 // Where there is nothing, and a window's corner is no crack.
