@@ -4,6 +4,7 @@
 #include "planning/metrics/capture_ledger.h"
 #include "planning/path/frame_budget.h"
 #include "planning/pipeline_stages.h"
+#include "planning/timing/clip.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,13 @@ namespace {
 std::string leftOutFor(const PlanParams& params) {
     if (params.path.path_mode == PathMode::LongestBranch) {
         return "as path_mode=longest_branch takes one branch of the tree only";
+    }
+    if (params.timing.duration_s > 0.0) {
+        return fmt::format("to keep to duration_s={:g}", params.timing.duration_s);
+    }
+    if (clipFrames(params.timing) > 0) {
+        return fmt::format("to keep to max_frames={} at a kept frame rate",
+                           params.timing.max_frames);
     }
     if (params.path.max_length_m <= 0.0) return "as no way leads there";
     return params.timing.max_frames > 0
@@ -105,6 +113,9 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
         return fail(ErrorCode::Usage,
                     "A loop ends where it begins; leave its end open, or do without the loop.",
                     "loop");
+    }
+    if (Status status = validateClip(params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     stages_->times.clear();
     stages_->left_out_for = leftOutFor(params);

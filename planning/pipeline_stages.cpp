@@ -5,10 +5,12 @@
 #include "planning/linking/link_groups.h"
 #include "planning/path/frame_budget.h"
 #include "planning/path/path_search.h"
+#include "planning/path/time_budget.h"
 #include "planning/repair/low_runs.h"
 #include "planning/roadmap/roadmap_search.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/targets/observation_points.h"
+#include "planning/timing/clip.h"
 #include "planning/timing/drop_repeats.h"
 #include "planning/timing/shake.h"
 #include "planning/timing/time_trajectory.h"
@@ -100,32 +102,49 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
     const auto around_moves = [&] { return Surroundings{*views, *free_space, moves(), pitch}; };
+    const auto steadily = [&](const std::vector<SmoothPath>& smooth, const TimingParams& with) {
+        return timeTrajectory(smooth, points().viewpoints.position_points,
+                              points().viewpoints.observation_points, with, pitch);
+    };
+    const auto timed = [&](const std::vector<SmoothPath>& smooth, const TimingParams& with) {
+        const auto within = [&](int max_frames) {
+            TimingParams fewer = with;
+            fewer.max_frames = max_frames;
+            return steadily(smooth, fewer);
+        };
+        return within(with.max_frames)
+            .and_then([&](Trajectory&& steady) -> Result<Trajectory> {
+                if (with.max_frames <= 0 || keepsFrameRate(with)) return std::move(steady);
+                FrameLooks looks(*views);  // of this call: repairs are tried in parallel
+                return dropRepeats(std::move(steady), with.max_repeat_rate, within, looks, job);
+            })
+            .and_then([&](Trajectory&& steady) {
+                return shakeTrajectory(smooth, std::move(steady),
+                                       points().viewpoints.position_points, *views, moves(),
+                                       params.shake, pitch, params.seed, job);
+            });
+    };
+    TimingParams timing_of_part = params.timing;  // a part of a clip has no length of its own
+    timing_of_part.keep_frame_rate = keepsFrameRate(params.timing);
+    timing_of_part.duration_s = 0.0;
     const TrajectoryMaker maker{
         [&](const CameraPath& path) {
             return smoothPath(path, points().viewpoints.position_points,
                               points().viewpoints.observation_points, around_moves(),
                               params.smoothing, job);
         },
-        [&](const std::vector<SmoothPath>& smooth) {
-            const Viewpoints& all = points().viewpoints;
-            const auto within = [&](int max_frames) {
-                TimingParams timed = params.timing;
-                timed.max_frames = max_frames;
-                return timeTrajectory(smooth, all.position_points, all.observation_points, timed,
-                                      pitch);
-            };
-            return within(params.timing.max_frames)
-                .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
-                    if (params.timing.max_frames <= 0) return std::move(timed);
-                    FrameLooks looks(*views);  // of this call: repairs are tried in parallel
-                    return dropRepeats(std::move(timed), params.timing.max_repeat_rate, within,
-                                       looks, job);
-                })
-                .and_then([&](Trajectory&& steady) {
-                    return shakeTrajectory(smooth, std::move(steady), all.position_points, *views,
-                                           moves(), params.shake, pitch, params.seed, job);
-                });
-        }};
+        [&](const std::vector<SmoothPath>& smooth) { return timed(smooth, params.timing); },
+        [&](const SmoothPath& part) { return timed({part}, timing_of_part); }};
+    const auto smoothAll =
+        [&](const std::vector<CameraPath>& all) -> Result<std::vector<SmoothPath>> {
+        std::vector<SmoothPath> smooth;
+        for (const CameraPath& path : all) {
+            auto made = maker.smooth(path);
+            if (!made) return tl::unexpected<Error>(std::move(made.error()));
+            smooth.push_back(std::move(*made));
+        }
+        return smooth;
+    };
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
                [&]() -> Result<std::vector<ObservationPoint>> {
@@ -188,7 +207,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     params.constraints.loop,
                     pointWeights(points().viewpoints.position_points, weights),
                     weights,
-                    params.timing.max_frames};
+                    keepsFrameRate(params.timing) ? 0 : params.timing.max_frames};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
             const auto& all = points().viewpoints.position_points;
@@ -235,33 +254,47 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 const auto smooth = maker.smooth(path);
                 return smooth ? smooth->length_m : std::numeric_limits<double>::infinity();
             };
-            return run(
-                "path", paths,
-                std::tuple(linking.version(), params.path, params.roadmap, edits.regions,
-                           ends.start, ends.end, ends.loop, ends.visits,
-                           params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{}),
-                part, [&]() -> Result<Paths> {
+            const bool clip = clipFrames(params.timing) > 0;
+            const TimedPaths measured{
+                [&](double max_length_m) -> Result<Paths> {
                     Paths taken{*linking, {}};
+                    PathParams within = params.path;
+                    within.max_length_m = max_length_m;
                     return takePaths(taken.roadmap, points().viewpoints.position_points, moves(),
-                                     params.path, params.roadmap, ends, part)
+                                     within, params.roadmap, ends, part)
                         .map([&](std::vector<CameraPath> made) {
                             taken.paths = std::move(made);
                             return std::move(taken);
+                        });
+                },
+                [&](const Paths& taken) {
+                    return smoothAll(taken.paths)
+                        .and_then([&](const std::vector<SmoothPath>& smooth) {
+                            return steadily(smooth, timing_of_part);
+                        })
+                        .map([](const Trajectory& trajectory) { return trajectory.frames.size(); });
+                }};
+            return run(
+                "path", paths,
+                std::tuple(
+                    linking.version(), params.path, params.roadmap, edits.regions, ends.start,
+                    ends.end, ends.loop, ends.visits,
+                    clip || params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{},
+                    clip ? params.timing : TimingParams{}),
+                part, [&]() -> Result<Paths> {
+                    if (!clip) return measured.take(params.path.max_length_m);
+                    return pathsWithinFrames(measured, params.path.max_length_m,
+                                             static_cast<std::size_t>(clipFrames(params.timing)))
+                        .and_then([&](std::optional<Paths>&& found_paths) -> Result<Paths> {
+                            if (!found_paths) return tooShortClip(params.timing);
+                            return std::move(*found_paths);
                         });
                 });
         })
         .and_then([&] {
             const JobContext part = job.stage(0.84, 0.9, "smoothing");
             return run("smoothing", smoothing, std::tuple(paths.version(), params.smoothing), part,
-                       [&]() -> Result<std::vector<SmoothPath>> {
-                           std::vector<SmoothPath> smooth;
-                           for (const CameraPath& path : paths->paths) {
-                               auto made = maker.smooth(path);
-                               if (!made) return tl::unexpected<Error>(std::move(made.error()));
-                               smooth.push_back(std::move(*made));
-                           }
-                           return smooth;
-                       });
+                       [&] { return smoothAll(paths->paths); });
         })
         .and_then([&] {
             return run("timing", timing,

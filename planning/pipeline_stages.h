@@ -5,6 +5,7 @@
 #include "planning/free_space/free_space.h"
 #include "planning/free_space/surface_map.h"
 #include "planning/metrics/estimate_captures.h"
+#include "planning/path/time_budget.h"
 #include "planning/pipeline.h"
 #include "planning/repair/repair.h"
 #include "planning/rooms/room_plan.h"
@@ -29,11 +30,6 @@ namespace dollytrack::planning {
 /// and the stages' own .cpp alone.
 struct Pipeline::Stages {
     using V = unsigned;  // version of an earlier stage's output
-
-    struct Paths {
-        Roadmap roadmap;  // with the cycle edges marked
-        std::vector<CameraPath> paths;
-    };
 
     struct Metrics {
         CaptureEstimate estimate;
@@ -63,7 +59,7 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
     Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool, int,
-                     SmoothingParams>,
+                     SmoothingParams, TimingParams>,
           Paths>
         paths;
     Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;

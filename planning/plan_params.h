@@ -117,6 +117,8 @@ enum class MotionPreset { Easy, Medium, Hard, Custom };
 /// When the frames are taken. A limit of 0 is the preset's.
 struct TimingParams {
     double frame_rate = 10.0;
+    bool keep_frame_rate = false;
+    double duration_s = 0.0;
     MotionPreset motion_preset = MotionPreset::Medium;
     double max_speed_mps = 0.0;
     double max_acceleration_mps2 = 0.0;
@@ -130,6 +132,13 @@ struct TimingParams {
 template <class Params, class Visitor>
 void visitTimingParams(Params& p, Visitor&& visit) {
     visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames a second"});
+    visit("keep_frame_rate", p.keep_frame_rate,
+          SwitchInfo{"With a budget of frames: keeps the frame rate and visits fewer objects, "
+                     "instead of lowering the rate"});
+    visit("duration_s", p.duration_s,
+          FieldInfo{0, 1e5, "s",
+                    "Length of the trajectory as a clip at frame_rate, which is kept: of objects "
+                    "as many as motion leaves time for; 0: as long as motion takes"});
     visit("motion_preset", p.motion_preset,
           ChoiceInfo{
               {"easy", "medium", "hard", "custom"},
@@ -143,7 +152,9 @@ void visitTimingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 3600, "deg/s", "Turning limit; 0: the preset's"});
     visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
           FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
-    visit("max_frames", p.max_frames, FieldInfo{0, 1e6, "", "Budget of frames; 0: no limit"});
+    visit("max_frames", p.max_frames,
+          FieldInfo{0, 1e6, "",
+                    "Budget of frames, for which the frame rate is lowered; 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{0, 1, "",
                     "With a budget: the frame rate is lowered until at most this share of the "

@@ -4,6 +4,7 @@
 #include "engine/plan/plan_json.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
+#include "planning/timing/clip.h"
 
 #include <fmt/format.h>
 
@@ -39,12 +40,18 @@ void warnOfAnchors(const Plan& plan) {
 /// Who joins frames by straight lines would fly through things. A budget of frames is a choice.
 void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
     const int lines = plan.trajectory_metrics.straight_lines_that_hit;
-    if (lines == 0 || timing.max_frames > 0) return;
+    if (lines == 0 || (timing.max_frames > 0 && !planning::keepsFrameRate(timing))) return;
     log::warn("planning",
               fmt::format("frame_rate is low for this speed: between frames the camera goes around "
                           "things that straight lines from frame to frame would hit ({}); raise "
                           "frame_rate from {:g}, or set max_speed_mps",
                           lines, timing.frame_rate));
+}
+
+/// A rate that is not the one asked for is no surprise any more when it is said.
+void warnOfLoweredRate(const Plan& plan, const planning::TimingParams& timing) {
+    const std::string note = planning::loweredRateNote(plan.trajectory, timing);
+    if (!note.empty()) log::warn("planning", note);
 }
 
 /// Who reads the poses as one motion would see the camera jump.
@@ -123,6 +130,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
     }
     warnOfAnchors(**plan);
+    warnOfLoweredRate(**plan, opened.params.timing);
     warnOfFewFrames(**plan, opened.params.timing);
     warnOfSeparateMotions(**plan, opened.params.constraints);
     PlannedScene planned;

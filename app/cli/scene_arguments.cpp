@@ -29,6 +29,11 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     if (arguments.max_length_m) {
         all.push_back(fmt::format("max_length_m={}", *arguments.max_length_m));
     }
+    if (arguments.fps) {
+        all.push_back(fmt::format("frame_rate={}", *arguments.fps));
+        all.emplace_back("keep_frame_rate=true");
+    }
+    if (arguments.duration_s) all.push_back(fmt::format("duration_s={}", *arguments.duration_s));
     if (arguments.loop) all.emplace_back("loop=true");
     // As files are read: presets come before what changes single fields of theirs.
     std::ranges::stable_sort(all, std::less(), [&](const std::string& assignment) {
@@ -271,6 +276,14 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
         ->type_name("N");
     command.add_option("--max-length", arguments.max_length_m, "Same as --set max_length_m=METRES")
         ->type_name("METRES");
+    command
+        .add_option("--fps", arguments.fps,
+                    "Same as --set frame_rate=N --set keep_frame_rate=true: no budget lowers it")
+        ->type_name("N");
+    command
+        .add_option("--duration", arguments.duration_s,
+                    "Same as --set duration_s=SECONDS: a clip of just that length")
+        ->type_name("SECONDS");
     command
         .add_option("--ignore", arguments.ignore,
                     "A class, or a name with * and ?, that is no target; may be repeated")

@@ -34,6 +34,8 @@ struct SceneArguments {
     std::optional<int> seed;
     std::optional<int> max_frames;
     std::optional<double> max_length_m;
+    std::optional<double> fps;
+    std::optional<double> duration_s;
     std::vector<std::string> ignore;  // patterns, beside those of the project
     std::vector<std::string> only;
     std::string start;  // a pinned point's name, or x,y,z,tx,ty,tz
@@ -47,7 +49,7 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments);
 /// --unit, --up, --labels, --models, --annotations, --cloud: part of the above, for commands that
 /// take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
-/// --set, --seed, --max-frames, --max-length; --ignore, --only, --start, --end, --loop
+/// --set, --seed, --max-frames, --max-length, --fps, --duration; --ignore, --only, --start, --end, --loop
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 
 /// A scene with the parameters to plan it with, from a scene file or a project.

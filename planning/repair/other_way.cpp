@@ -70,7 +70,7 @@ std::optional<CameraPath> findOtherWay(const RepairContext& context, const Camer
         const CameraPath part = partBy(path, from, to, way.corners);
         const Result<SmoothPath> smooth = context.maker.smooth(part);
         if (!smooth || smooth->collisions > 0) continue;
-        const Result<Trajectory> trajectory = context.maker.time({*smooth});
+        const Result<Trajectory> trajectory = context.maker.time_part(*smooth);
         if (!trajectory) continue;
         std::vector<std::vector<Eigen::AlignedBox2d>> boxes;
         for (const TrajectoryFrame& frame : trajectory->frames) {

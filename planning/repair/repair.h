@@ -27,6 +27,8 @@ struct Repaired {
 struct TrajectoryMaker {
     std::function<Result<SmoothPath>(const CameraPath&)> smooth;
     std::function<Result<Trajectory>(const std::vector<SmoothPath>&)> time;
+    /// The same of a part of a path, whose length no budget is for.
+    std::function<Result<Trajectory>(const SmoothPath&)> time_part;
 };
 
 /// Mends frames that score low (paper, 3.2.4), in rounds: where such frames follow each other

@@ -4,6 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/timing/clip.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <cmath>
@@ -64,6 +65,7 @@ Eigen::Vector3d randomPlace(const RivalScene& scene, int room, Random& random) {
 }
 
 int frameBudget(const PlanParams& params) {
+    if (params.timing.duration_s > 0.0) return clipFrames(params.timing);
     return params.timing.max_frames > 0 ? params.timing.max_frames : 300;
 }
 

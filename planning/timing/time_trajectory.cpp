@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
+#include "planning/timing/clip.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/speed_track.h"
 #include "planning/timing/turn.h"
@@ -136,8 +137,22 @@ std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
     return frames;
 }
 
+/// Between intervals of which the lower one gives too many frames, the higher one does not: the
+/// shortest that gives at most so many. All is settled at it.
+double settleBetween(std::vector<Motion>& motions, double low, double high, std::size_t most_frames,
+                     double precision) {
+    while (high > low * (1.0 + precision)) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) break;
+        (settleAll(motions, middle) <= most_frames ? high : low) = middle;
+    }
+    settleAll(motions, high);
+    return high;
+}
+
 /// The shortest frame interval found, to 0.1 %, that keeps to the budget; all is settled at it.
-double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t max_frames) {
+double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t max_frames,
+                    double precision = 0.001) {
     const std::size_t wanted = settleAll(motions, interval_s);
     if (max_frames == 0 || wanted <= max_frames) return interval_s;
     double low = interval_s;
@@ -146,12 +161,34 @@ double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t
         low = high;
         high *= 1.5;
     }
-    while (high > low * 1.001) {
-        const double middle = 0.5 * (low + high);
-        (settleAll(motions, middle) <= max_frames ? high : low) = middle;
+    return settleBetween(motions, low, high, max_frames, precision);
+}
+
+/// Settles the motions slower than their limits ask for, so that they take as nearly as can be so
+/// many frames, and no more. The interval at which they would take these at the limits.
+double settleInto(std::vector<Motion>& motions, double interval_s, std::size_t frames) {
+    constexpr double kPrecision = 1e-9;
+    constexpr int kMostHalvings = 40;  // a camera that never moves takes no frames more
+    if (settleAll(motions, interval_s) > frames) {
+        return settleWithin(motions, interval_s, frames, kPrecision);
     }
-    settleAll(motions, high);
+    double high = interval_s;
+    for (int i = 0; i < kMostHalvings; ++i) {
+        const double low = 0.5 * high;
+        if (settleAll(motions, low) > frames) {
+            return settleBetween(motions, low, high, frames, kPrecision);
+        }
+        high = low;
+    }
     return high;
+}
+
+/// The camera stands at the end of its way until there are so many frames.
+void standStill(Trajectory& trajectory, std::size_t frames) {
+    if (trajectory.frames.empty()) return;
+    TrajectoryFrame last = trajectory.frames.back();
+    last.position_point = -1;
+    while (trajectory.frames.size() < frames) trajectory.frames.push_back(last);
 }
 
 }  // namespace
@@ -172,7 +209,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
         }
         motions.push_back({&paths[p], p, SpeedTrack(paths[p], limits), first, {}, {}});
     }
-    if (params.max_frames > 0 &&
+    if (params.max_frames > 0 && !keepsFrameRate(params) &&
         begins.size() + motions.size() > static_cast<std::size_t>(params.max_frames)) {
         return fail(ErrorCode::Failed, "There are more key frames than max_frames allows.",
                     "max_frames");
@@ -188,8 +225,16 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
         motions[begins[i].first].least_times_s.push_back(stretches[i].pace.time());
     }
     Trajectory trajectory;
-    trajectory.frame_interval_s =
-        settleWithin(motions, 1.0 / params.frame_rate, static_cast<std::size_t>(params.max_frames));
+    const double interval_s = 1.0 / params.frame_rate;
+    const auto most_frames =
+        static_cast<std::size_t>(keepsFrameRate(params) ? clipFrames(params) : params.max_frames);
+    const bool whole_clip = params.duration_s > 0.0;
+    // At the limits of motion; a clip is flown more slowly.
+    const double settled_s = whole_clip ? settleInto(motions, interval_s, most_frames)
+                             : keepsFrameRate(params)
+                                 ? settleWithin(motions, interval_s, 0)
+                                 : settleWithin(motions, interval_s, most_frames);
+    trajectory.frame_interval_s = keepsFrameRate(params) ? interval_s : settled_s;
     std::size_t total = 0;
     for (const Motion& motion : motions) total += motion.frames();
     if (total > kMostFrames) {
@@ -211,10 +256,11 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
     parallelRanges(stretches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             const Motion& motion = motions[begins[s].first];
-            putFrames(motion, s - motion.first_stretch, stretches[s], gaze,
-                      trajectory.frame_interval_s, &trajectory.frames[first_frames[s]]);
+            putFrames(motion, s - motion.first_stretch, stretches[s], gaze, settled_s,
+                      &trajectory.frames[first_frames[s]]);
         }
     });
+    if (whole_clip) standStill(trajectory, most_frames);
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
         trajectory.frames[i].time_s = static_cast<double>(i) * trajectory.frame_interval_s;
     }

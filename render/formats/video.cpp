@@ -14,17 +14,18 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
 
-constexpr double kSlowest = 5.0;  // pictures a second: of a thin selection nobody waits for more
-constexpr double kFastest = 60.0;
+constexpr double kUnknown = 5.0;  // pictures a second, where a frame alone has no rate
+constexpr double kSlowest = 0.01;
+constexpr double kFastest = 1000.0;
 
-/// Pictures a second, as the camera flies.
+/// Pictures a second, as the camera flies: one second of film is one of the trajectory.
 double rateOf(const std::vector<DatasetFrame>& frames) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < frames.size(); ++i) {
         if (frames[i].camera.path != frames[i - 1].camera.path) continue;
         steps.push_back(frames[i].camera.time_s - frames[i - 1].camera.time_s);
     }
-    if (steps.empty()) return kSlowest;
+    if (steps.empty()) return kUnknown;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
     return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
@@ -62,11 +63,10 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 }
 
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {
-        {"file", kFiles[0]},
-        {"format",
-         "MP4, H.264: a look at the trajectory, every frame of rgb once and for the same time, 5 "
-         "to 60 a second; lossy, no data"}};
+    return {{"file", kFiles[0]},
+            {"format",
+             "MP4, H.264: a look at the trajectory, every frame of rgb once and for the same time, "
+             "at the trajectory's own rate; lossy, no data"}};
 }
 
 }  // namespace

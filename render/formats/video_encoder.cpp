@@ -144,7 +144,7 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     codec->width = width / 2 * 2;
     codec->height = height / 2 * 2;
     codec->pix_fmt = AV_PIX_FMT_YUV420P;
-    codec->framerate = ::av_d2q(frames_per_s, 1000);
+    codec->framerate = ::av_d2q(frames_per_s, 100'000);
     codec->time_base = ::av_inv_q(codec->framerate);
     codec->gop_size = 24;  // whole pictures often, to find places quickly
     codec->color_primaries = AVCOL_PRI_BT709;

@@ -6,10 +6,14 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include <algorithm>
+#include <vector>
+
 namespace dollytrack::verify {
 namespace {
 
 constexpr const char* kFile = "preview.mp4";
+constexpr double kRate = 0.002;  // of the rate, which is kept as a fraction
 constexpr double kFarthest = 12.0;  // mean difference of 255: what compression may do
 
 class VideoCheck {
@@ -20,6 +24,7 @@ class VideoCheck {
     void run() {
         cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
         if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");
+        checkRate(video.get(cv::CAP_PROP_FPS));
         const int frames = static_cast<int>(dataset_.frames.size());
         int shown = 0;
         for (cv::Mat picture; shown <= frames && video.read(picture); ++shown) {
@@ -35,6 +40,21 @@ class VideoCheck {
   private:
     void add(std::optional<int> frame, std::string found, std::string expected) {
         findings_.add({kFile, frame, {}, std::move(found), std::move(expected)});
+    }
+
+    /// A second of the film is a second of the trajectory.
+    void checkRate(double found) {
+        std::vector<double> steps;
+        for (std::size_t i = 1; i < dataset_.frames.size(); ++i) {
+            steps.push_back(dataset_.frames[i].time_s - dataset_.frames[i - 1].time_s);
+        }
+        if (steps.empty()) return;
+        std::ranges::sort(steps);
+        // Between two motions there may be another step; the usual one decides.
+        const auto first = std::ranges::lower_bound(steps, 1.0 / found * (1.0 - kRate));
+        if (first != steps.end() && *first <= 1.0 / found * (1.0 + kRate)) return;
+        add({}, fmt::format("{:.4g} pictures a second", found),
+            fmt::format("{:.4g}, as the frames' times have it", 1.0 / steps[steps.size() / 2]));
     }
 
     void compare(int frame, const cv::Mat& picture) {

@@ -162,9 +162,13 @@ def read_video(path):
         pictures.append(picture)
 
 
-def write_video(path, pictures):
+def edit_video(copy, function, speed=1.0):
+    """Writes the pictures that the function makes of them, so many times as fast."""
+    path = copy.folder / "preview.mp4"
+    rate = speed * cv2.VideoCapture(str(path)).get(cv2.CAP_PROP_FPS)
+    pictures = function(read_video(path))
     height, width = pictures[0].shape[:2]
-    video = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*"mp4v"), 10, (width, height))
+    video = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*"mp4v"), rate, (width, height))
     for picture in pictures:
         video.write(picture)
     video.release()
@@ -172,14 +176,17 @@ def write_video(path, pictures):
 
 @found_by("video")
 def video_without_its_last_picture(copy):
-    path = copy.folder / "preview.mp4"
-    write_video(path, read_video(path)[:-1])
+    edit_video(copy, lambda pictures: pictures[:-1])
 
 
 @found_by("video")
 def video_backwards(copy):
-    path = copy.folder / "preview.mp4"
-    write_video(path, read_video(path)[::-1])
+    edit_video(copy, lambda pictures: pictures[::-1])
+
+
+@found_by("video")
+def video_at_twice_the_speed(copy):
+    edit_video(copy, lambda pictures: pictures, speed=2.0)
 
 
 @found_by("video")

@@ -1,0 +1,56 @@
+#include "planning/path/time_budget.h"
+
+#include <utility>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr int kHalvings = 8;
+constexpr double kShortest_m = 1e-3;  // only what has to stay is visited
+
+/// Before smoothing, which makes it no longer.
+double lengthOf(const Paths& taken) {
+    double length = 0.0;
+    for (const CameraPath& path : taken.paths) {
+        for (std::size_t i = 1; i < path.vertices.size(); ++i) {
+            length += (path.vertices[i].position - path.vertices[i - 1].position).norm();
+        }
+    }
+    return length;
+}
+
+}  // namespace
+
+Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double max_length_m,
+                                               std::size_t most_frames) {
+    std::optional<Paths> longest;
+    /// Keeps the paths of this length if they are few enough frames.
+    const auto fits = [&](double length_m) -> Result<bool> {
+        Result<Paths> taken = timed.take(length_m);
+        if (!taken) return tl::unexpected<Error>(std::move(taken.error()));
+        const Result<std::size_t> frames = timed.frames(*taken);
+        if (!frames) return tl::unexpected<Error>(frames.error());
+        if (*frames > most_frames) return false;
+        longest = std::move(*taken);
+        return true;
+    };
+    Result<Paths> whole = timed.take(max_length_m);
+    if (!whole) return tl::unexpected<Error>(std::move(whole.error()));
+    const Result<std::size_t> all = timed.frames(*whole);
+    if (!all) return tl::unexpected<Error>(all.error());
+    if (*all <= most_frames) return std::optional(std::move(*whole));
+    double high = lengthOf(*whole);
+    double low = 0.0;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (low + high);
+        const Result<bool> few = fits(middle);
+        if (!few) return tl::unexpected<Error>(few.error());
+        (*few ? low : high) = middle;
+    }
+    if (longest) return longest;
+    const Result<bool> few = fits(kShortest_m);
+    if (!few) return tl::unexpected<Error>(few.error());
+    return longest;
+}
+
+}  // namespace dollytrack::planning

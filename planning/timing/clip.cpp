@@ -1,0 +1,80 @@
+#include "planning/timing/clip.h"
+
+#include "planning/plan_params.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace dollytrack::planning {
+
+bool keepsFrameRate(const TimingParams& params) {
+    return params.keep_frame_rate || params.duration_s > 0.0;
+}
+
+int clipFrames(const TimingParams& params) {
+    if (params.duration_s <= 0.0) return params.keep_frame_rate ? params.max_frames : 0;
+    return static_cast<int>(std::lround(params.duration_s * params.frame_rate));
+}
+
+Status validateClip(const PlanParams& params) {
+    const TimingParams& timing = params.timing;
+    if (!keepsFrameRate(timing) || clipFrames(timing) == 0) {
+        if (timing.duration_s <= 0.0) return {};
+        return fail(ErrorCode::Usage,
+                    fmt::format("duration_s={:g} is shorter than one frame at frame_rate={:g}; "
+                                "raise either.",
+                                timing.duration_s, timing.frame_rate),
+                    "duration_s");
+    }
+    if (params.path.path_mode == PathMode::LongestBranch) {
+        return fail(ErrorCode::Usage,
+                    "path_mode=longest_branch cannot keep to a number of frames at a kept frame "
+                    "rate; use path_mode=tour.",
+                    "path_mode");
+    }
+    const int frames = clipFrames(timing);
+    constexpr int kMostFrames = 1'000'000;
+    if (frames > kMostFrames) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("duration_s={:g} at frame_rate={:g} has more than a million "
+                                "frames; lower either.",
+                                timing.duration_s, timing.frame_rate),
+                    "duration_s");
+    }
+    if (timing.max_frames > 0 && frames > timing.max_frames) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("duration_s={:g} at frame_rate={:g} has {} frames, more than "
+                                "max_frames={}; change one of the three.",
+                                timing.duration_s, timing.frame_rate, frames, timing.max_frames),
+                    "duration_s");
+    }
+    return {};
+}
+
+tl::unexpected<Error> tooShortClip(const TimingParams& params) {
+    const bool by_duration = params.duration_s > 0.0;
+    return fail(ErrorCode::Failed,
+                fmt::format("{} frames at frame_rate={:g} are too few for the views that must be "
+                            "visited; raise {}, or max_speed_mps.",
+                            clipFrames(params), params.frame_rate,
+                            by_duration ? "duration_s" : "max_frames"),
+                by_duration ? "duration_s" : "max_frames");
+}
+
+std::string loweredRateNote(const Trajectory& trajectory, const TimingParams& params) {
+    constexpr double kSame = 1e-6;  // of the interval
+    const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
+    if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
+    return fmt::format(
+        "frame_rate={:g} was lowered to {:.3g} ({} frames) for max_frames={}{}; --fps {:g} keeps "
+        "the rate and visits fewer objects",
+        params.frame_rate, 1.0 / trajectory.frame_interval_s, trajectory.frames.size(),
+        params.max_frames,
+        params.max_repeat_rate < 1.0
+            ? fmt::format(" and max_repeat_rate={:g}", params.max_repeat_rate)
+            : "",
+        params.frame_rate);
+}
+
+}  // namespace dollytrack::planning
