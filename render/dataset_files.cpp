@@ -4,6 +4,7 @@
 #include "engine/io/sha256.h"
 #include "render/contact_sheet.h"
 #include "render/formats/fold_files.h"
+#include "render/formats/picture_links.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,14 @@ Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetConte
         for (const DatasetFile& file : *files) {
             if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
         }
+    }
+    for (const auto& [name, picture] : pictureLinks(contents, card.formats)) {
+        const auto written = card.sha256s.find(picture);
+        if (written == card.sha256s.end()) {
+            return fail(ErrorCode::Failed, "the picture was not written", picture);
+        }
+        if (Status status = linkPicture(folder, name, picture); !status) return status;
+        card.sha256s[name] = written->second;
     }
     const Result<std::vector<DatasetFile>> folds = foldFiles(contents, card.formats);
     if (!folds) return tl::unexpected(folds.error());

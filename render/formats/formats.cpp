@@ -6,6 +6,7 @@
 #include "render/formats/camera_json.h"
 #include "render/formats/coco.h"
 #include "render/formats/colmap.h"
+#include "render/formats/euroc.h"
 #include "render/formats/frames_csv.h"
 #include "render/formats/gltf.h"
 #include "render/formats/hdf5_frames.h"
@@ -204,6 +205,7 @@ const std::vector<Format>& table() {
         kYoloFormat,
         kBopFormat,
         kTumFormat,
+        kEurocFormat,
         kKittiFormat,
         kColmapFormat,
         kNerfstudioFormat,

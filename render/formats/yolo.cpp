@@ -4,19 +4,52 @@
 #include "render/encoders/pack.h"
 #include "render/formats/mask_outline.h"
 #include "render/frame_context.h"
+#include "render/frame_folds.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 2> kFiles = {"data.yaml", "classes.txt"};
-/// Readers take a picture's path and put labels in the place of this.
-constexpr const char* kPictures = "images";
-constexpr std::array<const char*, 2> kFolders = {"labels", "labels_seg"};
+constexpr std::array<const char*, 4> kFiles = {"data.yaml", "classes.txt", "train.txt", "val.txt"};
+/// Readers take a picture's path and put `labels` in the place of `images`.
+constexpr std::array<const char*, 3> kFolders = {"labels", "labels_seg", "images"};
+
+std::string pictureName(int frame) {
+    return frameFile(kFolders[2], frame);
+}
+
+/// What is trained on and what is held back: the first fold, or of five where none are asked for.
+Fold splitOf(const DatasetContents& contents) {
+    constexpr int kUsual = 5;
+    const bool asked = contents.folds.count > 1;
+    for (int count = asked ? contents.folds.count : kUsual; count > 1; --count) {
+        Result<FrameFolds> split = splitFrames(
+            contents.frames, {count, asked ? contents.folds.seed : FoldSettings{}.seed});
+        if (split) return std::move(split->folds.front());
+    }
+    // A motion too short to be held back without its neighbours.
+    Fold fold;
+    const int frames = static_cast<int>(contents.frames.size());
+    const int held_back = std::max(1, frames / kUsual);
+    for (int i = 0; i < frames; ++i) {
+        (i < frames - held_back ? fold.train : fold.val).push_back(i);
+    }
+    if (fold.train.empty()) fold.train = fold.val;
+    return fold;
+}
+
+/// A list of pictures; readers put the list's own folder before names that begin with "./".
+std::string listOf(const std::vector<int>& frames) {
+    std::string text;
+    for (const int frame : frames) text += "./" + pictureName(frame) + "\n";
+    return text;
+}
 
 std::vector<std::uint8_t> asBytes(const std::string& text) {
     return {text.begin(), text.end()};
@@ -68,14 +101,19 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     return files;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& /*contents*/) {
-    std::string yaml = fmt::format("path: .\ntrain: {0}\nval: {0}\nnames:\n", kPictures);
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    // Without a line `path`, readers look beside this file, wherever the dataset lies.
+    std::string yaml = fmt::format("train: {}\nval: {}\nnames:\n", kFiles[2], kFiles[3]);
     std::string classes;
     for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
         yaml += fmt::format("  {}: {}\n", nyu40 - 1, nyu40Name(nyu40));
         classes += fmt::format("{}\n", nyu40Name(nyu40));
     }
-    return std::vector<DatasetFile>{{kFiles[0], std::move(yaml)}, {kFiles[1], std::move(classes)}};
+    const Fold split = splitOf(contents);
+    return std::vector<DatasetFile>{{kFiles[0], std::move(yaml)},
+                                    {kFiles[1], std::move(classes)},
+                                    {kFiles[2], listOf(split.train)},
+                                    {kFiles[3], listOf(split.val)}};
 }
 
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
@@ -84,11 +122,20 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
         {"folders", kFolders},
         {"format",
          "YOLO: class (NYU40 - 1) and, in shares of the image, the box's centre and size, or "
-         "the outline of the object's largest part in sight; targets only. Readers look for labels "
-         "beside a folder 'images': make that another name of rgb (ln -s rgb images)"}};
+         "the outline of the object's largest part in sight; targets only. train.txt and val.txt "
+         "are the first of the folds, of five where none were asked for; images are hard links to "
+         "those of rgb"}};
 }
 
 }  // namespace
+
+PictureLinks yoloPictures(const DatasetContents& contents) {
+    PictureLinks links;
+    for (int i = 0; i < static_cast<int>(contents.frames.size()); ++i) {
+        links[pictureName(i)] = frameFile("rgb", i);
+    }
+    return links;
+}
 
 const Format kYoloFormat = {
     .name = "yolo",
@@ -100,6 +147,7 @@ const Format kYoloFormat = {
     .write = write,
     .encode = encode,
     .convention = convention,
+    .modality = "rgb",
     .bytes_per_pixel = 0.25,
     .outlines_things = true,
 };

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -86,6 +88,62 @@ void checkNames(const StoredDataset& dataset, const char* file, std::string_view
         if (found == expected) continue;
         findings.add({fmt::format("{}:{}", file, at + 1), {}, {}, found, expected});
         return;
+    }
+}
+
+/// Frames of a list of pictures, found as Ultralytics' reader finds them: "./" is the list's own
+/// folder, and the labels are where `labels` stands for `images`.
+std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list,
+                           Findings& findings) {
+    constexpr std::string_view kStart = "./images/";
+    std::set<int> frames;
+    const Result<std::string> text = io::readText(dataset.folder / list);
+    if (!text) {
+        findings.add({list, {}, {}, text.error().message, "a list of pictures"});
+        return frames;
+    }
+    int number = 0;
+    for (const std::string_view line : io::splitLines(*text)) {
+        ++number;
+        if (line.empty()) continue;
+        const std::string name(line.substr(std::min(kStart.size(), line.size())));
+        const int frame = std::atoi(name.c_str());
+        const std::string expected = fmt::format("{:06}.png", frame);
+        const auto hashOf = [&](const std::string& file) {
+            const auto at = dataset.sha256s.find(file);
+            return at == dataset.sha256s.end() ? std::string() : at->second;
+        };
+        const std::string hash = hashOf("images/" + expected);
+        const bool there = line.starts_with(kStart) && name == expected && !hash.empty() &&
+                           hash == hashOf("rgb/" + expected) &&
+                           dataset.sha256s.contains(fmt::format("labels/{:06}.txt", frame));
+        if (!there || !frames.insert(frame).second) {
+            findings.add({fmt::format("{}:{}", list, number),
+                          {},
+                          {},
+                          std::string(line),
+                          "a picture of the dataset that has labels, each once"});
+        }
+    }
+    if (frames.empty()) findings.add({list, {}, {}, "no pictures", "at least one"});
+    return frames;
+}
+
+/// Where data.yaml says that pictures are, and that none is trained on and held back.
+void checkSplit(const StoredDataset& dataset, Findings& findings) {
+    const Result<std::string> text = io::readText(dataset.folder / "data.yaml");
+    if (!text) return;  // told already
+    const auto lines = io::splitLines(*text);
+    for (const std::string_view line : {"train: train.txt", "val: val.txt"}) {
+        if (std::ranges::find(lines, line) != lines.end()) continue;
+        findings.add({"data.yaml", {}, {}, "no such line", std::string(line)});
+    }
+    const std::set<int> train = framesOfList(dataset, "train.txt", findings);
+    const std::set<int> val = framesOfList(dataset, "val.txt", findings);
+    if (dataset.frames.size() < 2) return;
+    for (const int frame : val) {
+        if (!train.contains(frame)) continue;
+        findings.add({"val.txt", frame, {}, "a picture that is trained on, too", "another"});
     }
 }
 
@@ -195,6 +253,7 @@ class FrameCheck {
 CheckWork beginYolo(const Subject& subject, Findings& findings) {
     checkNames(subject.dataset, "classes.txt", "", findings);
     checkNames(subject.dataset, "data.yaml", "names:", findings);
+    checkSplit(subject.dataset, findings);
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& found) {
         FrameCheck(dataset, images, found).run();

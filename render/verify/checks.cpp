@@ -1,4 +1,5 @@
 #include "render/verify/check_cameras.h"
+#include "render/verify/check_euroc.h"
 #include "render/verify/check_list.h"
 
 #include <array>
@@ -28,6 +29,7 @@ constexpr std::array kCameraJson = {"camera_json"};
 constexpr std::array kTransforms = {"nerfstudio", "instant_ngp"};
 constexpr std::array kColmap = {"colmap"};
 constexpr std::array kTum = {"tum"};
+constexpr std::array kEuroc = {"euroc"};
 constexpr std::array kKitti = {"kitti"};
 constexpr std::array kTartanAir = {"tartanair"};
 constexpr std::array kKittiObjects = {"kitti_objects", "instance"};
@@ -98,6 +100,8 @@ constexpr std::array kChecks = {
           kColmap, Names{}, false, beginColmap},
     Check{"tum", "TUM's depth is the depth, and its lists name each frame's pictures", kTum,
           Names{}, false, beginTum},
+    Check{"euroc", "EuRoC's times, poses, lenses and pictures are the frames'", kEuroc, Names{},
+          false, beginEuroc},
     Check{"kitti", "KITTI's projections are the lens's, its motions what depth and poses say",
           kKitti, Names{}, false, beginKitti},
     Check{"tartanair", "TartanAir's pictures, depth, classes and motions are the frames'",

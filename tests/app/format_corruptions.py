@@ -210,3 +210,58 @@ def picture_of_another_room(copy):
 @found_by("pictures")
 def picture_black(copy):
     copy.edit("rgb/000001.png", np.zeros_like)
+
+
+@found_by("yolo")
+def yolo_picture_trained_on_and_held_back(copy):
+    held_back = (copy.folder / "val.txt").read_text().splitlines()[0]
+    copy.edit_bytes("train.txt", lambda data: data + held_back.encode() + b"\n")
+
+
+@found_by("yolo")
+def yolo_pictures_in_a_folder_that_is_not_there(copy):
+    copy.edit_bytes("val.txt", lambda data: data.replace(b"./images/", b"./pictures/"))
+
+
+@found_by("yolo")
+def yolo_data_without_its_lists(copy):
+    copy.edit_bytes("data.yaml", lambda data: data.replace(b"val: val.txt", b"val: images"))
+
+
+POSES = "mav0/state_groundtruth_estimate0/data.csv"
+
+
+@found_by("euroc")
+def euroc_quaternion_with_w_last(copy):
+    def turn(rows):
+        for row in rows[1:]:
+            row[4:8] = row[5:8] + row[4:5]
+    copy.edit_rows(POSES, turn)
+
+
+@found_by("euroc")
+def euroc_times_in_microseconds(copy):
+    def shorten(rows):
+        for row in rows[1:]:
+            row[0] = str(int(row[0]) // 1000)
+    copy.edit_rows(POSES, shorten)
+
+
+@found_by("euroc")
+def euroc_picture_of_another_frame(copy):
+    names = sorted(name for name in copy.card["files"] if name.startswith("mav0/cam0/data/"))
+    copy.swap(names[0], names[-1])
+
+
+@found_by("euroc")
+def euroc_lens_half_a_pixel_off(copy):
+    cx = copy.card["conventions"]["intrinsics"]["cx"]
+    copy.edit_bytes("mav0/cam0/sensor.yaml", lambda data: data.replace(
+        f"{cx - 0.5:.9f}".encode(), f"{cx:.9f}".encode(), 1))
+
+
+@found_by("euroc")
+def euroc_right_camera_at_the_left(copy):
+    baseline = copy.card["conventions"]["rgb_right"]["baseline_m"]
+    copy.edit_bytes("mav0/cam1/sensor.yaml", lambda data: data.replace(
+        f"{baseline:.9f}".encode(), b"0.000000000", 1))

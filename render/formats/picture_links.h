@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/dataset_contents.h"
+#include "render/formats/formats.h"
+
+#include <map>
+#include <string>
+
+namespace dollytrack::render {
+
+/// Further names of a dataset's pictures, where readers look for them: hard links, which take no
+/// room on the disk. Paths relative to the dataset's folder: the new name, and the picture's own.
+using PictureLinks = std::map<std::string, std::string>;
+
+/// Those of all these formats.
+[[nodiscard]] PictureLinks pictureLinks(const DatasetContents& contents, const FormatSet& formats);
+
+/// Makes one of them, in the place of what is there; a copy where the file system has no links.
+[[nodiscard]] Status linkPicture(const std::filesystem::path& folder, const std::string& name,
+                                 const std::string& picture);
+
+}  // namespace dollytrack::render
