@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
+#include "render/picture_file.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -99,7 +100,7 @@ cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
 /// Empty when the file is gone or damaged. Labels are not blended into other labels.
 cv::Mat thumbnail(const std::filesystem::path& file, std::string_view modality) {
     try {
-        const cv::Mat image = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+        const cv::Mat image = readPictureFile(file, cv::IMREAD_UNCHANGED);
         if (image.empty()) return {};
         const int height = std::max(1, kThumbWidth * image.rows / image.cols);
         const bool labels = modality == "instance" || modality == "semantic";

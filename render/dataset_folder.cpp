@@ -1,5 +1,6 @@
 #include "render/dataset_folder.h"
 
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 #include "render/formats/dataset_card.h"
 #include "render/formats/fold_files.h"
@@ -15,8 +16,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <exception>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <system_error>
@@ -133,20 +132,13 @@ std::set<fs::path, std::greater<>> fixedFolders() {
 
 /// Many datasets have a dataset.json; ours says so in it.
 bool isOurCard(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) return false;
     using Json = nlohmann::json;
     // Somebody else's may be huge: nothing but its `format` is kept.
     const auto keep = [](int depth, Json::parse_event_t event, Json& parsed) {
         return depth != 1 || event != Json::parse_event_t::key || parsed == "format";
     };
-    try {
-        std::ifstream file(path, std::ios::binary);
-        const Json card = Json::parse(file, keep, false);
-        return card.is_object() && card.contains("format") && card["format"] == kDatasetFormat;
-    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
-        return false;
-    }
+    const Json card = io::readBoundedJson<Json>(path, keep).value_or(Json());
+    return card.is_object() && card.contains("format") && card["format"] == kDatasetFormat;
 }
 
 /// How many frames a dataset.json of ours lists.
@@ -160,12 +152,7 @@ std::size_t framesListed(const fs::path& path) {
         if (begins && depth == 2 && section == "frames") ++count;
         return depth < 2;
     };
-    try {
-        std::ifstream file(path, std::ios::binary);
-        if (Json::parse(file, count_only, false).is_discarded()) return 0;
-    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
-    }
-    return count;
+    return io::readBoundedJson<Json>(path, count_only) ? count : 0;
 }
 
 Status makeFolder(const fs::path& folder) {

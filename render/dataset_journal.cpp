@@ -1,6 +1,8 @@
 #include "render/dataset_journal.h"
 
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/io/sha256.h"
 
 #include <fcntl.h>
@@ -8,7 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <fstream>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace dollytrack::render {
@@ -24,15 +27,48 @@ std::string lineOf(const std::string& text) {
     return io::sha256Of(std::string_view(text)).substr(0, kChecksum) + " " + text + "\n";
 }
 
-/// The JSON of a line; discarded when its checksum is not right.
-json readLine(const std::string& line) {
-    if (line.size() <= kChecksum + 1) return json(json::value_t::discarded);
-    const std::string_view text = std::string_view(line).substr(kChecksum + 1);
-    if (line.compare(0, kChecksum, io::sha256Of(text), 0, kChecksum) != 0) {
-        return json(json::value_t::discarded);
-    }
-    return json::parse(text, nullptr, false);
+/// The JSON of a line; null when its checksum is not right.
+json readLine(std::string_view line) {
+    if (line.size() <= kChecksum + 1) return {};
+    const std::string_view text = line.substr(kChecksum + 1);
+    if (line.compare(0, kChecksum, io::sha256Of(text), 0, kChecksum) != 0) return {};
+    return io::parseBoundedJson(text, "").value_or(json());
 }
+
+/// The whole lines of a file, a portion of it in memory at a time. A line that is longer than any
+/// journal's ends the list, as the file's end does: a last line without its end is torn.
+class JournalLines {
+  public:
+    explicit JournalLines(const std::filesystem::path& path) : file_(io::openNamedFile(path)) {}
+
+    /// The next line, valid until the next call; nothing at the end.
+    std::optional<std::string_view> next() {
+        for (std::size_t searched = begin_;;) {
+            const std::size_t end = text_.find('\n', searched);
+            if (end != std::string::npos) {
+                const std::size_t begin = std::exchange(begin_, end + 1);
+                return std::string_view(text_).substr(begin, end - begin);
+            }
+            text_.erase(0, std::exchange(begin_, 0));
+            searched = text_.size();
+            if (!file_ || searched > kLongestLine) return std::nullopt;
+            text_.resize(searched + kPortion);
+            const std::size_t got = file_->read(read_, text_.data() + searched, kPortion);
+            text_.resize(searched + got);
+            read_ += got;
+            if (got == 0) return std::nullopt;
+        }
+    }
+
+  private:
+    static constexpr std::size_t kPortion = std::size_t{1} << 20U;        // bytes
+    static constexpr std::size_t kLongestLine = std::size_t{256} << 20U;  // bytes
+
+    Result<io::InputFile> file_;
+    std::uint64_t read_ = 0;  // bytes of the file so far
+    std::string text_;        // the portion in memory
+    std::size_t begin_ = 0;   // of the next line in it
+};
 
 json toJson(const JournalEntry& entry) {
     json masks = json::array();
@@ -120,12 +156,11 @@ std::string differences(const DatasetIdentity& a, const DatasetIdentity& b) {
 
 JournalContents readJournal(const std::filesystem::path& path) {
     JournalContents contents;
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    while (std::getline(file, line) && !file.eof()) {  // a last line without its end is torn
-        contents.whole_bytes += line.size() + 1;
-        const json value = readLine(line);
-        if (value.is_discarded()) continue;
+    JournalLines lines(path);
+    while (const std::optional<std::string_view> line = lines.next()) {
+        contents.whole_bytes += line->size() + 1;
+        const json value = readLine(*line);
+        if (!value.is_object()) continue;
         try {
             if (value.contains("identity")) {
                 if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;

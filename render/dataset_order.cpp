@@ -1,5 +1,6 @@
 #include "render/dataset_order.h"
 
+#include "engine/io/bounded_json.h"
 #include "render/motion_hash.h"
 #include "render/scene_hash.h"
 #include "render/sensors/sensor_lens.h"
@@ -11,8 +12,8 @@ namespace dollytrack::render {
 namespace {
 
 Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
-    nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-    if (value.is_discarded()) {
+    Result<nlohmann::json> value = io::parseBoundedJson(text, what);
+    if (!value) {
         return fail(ErrorCode::Failed, std::string(what) + " handed to the export are no JSON");
     }
     return value;

@@ -1,6 +1,7 @@
 #include "render/dataset_resume.h"
 
 #include "engine/core/log.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/sha256.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
@@ -9,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <vector>
 
 namespace dollytrack::render {
@@ -34,12 +34,7 @@ void checkAll(std::size_t count, const JobContext& job, const Check& check) {
 }
 
 Json readCard(const DatasetFolder& folder) {
-    try {
-        std::ifstream file(folder.path() / "dataset.json", std::ios::binary);
-        return Json::parse(file, nullptr, false);
-    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
-        return Json(Json::value_t::discarded);
-    }
+    return io::readBoundedJson<Json>(folder.path() / "dataset.json").value_or(Json());
 }
 
 tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,

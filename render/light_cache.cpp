@@ -2,6 +2,7 @@
 
 #include "engine/io/cache_room.h"
 #include "engine/io/durable_file.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/io/sha256.h"
 #include "engine/io/user_cache.h"
 #include "render/scene_hash.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -192,16 +192,11 @@ fs::path LightCache::fileOf(const std::string& key) const {
 }
 
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
-    std::error_code missing;
-    const std::uint64_t size = fs::file_size(fileOf(key), missing);
-    if (missing || size < kSumLength || size > most_bytes_) return std::nullopt;
-    std::vector<std::uint8_t> bytes(size);
-    std::ifstream file(fileOf(key), std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file) return std::nullopt;
-    const auto data = std::span(bytes).first(bytes.size() - kSumLength);
-    const std::string sum = io::sha256Of(data);
-    if (!std::equal(sum.begin(), sum.end(), bytes.end() - kSumLength)) return std::nullopt;
+    const Result<std::string> bytes = io::readNamedFile(fileOf(key), most_bytes_);
+    if (!bytes || bytes->size() < kSumLength) return std::nullopt;
+    const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()),
+                         bytes->size() - kSumLength);
+    if (!bytes->ends_with(io::sha256Of(data))) return std::nullopt;
     LightVolume volume;
     Reader read(data);
     visitVolume(read, volume);

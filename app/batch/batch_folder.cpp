@@ -1,5 +1,6 @@
 #include "app/batch/batch_folder.h"
 
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 #include "engine/io/text_file.h"
 
@@ -30,7 +31,7 @@ std::string textOf(const BatchList& list) {
 }
 
 bool isOurs(const std::string& list) {
-    const Json json = Json::parse(list, nullptr, false);
+    const Json json = io::parseBoundedJson<Json>(list, kList).value_or(Json());
     return json.is_object() && json.contains("format") && json["format"] == kFormat;
 }
 
@@ -84,7 +85,7 @@ Result<BatchList> readBatchList(const fs::path& folder) {
     }
     BatchList list;
     try {
-        const Json json = Json::parse(text);
+        const Json json = io::parseBoundedJson<Json>(text, path.string()).value_or(Json());
         list.require = json.at("require").get<std::vector<std::string>>();
         for (const Json& job : json.at("jobs")) {
             list.jobs.push_back(jobFromJson(job));

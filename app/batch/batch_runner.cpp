@@ -1,6 +1,7 @@
 #include "app/batch/batch_runner.h"
 
 #include "app/batch/batch_folder.h"
+#include "app/batch/log_end.h"
 #include "app/cli/command_line.h"
 #include "app/process/child_process.h"
 #include "engine/core/clean_text.h"
@@ -12,10 +13,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <list>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -49,12 +50,9 @@ bool canGoOn(const JobResult& result) {
 
 /// The program's last sentence, from the end of what it said.
 std::string lastWords(const fs::path& log) {
-    constexpr std::streamoff kEnough = 4096;
+    constexpr std::size_t kEnough = 4096;
     constexpr std::string_view kOurs = "dollytrack: ";
-    std::ifstream file(log, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file.tellg();
-    if (size <= 0) return {};
-    file.seekg(std::max<std::streamoff>(0, size - kEnough));
+    std::istringstream file(endOf(log, kEnough));
     std::string line;
     std::string last;
     while (std::getline(file, line)) {

@@ -1,5 +1,6 @@
 #include "app/batch/job_result.h"
 
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 #include "engine/io/project_file.h"
 #include "engine/io/sha256.h"
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <system_error>
 
 namespace dollytrack::batch {
@@ -21,12 +21,7 @@ constexpr std::array<const char*, 8> kNames = {"not run", "begun",     "done",  
                                                "crashed", "timed out", "interrupted", "busy"};
 
 Json readJson(const fs::path& path) {
-    try {
-        std::ifstream file(path, std::ios::binary);
-        return Json::parse(file, nullptr, false);
-    } catch (const std::exception&) {  // the stream's buffer throws what read() refuses
-        return Json(Json::value_t::discarded);
-    }
+    return io::readBoundedJson<Json>(path).value_or(Json());
 }
 
 void takeNumbers(const Json& from, const std::string& prefix, Json& to) {

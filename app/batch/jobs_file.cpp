@@ -1,8 +1,10 @@
 #include "app/batch/jobs_file.h"
 
 #include "app/batch/table_reader.h"
+#include "app/batch/toml_depth.h"
 #include "app/cli/requirement.h"
 #include "engine/core/field_list.h"
+#include "engine/io/text_file.h"
 #include "planning/plan_params.h"
 #include "planning/rivals/planner.h"
 #include "render/formats/formats.h"
@@ -12,15 +14,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <set>
 
 namespace dollytrack::batch {
 namespace {
 
 namespace fs = std::filesystem;
 using Texts = std::vector<Placed<std::string>>;
+
+constexpr std::size_t kMostMebibytes = 16;  // of a jobs file
 
 std::vector<std::string> valuesOf(const Texts& texts) {
     std::vector<std::string> values;
@@ -108,6 +111,7 @@ class OrderReader {
     }
 
     void readSets() {
+        std::set<std::string> names;
         planning::PlanParams params;
         const FieldList fields = planning::listFields(params);
         for (const toml::table* table : reader_.tables("set")) {
@@ -119,8 +123,7 @@ class OrderReader {
                               "Each [[set]] needs a name of letters, digits, '-' and '_'; it "
                               "becomes a part of folders' names.");
             }
-            const auto same = [&](const ParameterSet& one) { return one.name == set.name; };
-            if (std::any_of(order_.sets.begin(), order_.sets.end(), same)) {
+            if (!names.insert(set.name).second) {
                 reader.refuse(reader.placeOf("name"),
                               fmt::format("There are two sets named '{}'.", set.name));
             }
@@ -234,13 +237,13 @@ class OrderReader {
                         "The file names no scenes; write like scenes = [\"rooms/*.glb\"].",
                         file_.string());
         }
+        std::set<std::string> known;
         for (const auto& pattern : patterns) {
             Result<std::vector<SceneFile>> found =
                 filesMatching(pattern.value, file_.parent_path());
             if (!found) return fail(ErrorCode::BadInput, describe(found.error()), pattern.where);
             for (SceneFile& scene : *found) {
-                const auto is = [&](const SceneFile& one) { return one.path == scene.path; };
-                if (std::any_of(order_.scenes.begin(), order_.scenes.end(), is)) continue;
+                if (!known.insert(scene.path.string()).second) continue;
                 const auto left_out = [&](const auto& one) {
                     return matches(scene.path, one.value);
                 };
@@ -269,17 +272,20 @@ class OrderReader {
 
 Result<BatchOrder> readJobsFile(const fs::path& file) {
     std::error_code error;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || fs::is_directory(file, error) || !(text << stream.rdbuf())) {
+    const Result<std::string> text = io::readText(file, kMostMebibytes);
+    if (!text || text->empty()) {
         return fail(ErrorCode::BadInput,
                     fs::is_directory(file, error) ? "this is a folder; name the jobs file in it"
-                    : fs::exists(file, error)
-                        ? "the jobs file is empty or cannot be read"
-                        : "there is no such file; README.md has an example of a jobs file",
+                    : !fs::exists(file, error)
+                        ? "there is no such file; README.md has an example of a jobs file"
+                    : text ? "the jobs file is empty"
+                           : text.error().message,
                     file.string());
     }
-    const toml::parse_result parsed = toml::parse(text.str(), file.string());
+    if (Status status = checkTomlDepth(*text, file.string()); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const toml::parse_result parsed = toml::parse(*text, file.string());
     if (!parsed) {
         return fail(ErrorCode::BadInput, std::string(parsed.error().description()) + ".",
                     fmt::format("{}:{}", file.string(), parsed.error().source().begin.line));

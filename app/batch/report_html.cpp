@@ -1,11 +1,12 @@
+#include "app/batch/log_end.h"
 #include "app/batch/markup.h"
 #include "app/batch/report.h"
 
 #include <fmt/format.h>
 
 #include <deque>
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <string_view>
 
 namespace dollytrack::batch {
@@ -138,7 +139,8 @@ bool isProgress(std::string_view line) {
 }
 
 std::string endOfLog(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    constexpr std::size_t kEnough = std::size_t{1} << 20U;  // bytes
+    std::istringstream file(endOf(path, kEnough));
     std::deque<std::string> lines;
     for (std::string line; std::getline(file, line);) {
         if (isProgress(line)) continue;

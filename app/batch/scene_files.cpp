@@ -1,17 +1,18 @@
 #include "app/batch/scene_files.h"
 
+#include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
 #include "engine/io/scene_format.h"
 
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace dollytrack::batch {
 namespace {
@@ -33,10 +34,6 @@ Parts partsOf(const fs::path& path) {
         if (!part.empty()) parts.push_back(part.string());
     }
     return parts;
-}
-
-bool fits(const std::string& name, const std::string& part) {
-    return ::fnmatch(part.c_str(), name.c_str(), FNM_PERIOD) == 0;
 }
 
 struct Entry {
@@ -65,8 +62,17 @@ class Search {
   public:
     Search(fs::path base, Parts parts) : base_(std::move(base)), parts_(std::move(parts)) {}
 
-    /// Looks in `folder` (below the base) for what fits the parts from number `at` on.
+    /// Looks in `folder` (below the base) for what fits the parts from number `at` on. Several "**"
+    /// lead to the same folder and part in many ways; only the first is followed.
     Status look(const fs::path& folder, std::size_t at, const fs::path& below) {
+        if (!looked_.insert({folder.string(), at}).second) return {};
+        if (looked_.size() > kMostLooks) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("the pattern leads into more than {} folders; write one that "
+                                    "leads into fewer",
+                                    kMostLooks),
+                        folder.string());
+        }
         const bool any_depth = parts_[at] == kAnyFolders;
         if (any_depth && at + 1 < parts_.size()) {
             if (Status status = look(folder, at + 1, below); !status) return status;
@@ -81,7 +87,7 @@ class Search {
                 if (entry.folder && !link && entry.name.front() != '.') {
                     status = look(folder / entry.name, at, below / entry.name);
                 }
-            } else if (fits(entry.name, parts_[at])) {
+            } else if (fitsPattern(entry.name, parts_[at])) {
                 const bool last = at + 1 == parts_.size();
                 if (last && !entry.folder && isScene(base_ / folder / entry.name)) {
                     found_.push_back({folder / entry.name, below / entry.name, {}});
@@ -97,20 +103,31 @@ class Search {
     std::vector<SceneFile> take() { return std::move(found_); }
 
   private:
+    static constexpr std::size_t kMostLooks = 200'000;
+
     fs::path base_;
     Parts parts_;
+    std::set<std::pair<std::string, std::size_t>> looked_;
     std::vector<SceneFile> found_;
 };
 
-bool fitAll(const Parts& names, std::size_t i, const Parts& parts, std::size_t at) {
-    if (at == parts.size()) return i == names.size();
-    if (parts[at] == kAnyFolders) {
-        for (std::size_t skipped = i; skipped <= names.size(); ++skipped) {
-            if (fitAll(names, skipped, parts, at + 1)) return true;
+/// Whether the names fit the parts, of which "**" stands for any number of names.
+bool fitAll(const Parts& names, const Parts& parts) {
+    // fit[i]: the first i names fit the parts so far.
+    std::vector<char> fit(names.size() + 1, 0);
+    fit[0] = 1;
+    for (const std::string& part : parts) {
+        std::vector<char> next(names.size() + 1, 0);
+        for (std::size_t i = 0; i <= names.size(); ++i) {
+            if (part == kAnyFolders) {
+                next[i] = fit[i] != 0 || (i > 0 && next[i - 1] != 0) ? 1 : 0;
+            } else if (i > 0 && fit[i - 1] != 0 && fitsPattern(names[i - 1], part)) {
+                next[i] = 1;
+            }
         }
-        return false;
+        fit = std::move(next);
     }
-    return i < names.size() && fits(names[i], parts[at]) && fitAll(names, i + 1, parts, at + 1);
+    return fit.back() != 0;
 }
 
 /// From short to long; the last one is always the file's own.
@@ -161,8 +178,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
 }
 
 bool matches(const fs::path& path, const std::string& pattern) {
-    return fitAll(partsOf(path.lexically_normal()), 0,
-                  partsOf(fs::path(pattern).lexically_normal()), 0);
+    return fitAll(partsOf(path.lexically_normal()), partsOf(fs::path(pattern).lexically_normal()));
 }
 
 void nameScenes(std::vector<SceneFile>& scenes) {
@@ -182,9 +198,11 @@ void nameScenes(std::vector<SceneFile>& scenes) {
     std::set<std::string> all;
     for (const SceneFile& scene : scenes) all.insert(scene.name);
     std::set<std::string> used;
+    std::map<std::string, int> next;  // the number that the next of the same name tries first
     for (SceneFile& scene : scenes) {
         const std::string name = scene.name;
-        for (int i = 2; used.contains(scene.name); ++i) {
+        int& i = next.try_emplace(name, 2).first->second;
+        for (; used.contains(scene.name); ++i) {
             const std::string numbered = fmt::format("{}-{}", name, i);
             if (!all.contains(numbered)) scene.name = numbered;
         }

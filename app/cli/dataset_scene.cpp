@@ -3,6 +3,7 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/edits_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/project_file.h"
 #include "engine/io/scene_import.h"
 #include "engine/io/sha256.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -89,8 +89,7 @@ std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
         const fs::path list = job.parent_path() / "jobs.json";
         if (!fs::is_regular_file(list, error)) continue;
         try {
-            std::ifstream file(list, std::ios::binary);
-            const auto json = nlohmann::json::parse(file, nullptr, false);
+            const auto json = io::readBoundedJson(list).value_or(nlohmann::json());
             if (!json.is_object() || json.value("format", "") != "dollytrack-batch") continue;
             for (const auto& one : json.at("jobs")) {
                 if (one.at("name").get<std::string>() != job.filename().string()) continue;

@@ -6,7 +6,9 @@
 #include "engine/document/edits_json.h"
 #include "engine/document/operation.h"
 #include "engine/io/annotation_file.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/project_file.h"
+#include "engine/io/text_file.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -16,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 
@@ -45,40 +46,24 @@ struct EditArguments {
     }
 };
 
-/// ":3:14", line and column of a byte, which counts from 1.
-std::string placeIn(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t begins = before.rfind('\n');  // npos + 1 is 0
-    return fmt::format(":{}:{}", line, before.size() - (begins + 1) + 1);
-}
-
 Result<nlohmann::json> parse(const std::string& text, const std::string& where) {
-    try {
-        return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::parse_error& e) {
-        return fail(ErrorCode::Usage,
-                    "This is not valid JSON; names and texts stand in double quotes, as in "
-                    "{\"op\":\"exclude\",\"object\":\"lamp_3\"}.",
-                    where + placeIn(text, e.byte));
-    } catch (const nlohmann::json::exception&) {
-        return fail(ErrorCode::Usage, "A number in this is too large.", where);
-    }
+    Result<nlohmann::json> json = io::parseBoundedJson(text, where);
+    if (json) return json;
+    const bool has_place = json.error().where != where;  // of what is no JSON at all
+    return fail(ErrorCode::Usage,
+                has_place ? "This is not valid JSON; names and texts stand in double quotes, as in "
+                            "{\"op\":\"exclude\",\"object\":\"lamp_3\"}."
+                          : json.error().message,
+                json.error().where);
 }
 
 /// The script's operations, then those given one by one.
 Result<nlohmann::json> readOperations(const EditArguments& arguments) {
     nlohmann::json all = nlohmann::json::array();
     if (!arguments.script.empty()) {
-        std::error_code error;
-        if (!std::filesystem::exists(arguments.script, error)) {
-            return fail(ErrorCode::BadInput, "There is no such file.", arguments.script);
-        }
-        std::ifstream file(arguments.script, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        if (!file) return fail(ErrorCode::BadInput, "The file cannot be read.", arguments.script);
-        Result<nlohmann::json> script = parse(text.str(), arguments.script);
+        const Result<std::string> text = io::readText(arguments.script);
+        if (!text) return tl::unexpected<Error>(text.error());
+        Result<nlohmann::json> script = parse(*text, arguments.script);
         if (!script) return script;
         if (!script->is_array()) {
             return fail(ErrorCode::Usage, "A script is a list of operations: [{\"op\": ...}, ...].",

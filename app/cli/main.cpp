@@ -22,11 +22,18 @@ namespace {
 std::atomic<bool>* cancel_flag = nullptr;
 volatile std::sig_atomic_t caught_signal = 0;
 
-/// The first signal asks the work to stop cleanly; a second one no longer waits for it.
+/// The first signal asks the work to stop cleanly; a second one no longer waits for it, nor does
+/// anybody wait for work that cannot stop, as where its output is a pipe that nobody reads.
 void onSignal(int signal) {
+    constexpr unsigned kLongestEnd_s = 20;
     if (caught_signal != 0) _exit(128 + signal);
     caught_signal = signal;
     cancel_flag->store(true);
+    alarm(kLongestEnd_s);
+}
+
+void onOverdueEnd(int) {
+    _exit(128 + caught_signal);
 }
 
 /// The program's last word: for a person, or in the lines that another program reads.
@@ -97,6 +104,7 @@ int main(int argc, char** argv) {
     cancel_flag = session.cancelled.get();
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
+    std::signal(SIGALRM, onOverdueEnd);
 
     CLI::App app(
         "Plans where a camera should go inside an indoor 3D scene so that every object is "

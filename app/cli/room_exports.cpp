@@ -1,11 +1,11 @@
 #include "app/cli/room_exports.h"
 
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 namespace dollytrack::cli {
@@ -97,17 +97,16 @@ Status claimForRooms(const fs::path& folder, const std::vector<RoomExport>& expo
 }
 
 bool holdsRooms(const fs::path& folder) {
-    std::ifstream file(folder / kList);
-    const auto list = nlohmann::json::parse(file, nullptr, false);
+    const auto list = io::readBoundedJson(folder / kList).value_or(nlohmann::json());
     return list.is_object() && list.contains("rooms");
 }
 
 Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
     std::vector<fs::path> folders;
+    const Result<nlohmann::json> list = io::readBoundedJson(folder / kList);
+    if (!list) return tl::unexpected<Error>(list.error());
     try {
-        std::ifstream file(folder / kList);
-        const auto list = nlohmann::json::parse(file, nullptr, false);
-        for (const nlohmann::json& room : list.at("rooms")) {
+        for (const nlohmann::json& room : list->at("rooms")) {
             const auto name = room.at("name").get<std::string>();
             if (!isPlain(name)) {
                 return fail(ErrorCode::BadInput,
@@ -116,7 +115,7 @@ Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
             }
             folders.push_back(folder / name);
         }
-    } catch (const std::exception& e) {  // the stream's buffer throws what read() refuses
+    } catch (const nlohmann::json::exception& e) {
         return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", e.what()),
                     (folder / kList).string());
     }

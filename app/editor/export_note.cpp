@@ -3,13 +3,13 @@
 #include "app/editor/files_in.h"
 #include "app/editor/owner_mark.h"
 #include "engine/core/log.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 #include <utility>
 
@@ -55,10 +55,9 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
 }
 
 Result<ExportNote> readNote(const fs::path& file) {
-    std::ifstream text(file);
     ExportNote note;
     try {
-        const json read = json::parse(text);
+        const json read = io::readBoundedJson(file).value_or(json());
         note.request.name = read.at("name").get<std::string>();
         note.request.folder = read.at("folder").get<std::string>();
         note.request.range = read.at("range").get<std::string>();

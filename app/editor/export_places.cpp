@@ -1,5 +1,7 @@
 #include "app/editor/export_places.h"
 
+#include "engine/io/bounded_json.h"
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -10,7 +12,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 
 namespace dollytrack::editor {
@@ -65,8 +66,7 @@ const ui::ExportJob* jobThatWillWrite(const fs::path& folder,
 
 fs::path contactSheetIn(const fs::path& folder) {
     std::vector<fs::path> sheets = {folder / "contact_sheet.jpg"};
-    std::ifstream list(folder / "rooms.json");
-    const auto rooms = nlohmann::json::parse(list, nullptr, false);
+    const auto rooms = io::readBoundedJson(folder / "rooms.json").value_or(nlohmann::json());
     if (rooms.is_object() && rooms.contains("rooms")) {
         for (const auto& room : rooms["rooms"]) {
             if (room.is_object())

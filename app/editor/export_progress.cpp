@@ -1,6 +1,7 @@
 #include "app/editor/export_progress.h"
 
 #include "engine/core/log.h"
+#include "engine/io/bounded_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -93,7 +94,7 @@ bool LineCutter::take(std::string& line) {
 
 void readProgressLine(const std::string& line, ui::ExportJob& job) {
     if (line.empty()) return;
-    const json told = json::parse(line, nullptr, false);
+    const json told = io::parseBoundedJson(line, "").value_or(json());
     if (!told.is_object()) {
         remember(line.substr(0, 500), job);
         return;

@@ -1,5 +1,7 @@
 #include "app/editor/picture_file.h"
 
+#include "render/picture_file.h"
+
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -17,7 +19,7 @@ void PictureFile::show(const std::filesystem::path& file) {
     reader_.start([file, outbox = read_](const JobContext&) {
         Pixels pixels;
         try {
-            cv::Mat picture = cv::imread(file.string(), cv::IMREAD_COLOR);
+            cv::Mat picture = render::readPictureFile(file, cv::IMREAD_COLOR);
             constexpr int kLargest = 8192;
             if (const int longer = std::max(picture.cols, picture.rows); longer > kLargest) {
                 cv::resize(picture, picture, {}, static_cast<double>(kLargest) / longer,

@@ -1,6 +1,7 @@
 #include "app/editor/settings.h"
 
 #include "engine/core/log.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 
 #include <nlohmann/json.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
 #include <string_view>
 
 namespace dollytrack::editor {
@@ -50,10 +50,10 @@ void EditorSettings::addRecent(const std::filesystem::path& path) {
 
 EditorSettings loadSettings() {
     EditorSettings settings;
-    std::ifstream file(settingsFile());
-    if (!file) return settings;
+    std::error_code error;
+    if (!std::filesystem::exists(settingsFile(), error)) return settings;
     try {
-        const nlohmann::json json = nlohmann::json::parse(file);
+        const nlohmann::json json = io::readBoundedJson(settingsFile()).value_or(nlohmann::json());
         const nlohmann::json window = json.value("window", nlohmann::json::object());
         settings.window.width = std::clamp(window.value("width", 1440), 800, 16384);
         settings.window.height = std::clamp(window.value("height", 900), 500, 16384);

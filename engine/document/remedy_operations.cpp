@@ -1,6 +1,7 @@
 #include "engine/document/remedy_operations.h"
 
 #include "engine/document/object_key.h"
+#include "engine/io/bounded_json.h"
 
 #include <string>
 
@@ -13,9 +14,9 @@ using nlohmann::json;
 json setOperation(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string value = assignment.substr(equals + 1);
-    json read = json::parse(value, nullptr, false);
-    if (read.is_discarded()) read = value;
-    return {{"op", "set"}, {"name", assignment.substr(0, equals)}, {"value", std::move(read)}};
+    return {{"op", "set"},
+            {"name", assignment.substr(0, equals)},
+            {"value", io::parseBoundedJson(value, "").value_or(json(value))}};
 }
 
 }  // namespace

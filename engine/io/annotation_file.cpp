@@ -4,7 +4,7 @@
 #include "engine/core/field_list.h"
 #include "engine/document/json_reader.h"
 #include "engine/document/unknown_keys.h"
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
 #include "engine/scene/labels.h"
 

@@ -1,11 +1,11 @@
 #include "engine/io/input_check.h"
 
 #include "engine/io/datasets/hypersim_annotations.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/io/scene_format.h"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,13 +85,12 @@ Status checkExtension(const Path& path, const std::string& where) {
 }
 
 Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
+    const Result<io::InputFile> file = io::openNamedFile(path);
+    if (!file) {
         return fail(ErrorCode::BadInput, "the file cannot be read; check its permissions", where);
     }
     std::array<char, kHeadBytes> buffer{};
-    in.read(buffer.data(), buffer.size());
-    const std::string_view head(buffer.data(), static_cast<std::size_t>(in.gcount()));
+    const std::string_view head(buffer.data(), file->read(0, buffer.data(), buffer.size()));
     if (head.starts_with("version https://git-lfs")) {
         return fail(ErrorCode::BadInput,
                     "this is a Git-LFS pointer, not the model; run \"git lfs pull\" first", where);

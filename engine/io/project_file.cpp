@@ -1,72 +1,72 @@
 #include "engine/io/project_file.h"
 
+#include "engine/document/json_reader.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/durable_file.h"
-#include "engine/io/json_depth.h"
 #include "engine/io/sha256.h"
+#include "engine/io/stored_plan.h"
 #include "engine/io/text_file.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace dollytrack::io {
 namespace {
 
-constexpr std::size_t kMostMebibytes = 1024;
-
-tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message) {
-    return fail(ErrorCode::BadInput, std::move(message), path.string());
+tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message,
+                                 const std::string& field = {}) {
+    return fail(ErrorCode::BadInput, std::move(message),
+                path.string() + (field.empty() ? "" : ": " + field));
 }
 
-std::size_t lineOf(const std::string& text, std::size_t byte) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-    return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
+/// A member that has to be an object, empty where it is absent.
+nlohmann::json objectAt(const JsonReader& from, const char* key) {
+    const JsonReader member = from.at(key);
+    if (member.absent()) return nlohmann::json::object();
+    if (!member.json().is_object()) member.refuse("This must be an object.");
+    return member.json();
+}
+
+/// All fields but the result's, whose form is checkStoredPlan()'s.
+void readFields(const JsonReader& from, const std::filesystem::path& folder, ProjectFile& project) {
+    const JsonReader scene = from.at("scene");
+    project.scene = (folder / scene.at("path").text()).lexically_normal();
+    if (const JsonReader sum = scene.at("sha256"); !sum.absent()) {
+        project.scene_sha256 = sum.text();
+    }
+    project.import = objectAt(scene, "import");
+    project.parameters = objectAt(from, "parameters");
+    project.edits = objectAt(from, "edits");
+    project.result = from.at("result").json();
 }
 
 }  // namespace
 
 Result<ProjectFile> loadProject(const std::filesystem::path& path) {
-    const Result<std::string> text = readText(path, kMostMebibytes);
+    const Result<std::string> text = readText(path);
     if (!text) return tl::unexpected<Error>(text.error());
-    if (nestsTooDeep(*text)) {
-        return badProject(path, "The JSON is nested too deeply.");
-    }
-    nlohmann::json json;
-    try {
-        json = nlohmann::json::parse(*text);
-    } catch (const nlohmann::json::parse_error& e) {
-        return fail(ErrorCode::BadInput, "This is not valid JSON; restore a backup or plan again.",
-                    fmt::format("{}:{}", path.string(), lineOf(*text, e.byte)));
-    }
-    if (!json.is_object() || !json.contains("dollytrack_project")) {
+    Result<nlohmann::json> json = parseBoundedJson(*text, path.string());
+    if (!json) return tl::unexpected<Error>(std::move(json.error()));
+    if (!json->is_object() || !json->contains("dollytrack_project")) {
         return badProject(path, "This is JSON, but no Dollytrack project.");
     }
-    try {
-        const int version = json.at("dollytrack_project").get<int>();
-        if (version > ProjectFile::kVersion) {
-            return badProject(path, fmt::format("The project has version {}, this program knows up "
-                                                "to {}; use a newer Dollytrack.",
-                                                version, ProjectFile::kVersion));
-        }
-        ProjectFile project;
-        const std::filesystem::path scene = json.at("scene").at("path").get<std::string>();
-        project.scene = (std::filesystem::absolute(path).parent_path() / scene).lexically_normal();
-        project.scene_sha256 = json.at("scene").value("sha256", "");
-        project.import = json.at("scene").value("import", nlohmann::json::object());
-        project.parameters = json.value("parameters", nlohmann::json::object());
-        project.edits = json.value("edits", nlohmann::json::object());
-        if (json.contains("result")) project.result = json["result"];
-        for (const char* known : {"dollytrack_project", "scene", "parameters", "edits", "result"}) {
-            json.erase(known);
-        }
-        project.others = std::move(json);
-        project.file_sha256 = sha256Of(*text);
-        return project;
-    } catch (const nlohmann::json::exception& e) {
-        return badProject(path, fmt::format("A field of the project is missing or of the wrong "
-                                            "type ({}).",
-                                            e.what()));
+    ProjectFile project;
+    Status status;
+    const JsonReader from(*json, "", status);
+    const int version = from.at("dollytrack_project").integer(1, 1'000'000);
+    if (from.good() && version > ProjectFile::kVersion) {
+        return badProject(path, fmt::format("The project has version {}, this program knows up "
+                                            "to {}; use a newer Dollytrack.",
+                                            version, ProjectFile::kVersion));
     }
+    readFields(from, std::filesystem::absolute(path).parent_path(), project);
+    if (status) status = checkStoredPlan(project.result, "result");
+    if (!status) return badProject(path, status.error().message, status.error().where);
+    for (const char* known : {"dollytrack_project", "scene", "parameters", "edits", "result"}) {
+        json->erase(known);
+    }
+    project.others = std::move(*json);
+    project.file_sha256 = sha256Of(*text);
+    return project;
 }
 
 std::string projectText(const ProjectFile& project, const std::filesystem::path& path) {

@@ -3,7 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/name_hint.h"
 #include "engine/document/json_reader.h"
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 
 #include <fmt/format.h>
 

@@ -9,12 +9,12 @@
 #include "engine/io/pointcloud/cloud_scene.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
+#include "engine/io/sandbox/input_file.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 
 namespace dollytrack {
 namespace {
@@ -163,10 +163,10 @@ bool isSceneFile(const std::filesystem::path& path) {
         const auto& ours = format.extensions;
         if (std::find(ours.begin(), ours.end(), extension) == ours.end()) continue;
         if (!format.shares_extension) return true;
-        std::ifstream in(path, std::ios::binary);
+        const Result<io::InputFile> file = io::openNamedFile(path);
         std::array<char, 4096> head{};
-        in.read(head.data(), head.size());
-        if (format.begins_like({head.data(), static_cast<std::size_t>(in.gcount())})) return true;
+        const std::size_t length = file ? file->read(0, head.data(), head.size()) : 0;
+        if (format.begins_like({head.data(), length})) return true;
     }
     return false;
 }

@@ -1,11 +1,12 @@
 #include "engine/io/sha256.h"
 
+#include "engine/io/sandbox/input_file.h"
 #include "engine/jobs/job.h"
 
 #include <openssl/evp.h>
 
 #include <array>
-#include <cstdio>
+#include <cstdint>
 #include <vector>
 
 namespace dollytrack::io {
@@ -63,17 +64,18 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path) {
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path, const JobContext& job) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               &std::fclose);
-    if (!file) return fail(ErrorCode::BadInput, "the file cannot be opened", path.string());
+    const Result<InputFile> file = openNamedFile(path);
+    if (!file) return tl::unexpected<Error>(file.error());
     Sha256 hash;
     std::vector<std::uint8_t> block(1UL << 16U);
-    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+    std::uint64_t done = 0;
+    while (const std::size_t count = file->read(done, block.data(), block.size())) {
         hash.add(std::span(block).first(count));
+        done += count;
         if (job.cancelled())
             return fail(ErrorCode::Cancelled, "hashing was cancelled", path.string());
     }
-    if (std::ferror(file.get()) != 0) {
+    if (done < file->size()) {
         return fail(ErrorCode::BadInput, "the file cannot be read to its end", path.string());
     }
     return hash.finish();

@@ -8,7 +8,7 @@
 
 namespace dollytrack::io {
 
-/// The whole file, or what comes through a pipe, up to `most_mebibytes`. Error: BadInput.
+/// The whole of an ordinary file of up to `most_mebibytes`; see readNamedFile(). Error: BadInput.
 [[nodiscard]] Result<std::string> readText(const std::filesystem::path& path,
                                            std::size_t most_mebibytes = 512);
 

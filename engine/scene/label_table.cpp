@@ -1,12 +1,11 @@
 #include "engine/scene/label_table.h"
 
+#include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace dollytrack {
@@ -143,6 +142,8 @@ const LabelTable& LabelTable::builtIn() {
 }
 
 Status LabelTable::add(std::string_view csv, const std::string& where) {
+    std::multimap<std::string, std::string> whole_by_words;
+    for (const auto& [name, entry] : whole_names_) whole_by_words.emplace(asWords(name), name);
     std::istringstream lines{std::string(csv)};
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
@@ -185,25 +186,26 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
                         "\"" + kind + "\" is not structure, target, part or weak", place);
         }
         if (whole_name) {
-            whole_names_[lower(trim(columns[0].substr(1)))] = entry;
+            const std::string whole = lower(trim(columns[0].substr(1)));
+            whole_names_[whole] = entry;
+            whole_by_words.emplace(asWords(whole), whole);
             continue;
         }
         longest_ = std::max(longest_, words.size());
         const std::string text = join(words, 0, words.size());
         entries_[text] = entry;
-        std::erase_if(whole_names_, [&](const auto& one) { return asWords(one.first) == text; });
+        const auto [begin, end] = whole_by_words.equal_range(text);
+        for (auto at = begin; at != end; ++at) whole_names_.erase(at->second);
+        whole_by_words.erase(begin, end);
     }
     return {};
 }
 
 Status LabelTable::addFile(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
-        return fail(ErrorCode::BadInput, "the label table cannot be read; check its path",
-                    path.string());
-    }
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return add(text, path.filename().string());
+    constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20U;
+    const Result<std::string> text = io::readNamedFile(path, kMostBytes);
+    if (!text) return tl::unexpected<Error>(text.error());
+    return add(*text, path.filename().string());
 }
 
 const std::string* LabelTable::mostTelling(std::span<const std::string> words) const {

@@ -1,6 +1,7 @@
 #include "render/formats/video.h"
 
 #include "render/formats/video_encoder.h"
+#include "render/picture_file.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -32,17 +33,12 @@ double rateOf(const std::vector<DatasetFrame>& frames) {
 }
 
 Result<cv::Mat> readPicture(const std::filesystem::path& path) {
-    cv::Mat picture;
-    try {
-        picture = cv::imread(path.string(), cv::IMREAD_COLOR);
-        if (!picture.empty()) cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
-    } catch (const cv::Exception&) {
-        picture.release();
-    }
+    cv::Mat picture = readPictureFile(path, cv::IMREAD_COLOR);
     if (picture.empty()) {
         return fail(ErrorCode::Failed, "the picture cannot be read again for the video",
                     path.string());
     }
+    cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
     return picture;
 }
 

@@ -1,4 +1,6 @@
 // The preview: a picture a frame, in their order.
+#include "engine/io/sandbox/input_file.h"
+#include "render/picture_file.h"
 #include "render/verify/check_list.h"
 
 #include <fmt/format.h>
@@ -22,6 +24,9 @@ class VideoCheck {
         : dataset_(dataset), findings_(findings) {}
 
     void run() {
+        // FFmpeg opens by name, and would wait for a pipe.
+        const Result<io::InputFile> file = io::openNamedFile(dataset_.folder / kFile);
+        if (!file) return add({}, file.error().message, "an MP4");
         cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
         if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");
         checkRate(video.get(cv::CAP_PROP_FPS));
@@ -63,7 +68,8 @@ class VideoCheck {
             return add(frame, fmt::format("{} x {} px", picture.cols, picture.rows),
                        fmt::format("{} x {}", size.width, size.height));
         }
-        const cv::Mat rgb = cv::imread((dataset_.folder / imageFile("rgb", frame)).string());
+        const cv::Mat rgb =
+            render::readPictureFile(dataset_.folder / imageFile("rgb", frame), cv::IMREAD_COLOR);
         // One that cannot be read is the business of another check.
         if (rgb.cols < size.width || rgb.rows < size.height) return;
         cv::Mat difference;

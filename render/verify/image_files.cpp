@@ -26,7 +26,7 @@ Result<std::string> bytesOf(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) return unreadableImage("it is missing");
     Result<std::string> bytes = io::readText(path);
-    if (!bytes) return unreadableImage("it cannot be read");
+    if (!bytes) return unreadableImage("it cannot be read: " + bytes.error().message);
     return bytes;
 }
 
@@ -52,6 +52,7 @@ Status endsAsPng(const std::string& bytes) {
 
 Result<cv::Mat> decode(const std::string& bytes, int depth, int channels) {
     cv::Mat picture;
+    if (bytes.empty()) return unreadableImage("it is empty");
     try {
         const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1,
                           const_cast<char*>(bytes.data()));

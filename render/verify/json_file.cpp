@@ -1,23 +1,19 @@
 #include "render/verify/json_file.h"
 
-#include "engine/io/json_depth.h"
-#include "engine/io/text_file.h"
+#include "engine/io/bounded_json.h"
 
 namespace dollytrack::verify {
 
 Result<nlohmann::json> readJson(const std::filesystem::path& path) {
-    const Result<std::string> text = io::readText(path);
-    if (!text) return fail(text.error().code, text.error().message);
-    return parseJson(*text);
+    Result<nlohmann::json> json = io::readBoundedJson(path);
+    if (!json) return fail(json.error().code, json.error().message);
+    return json;
 }
 
 Result<nlohmann::json> parseJson(std::string_view text) {
-    if (io::nestsTooDeep(text)) return fail(ErrorCode::BadInput, "JSON that is nested too deep");
-    try {
-        return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        return fail(ErrorCode::BadInput, error.what());
-    }
+    Result<nlohmann::json> json = io::parseBoundedJson(text, "");
+    if (!json) return fail(json.error().code, json.error().message);
+    return json;
 }
 
 }  // namespace dollytrack::verify

@@ -1,12 +1,12 @@
 #include "render/verify/stored_dataset.h"
 
-#include "engine/io/json_depth.h"
-#include "engine/io/text_file.h"
+#include "engine/io/bounded_json.h"
 #include "render/formats/dataset_card.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack::verify {
 namespace {
@@ -124,14 +124,10 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     "ended; 'dollytrack export --resume' ends it.",
                     folder.string());
     }
-    const Result<std::string> text = io::readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
-    if (io::nestsTooDeep(*text)) {
-        return fail(ErrorCode::BadInput,
-                    "It is damaged (nested too deep); export the dataset again.", path.string());
-    }
+    Result<Json> card = io::readBoundedJson<Json>(path);
+    if (!card) return tl::unexpected<Error>(card.error());
+    dataset.card = std::move(*card);
     try {
-        dataset.card = Json::parse(*text);
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
             return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
                         path.string());

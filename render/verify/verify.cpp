@@ -2,7 +2,10 @@
 
 #include "engine/jobs/parallel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 namespace dollytrack::verify {
@@ -37,11 +40,38 @@ void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
     }
 }
 
+/// Frames cost time though they are only listed, so a short dataset.json could ask for hours of
+/// work. A dataset that lacks most of its images is refused before any frame is looked at.
+Status checkImagesAreThere(const StoredDataset& dataset) {
+    constexpr std::size_t kAlwaysChecked = 20'000;  // images: each that is missing is named
+    const std::size_t kinds = static_cast<std::size_t>(std::ranges::count_if(
+        imageKinds(), [&](const ImageKind& k) { return dataset.has(k.modality); }));
+    const std::size_t listed = kinds * dataset.frames.size();
+    if (listed <= kAlwaysChecked) return {};
+    std::size_t there = 0;
+    std::error_code error;
+    namespace fs = std::filesystem;
+    for (fs::recursive_directory_iterator at(dataset.folder, error);
+         !error && at != fs::recursive_directory_iterator() && 2 * there < listed;
+         at.increment(error)) {
+        ++there;
+    }
+    if (2 * there >= listed) return {};
+    return fail(ErrorCode::BadInput,
+                fmt::format("It lists {} frames, but most of their images are missing: the folder "
+                            "holds {} files; export the dataset again.",
+                            dataset.frames.size(), there),
+                (dataset.folder / "dataset.json").string());
+}
+
 }  // namespace
 
 Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std::string& no_scene,
                                                const JobContext& job) {
     const auto cancelled = [] { return fail(ErrorCode::Cancelled, "The check was stopped."); };
+    if (const Status status = checkImagesAreThere(subject.dataset); !status) {
+        return tl::unexpected<Error>(status.error());
+    }
     std::vector<CheckResult> results;
     std::vector<CheckWork> works;
     for (const Check& check : checks()) {

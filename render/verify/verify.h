@@ -21,7 +21,7 @@ struct CheckResult {
 
 /// Makes every check that the dataset has the files for; all of them are in the result, in the
 /// table's order. `no_scene` says why the subject has no scene. The result does not depend on the
-/// number of threads. Error: Cancelled.
+/// number of threads. Errors: Cancelled; BadInput when a large dataset lacks most of its images.
 Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std::string& no_scene,
                                                const JobContext& job = {});
 

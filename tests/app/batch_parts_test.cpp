@@ -1,10 +1,14 @@
 #include "app/batch/batch_folder.h"
 #include "app/batch/job.h"
+#include "app/batch/jobs_file.h"
 #include "app/batch/markup.h"
+#include "app/batch/name_pattern.h"
 #include "app/batch/scene_files.h"
+#include "app/batch/toml_depth.h"
 #include "engine/io/text_file.h"
 #include "tests/support/temp_folder.h"
 
+#include <fnmatch.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -60,6 +64,72 @@ TEST(SceneFiles, NumbersThatTellNamesApartAreNobodysName) {
     const std::vector<std::string> names = namesOf({"a b.obj", "a_b.obj", "a_b_obj-2.x"});
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 3U);
     EXPECT_EQ(names[2], "a_b_obj-2");
+}
+
+// Each "**" that is tried in each folder for itself would take years here.
+TEST(SceneFiles, ManyWildcardsTakeNoLonger) {
+    const test::TempFolder folder;
+    std::string deep = "a";
+    for (int i = 0; i < 30; ++i) deep += "/a";
+    std::filesystem::create_directories(folder.path() / deep);
+    std::ofstream(folder.path() / deep / "x.glb") << "v";
+    std::string pattern;
+    for (int i = 0; i < 20; ++i) pattern += "**/a/";
+    EXPECT_EQ(found(pattern + "*.glb", folder.path()), std::vector<std::string>{deep + "/x.glb"});
+    EXPECT_TRUE(found(pattern + "*.obj", folder.path())[0].starts_with("error: "));
+    EXPECT_TRUE(matches(deep + "/x.glb", pattern + "*.glb"));
+    EXPECT_FALSE(matches(deep + "/x.glb", pattern + "*.obj"));
+    std::string stars;
+    for (int i = 0; i < 40; ++i) stars += "*a";
+    EXPECT_FALSE(fitsPattern(std::string(200, 'a') + "b", stars));
+    EXPECT_TRUE(fitsPattern(std::string(200, 'a'), stars));
+}
+
+// The C library says what a pattern means; it only takes too long over some.
+TEST(SceneFiles, PatternsMeanWhatTheyMeanToShells) {
+    const std::vector<std::string> patterns = {
+        "*",      "a*",           "*a",    "*a*b", "?",     "a?c",   "[ab]c",   "[!a]*", "[^a]*",
+        "[a-c]x", "[]a]",         "[a",    "a[",   "\\*",   "a\\?",  ".*",      "[.]a",  "**",
+        "*.*",    "[[:alpha:]]1", "[a-]b", "[!]]", "a**b*", "*[ab]", "?[a-c]*", "[[]a",  "x[]]y*",
+        "",       "[]",           "a.b"};
+    const std::vector<std::string> names = {"a",  "b",   "ab",  "abc", "c",    "ac", "a.b", ".a",
+                                            "cx", "]",   "[",   "[a",  "a[",   "*",  "a?",  "-b",
+                                            "z1", "a1b", "aab", "x]y", "x]yz", "[]", ".",   "bcd"};
+    for (const std::string& pattern : patterns) {
+        for (const std::string& name : names) {
+            EXPECT_EQ(fitsPattern(name, pattern),
+                      ::fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) == 0)
+                << pattern << " " << name;
+        }
+    }
+}
+
+// Tables are freed by recursion: a key of half a million parts overflowed the stack.
+TEST(JobsFile, DeepKeysAndListsAreRefused) {
+    const test::TempFolder folder;
+    const auto refusal = [&](const std::string& text) {
+        const auto order = readJobsFile(folder.write("jobs.toml", text));
+        return order ? std::string() : describe(order.error());
+    };
+    std::string key = "a";
+    std::string quoted = "\"a=\"";
+    for (int i = 0; i < 500'000; ++i) key += ".a";
+    for (int i = 0; i < 100; ++i) quoted += " . '='";
+    for (const std::string& text : {"\n" + key + "=1\n", "\n[" + key + "]\n", "\n[[" + key + "]]\n",
+                                    "\n" + quoted + " = 1\n", "\nx = {" + key + "=1}\n"}) {
+        EXPECT_NE(refusal(text).find("jobs.toml:2: A key has more than 16 parts"),
+                  std::string::npos)
+            << refusal(text).substr(0, 200);
+    }
+    EXPECT_NE(refusal("x=" + std::string(100'000, '[')).find("nested more than 32 deep"),
+              std::string::npos);
+    // Dots of numbers and within texts are no parts of keys.
+    std::string numbers = "x = [";
+    for (int i = 0; i < 100; ++i) numbers += "0.5, 'a.b.c', ";
+    EXPECT_TRUE(checkTomlDepth(numbers + "]\n# a.b" + std::string(100, '.') + "\ny = \"\"\"\n" +
+                                   std::string(100, '.') + "\"\"\"\"\"\nz = '" +
+                                   std::string(100, '.') + "'\n",
+                               "jobs.toml"));
 }
 
 TEST(SceneFiles, MatchingNeedsNoDisk) {

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Fails when a source file includes against the direction of the folders, which the linker cannot
-# see while the leak is in headers only. Usage: cmake -DROOT=... -P include_direction.cmake
+# see while the leak is in headers only, or opens files past the function that guards it. Usage: cmake -DROOT=... -P include_direction.cmake
 set(engine_MAY engine)
 set(planning_MAY engine planning)
 set(render_MAY engine render)
@@ -42,6 +42,32 @@ foreach(rule "imgui|engine,planning,render" "GLFW/|engine,planning,render"
         endforeach()
     endforeach()
 endforeach()
+# Files of any origin are opened by engine/io/sandbox/input_file.h, which waits for no pipe, and JSON
+# is measured before it is parsed: "call|the only files that may contain it". What is below /proc is
+# the system's own.
+foreach(rule "[jJ]son::parse\\(|engine/io/bounded_json.cpp"
+             "json::accept\\(|"
+             "toml::parse\\(|app/batch/jobs_file.cpp"
+             "ifstream|app/editor/owner_mark.cpp,engine/io/sandbox/processor_wait.cpp"
+             "fopen\\(|"
+             "cv::imread\\(|")
+    string(REPLACE "|" ";" parts "${rule}")
+    list(GET parts 0 call)
+    list(GET parts 1 may)
+    string(REPLACE "," ";" may "${may}")
+    foreach(folder engine planning render ui app)
+        file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
+        list(REMOVE_ITEM files ${may})
+        foreach(file ${files})
+            file(STRINGS ${ROOT}/${file} lines REGEX "^[^/]*${call}")
+            foreach(line ${lines})
+                message("${file}: ${line}: files are opened by engine/io/sandbox/input_file.h, and "
+                        "JSON is parsed by engine/io/bounded_json.h")
+                math(EXPR wrong "${wrong} + 1")
+            endforeach()
+        endforeach()
+    endforeach()
+endforeach()
 if(wrong)
-    message(FATAL_ERROR "${wrong} includes point the wrong way")
+    message(FATAL_ERROR "${wrong} includes or calls are where they must not be")
 endif()

@@ -1,6 +1,7 @@
 #include "planning/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/stored_plan.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
 #include "tests/support/scene_builder.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <regex>
 #include <set>
 
 namespace dollytrack::planning {
@@ -202,6 +204,83 @@ TEST(Pipeline, ARoomWithoutTargetsGivesAnEmptyTrajectory) {
     const auto plan = planOf(builder.build());
     EXPECT_TRUE(plan->trajectory.frames.empty());
     EXPECT_EQ(plan->capture_metrics.objects, 0);
+}
+
+/// A plan with a value in every field that is stored.
+nlohmann::json resultWithEveryField() {
+    const Scene scene = test::twoRoomsWithDoor(0.9);
+    PlanParams params;
+    params.constraints.rooms = RoomTours::Each;
+    Plan plan = *planOf(scene, params);
+    plan.must_see = {{"altar", 10, 8, 7}};
+    plan.anchors = {{"doorways", 2, 1}};
+    plan.refused_pins = {{0, "view", Verdict::InObstacle, 1, "it is in a wall"}};
+    plan.position_points.at(0).pin = 0;
+    for (const bool captured : {true, false}) {
+        LedgerRow row = plan.ledger.at(0);
+        row.captured = captured;
+        row.well_captured = false;
+        row.loss = Loss::Occluded;
+        row.reason = "something hides it";
+        row.occluder = row.object_id;
+        row.remedy =
+            Remedy{{"hfov_deg=38"}, Pose{}, "box", {{row.object_id}}, "view", 0, true, "do"};
+        plan.ledger.push_back(row);
+    }
+    nlohmann::json result = resultJson(scene, plan);
+    addBound(result["metrics"], {1.0, 1.0, {}, {}}, 1.0);
+    result["metrics"] = withoutTimes(result["metrics"]);
+    return result;
+}
+
+// A field that is added to stored plans and not to their form is found here: nothing would check
+// it.
+TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
+    const nlohmann::json result = resultWithEveryField();
+    const Status sound = io::checkStoredPlan(result, "result");
+    ASSERT_TRUE(sound) << describe(sound.error());
+    const nlohmann::json flat = result.flatten();
+    int fields = 0;
+    std::set<std::string> seen;
+    for (const auto& [path, value] : flat.items()) {
+        // One of all entries of a list, and all values in what operations hold, which are their
+        // own.
+        const std::string kind = std::regex_replace(path, std::regex("/[0-9]+"), "/0");
+        if (!seen.insert(kind).second || kind.find("/operations/") != std::string::npos) continue;
+        ++fields;
+        for (const nlohmann::json& wrong :
+             {nlohmann::json::array({nlohmann::json::object()}), nlohmann::json("wrong"),
+              nlohmann::json({{"a", 1}}), nlohmann::json(true)}) {
+            if (wrong.type() == value.type()) continue;
+            nlohmann::json damaged = result;
+            damaged[nlohmann::json::json_pointer(path)] = wrong;
+            const Status status = io::checkStoredPlan(damaged, "result");
+            ASSERT_FALSE(status) << path << " = " << wrong;
+            EXPECT_EQ(status.error().code, ErrorCode::BadInput);
+            EXPECT_TRUE(status.error().where.starts_with("result.")) << status.error().where;
+        }
+    }
+    EXPECT_GT(fields, 100);
+}
+
+TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
+    const nlohmann::json result = resultWithEveryField();
+    for (const char* path : {"/metrics", "/metrics/ledger", "/metrics/ledger/0", "/metrics/rooms/0",
+                             "/metrics/repair/after", "/metrics/min_clearance_at", "/trajectory",
+                             "/trajectory/frames", "/trajectory/frames/0/position", "/rooms",
+                             "/rooms/0/low", "/position_points/0", "/key_frames", "/paths/0"}) {
+        for (const nlohmann::json& wrong :
+             {nlohmann::json(), nlohmann::json(1), nlohmann::json("a"), nlohmann::json::array({1}),
+              nlohmann::json({{"a", 1}})}) {
+            nlohmann::json damaged = result;
+            nlohmann::json& at = damaged[nlohmann::json::json_pointer(path)];
+            const bool key_frames = std::string(path) == "/key_frames" && wrong.is_array();
+            const bool metrics = std::string(path) == "/metrics" && wrong.is_object();
+            if (key_frames || metrics) continue;  // of the right form
+            at = wrong;
+            EXPECT_FALSE(io::checkStoredPlan(damaged, "result")) << path << " = " << wrong;
+        }
+    }
 }
 
 }  // namespace dollytrack::planning

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/front3d_architecture.h"
 
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/front3d_materials.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/mesh_part_builder.h"

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/front3d_materials.h"
 
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/scene/srgb.h"
 

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/front3d_reader.h"
 
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/front3d_architecture.h"
 #include "engine/io/datasets/front3d_furniture.h"
 #include "engine/io/datasets/front3d_scene.h"

@@ -1,6 +1,7 @@
 #include "engine/io/sandbox/importer.h"
 
 #include "engine/core/result.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/import_settings.h"
 #include "engine/io/input_check.h"
 #include "engine/io/sandbox/importer_protocol.h"
@@ -58,7 +59,8 @@ std::optional<Task> taskOf(int count, char** arguments) {
     if (::fstat(kFrameDescriptor, &status) != 0 || ::fstat(kMessageDescriptor, &status) != 0) {
         return std::nullopt;
     }
-    const nlohmann::json settings = nlohmann::json::parse(arguments[4], nullptr, false);
+    const nlohmann::json settings =
+        parseBoundedJson(arguments[4], "settings").value_or(nlohmann::json());
     Result<ImportOptions> options = importOptionsFromJson(settings);
     if (!options) return std::nullopt;
     Task task{arguments[5], std::move(*options), {}};

@@ -43,10 +43,13 @@ std::size_t InputFile::read(std::uint64_t offset, void* into, std::size_t size) 
 
 Result<std::string> InputFile::readAll(std::uint64_t most) const {
     if (size() > most) {
-        return fail(ErrorCode::BadInput,
-                    "the file has " + std::to_string(size()) + " bytes; at most " +
-                        std::to_string(most) + " can be read",
-                    where_);
+        const bool small = most < std::uint64_t{1} << 20U;
+        return fail(
+            ErrorCode::BadInput,
+            "the file is larger than " +
+                (small ? std::to_string(most) + " bytes" : std::to_string(most >> 20U) + " MiB") +
+                ", the most that is read of its kind",
+            where_);
     }
     std::string bytes(size(), '\0');
     if (read(0, bytes.data(), bytes.size()) != bytes.size()) {
@@ -59,7 +62,9 @@ Result<InputFile> openNamedFile(const std::filesystem::path& path) {
     FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (!descriptor.valid()) {
         return fail(ErrorCode::BadInput,
-                    std::string("the file cannot be opened (") + std::strerror(errno) + ")",
+                    errno == ENOENT
+                        ? "there is no such file"
+                        : std::string("the file cannot be opened (") + std::strerror(errno) + ")",
                     path.string());
     }
     Result<InputFile> file = InputFile::adopt(std::move(descriptor), path.string());

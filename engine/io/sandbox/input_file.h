@@ -47,8 +47,8 @@ class InputFile {
     std::string where_;
 };
 
-/// Opens a file that a person has named: links are followed, wherever they lead. Noted in the
-/// InputRecord.
+/// Opens a file for reading, as all programs do: links are followed, wherever they lead; a pipe or
+/// device is refused, never waited for. Noted in the InputRecord. Error: BadInput.
 [[nodiscard]] Result<InputFile> openNamedFile(const std::filesystem::path& path);
 
 /// All of such a file. Errors: BadInput.

@@ -101,9 +101,10 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
 }
 
-bool isDigest(std::string_view text) {
-    return text.size() == kDigestLength &&
-           text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+/// What a .digest file holds: the digest of a scene file, and a checksum over it and the file's own
+/// name, so that neither a changed digit nor another file's digest is believed.
+std::string digestText(const std::string& name, std::string_view digest) {
+    return std::string(digest) + " " + sha256Of(name + std::string(digest)) + "\n";
 }
 
 FileIdentity identityOf(const fs::path& program) {
@@ -160,9 +161,10 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
         const MappedEntry entry(known);
         const auto bytes = entry.bytes();
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        if (isDigest(text)) {
+        const std::string_view digest = text.substr(0, kDigestLength);
+        if (!text.empty() && text == digestText(name, digest)) {
             entry.touch();
-            return std::string(text);
+            return std::string(digest);
         }
     }
     const bool settled = hasSettled(before, settled_);
@@ -171,7 +173,7 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     const Result<InputFile> after = openNamedFile(scene);
     // Whether it is kept changes nothing but the time that the next reading takes.
     if (after && after->identity() == before) {
-        (void)writeWhole(known, std::string_view(*digest), Durability::Renamed);
+        (void)writeWhole(known, digestText(name, *digest), Durability::Renamed);
     }
     return digest;
 }

@@ -1,3 +1,4 @@
+#include "engine/io/bounded_json.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
@@ -19,9 +20,11 @@ Result<PoseList> readFront3d(const PoseFile& file) {
     PoseList list;
     std::size_t view = 0;
     const auto where = [&] { return fmt::format("{}: [{}]", file.path.string(), view); };
+    const Result<nlohmann::json> views = parseBoundedJson(file.text, file.path.string());
+    if (!views) return tl::unexpected<Error>(views.error());
     try {
         nlohmann::json room;
-        for (const nlohmann::json& one : nlohmann::json::parse(file.text)) {
+        for (const nlohmann::json& one : *views) {
             const Eigen::Vector3d position = vectorFrom(one.at("pos"));
             const Eigen::Vector3d forward = vectorFrom(one.at("target")) - position;
             const Eigen::Vector3d up =

@@ -1,3 +1,4 @@
+#include "engine/io/bounded_json.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
@@ -27,9 +28,10 @@ Result<PoseList> readTransforms(const PoseFile& file) {
     PoseList list;
     std::size_t frame = 0;
     const auto where = [&] { return fmt::format("{}: frames[{}]", file.path.string(), frame); };
+    const Result<nlohmann::json> root = parseBoundedJson(file.text, file.path.string());
+    if (!root) return tl::unexpected<Error>(root.error());
     try {
-        const nlohmann::json root = nlohmann::json::parse(file.text);
-        for (const nlohmann::json& one : root.at("frames")) {
+        for (const nlohmann::json& one : root->at("frames")) {
             const nlohmann::json& rows = one.at("transform_matrix");
             Eigen::Matrix<double, 3, 4> matrix;
             for (int row = 0; row < 3; ++row) {
@@ -45,7 +47,7 @@ Result<PoseList> readTransforms(const PoseFile& file) {
             list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
             ++frame;
         }
-        list.hfov_deg = hfovOf(root);
+        list.hfov_deg = hfovOf(*root);
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
                     fmt::format("It is not a transforms.json ({}).", error.what()), where());

@@ -1,4 +1,4 @@
-#include "engine/io/datasets/bounded_json.h"
+#include "engine/io/bounded_json.h"
 #include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
@@ -222,6 +222,13 @@ TEST(BoundedJson, CountsBracketsOutsideOfTextsOnly) {
     EXPECT_TRUE(io::parseBoundedJson(R"({"a":")" + brackets + R"(\"[[["})", "text"));
     EXPECT_FALSE(io::parseBoundedJson(std::string(65, '[') + std::string(65, ']'), "text"));
     EXPECT_TRUE(io::parseBoundedJson(std::string(64, '[') + std::string(64, ']'), "text"));
+    // 80 MB of text would take more than 2 GiB as values.
+    std::string many = "[";
+    many.reserve(110'000'000);
+    while (many.size() < 105'000'000) many += "[],";
+    const auto refused = io::parseBoundedJson(many + "0]", "text");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("too many values"), std::string::npos);
     EXPECT_EQ(io::numberIn(nlohmann::json("0.25")), 0.25);
     EXPECT_EQ(io::numberIn(nlohmann::json("0.25x")), std::nullopt);
     EXPECT_EQ(io::numberIn(nlohmann::json("1e999")), std::nullopt);

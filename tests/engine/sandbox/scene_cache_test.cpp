@@ -115,14 +115,25 @@ TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
     EXPECT_TRUE(digests().empty());
     EXPECT_EQ(*at_once.digestOf(scene_), *io::sha256OfFile(scene_));
     ASSERT_EQ(digests().size(), 1U);
-    // What is written there is what it answers with from now on, unless it is no digest.
-    const std::string other(64, 'a');
-    put("cache/" + digests()[0].filename().string(), other);
-    EXPECT_EQ(*cache_.digestOf(scene_), other);
-    put("cache/" + digests()[0].filename().string(), "damaged");
+    // It is read again while it is whole, which its time shows; no changed digit is believed.
+    const fs::path kept = digests()[0];
+    const std::string whole = *io::readNamedFile(kept, 1000);
+    const fs::file_time_type old{std::chrono::hours(1)};
+    fs::last_write_time(kept, old);
     EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_NE(fs::last_write_time(kept), old);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        std::string damaged = whole;
+        damaged[i] = damaged[i] == '0' ? '1' : '0';
+        put("cache/" + kept.filename().string(), damaged);
+        EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_)) << i;
+    }
+    for (const std::string& damaged : {std::string(), std::string(64, 'a'), whole.substr(1)}) {
+        put("cache/" + kept.filename().string(), damaged);
+        EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_)) << damaged;
+    }
 
-    put("cache/" + digests()[0].filename().string(), other);
+    put("cache/" + kept.filename().string(), whole);
     const auto time = fs::last_write_time(scene_);
     put("scene/room.obj", "v 9 9 9");  // as long as before
     fs::last_write_time(scene_, time);

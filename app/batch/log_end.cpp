@@ -1,0 +1,20 @@
+#include "app/batch/log_end.h"
+
+#include "engine/io/sandbox/input_file.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace dollytrack::batch {
+
+std::string endOf(const std::filesystem::path& log, std::size_t bytes) {
+    const Result<io::InputFile> file = io::openNamedFile(log);
+    if (!file) return {};
+    const bool cut = file->size() > bytes;
+    std::string end(std::min<std::uint64_t>(bytes, file->size()), '\0');
+    end.resize(file->read(file->size() - end.size(), end.data(), end.size()));
+    if (cut) end.erase(0, std::min(end.find('\n'), end.size() - 1) + 1);
+    return end;
+}
+
+}  // namespace dollytrack::batch

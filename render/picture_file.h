@@ -1,0 +1,14 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <filesystem>
+
+namespace dollytrack::render {
+
+/// Reads a picture as cv::imread() does with the same flags, but only from an ordinary file of at
+/// most 512 MiB: imread() waits for pipes and reads devices without end. Empty where there is none
+/// or it cannot be decoded.
+[[nodiscard]] cv::Mat readPictureFile(const std::filesystem::path& path, int flags);
+
+}  // namespace dollytrack::render
