@@ -33,6 +33,7 @@ struct EditArguments {
     std::vector<std::string> operations;
     bool plan = false;
     bool list = false;
+    bool dry_run = false;
     bool as_json = false;
 
     /// Nothing is to be edited: the edits that are there are listed.
@@ -41,7 +42,7 @@ struct EditArguments {
     }
     [[nodiscard]] bool writesProject() const {
         return !out.empty() ||
-               (isProjectFile(scene.path) && !(script.empty() && operations.empty()));
+               (!dry_run && isProjectFile(scene.path) && !(script.empty() && operations.empty()));
     }
 };
 
@@ -130,6 +131,13 @@ std::string wordsOf(const Eigen::Vector3d& point) {
     return fmt::format("{:.2f}, {:.2f}, {:.2f}", point.x(), point.y(), point.z());
 }
 
+std::string wordsOf(const SplitLimits& limits) {
+    std::string text = "into its pieces";
+    if (limits.min_size_m > 0.0) text += fmt::format(" from {:g} m on", limits.min_size_m);
+    if (limits.max_pieces > 0) text += fmt::format(", {} at most", limits.max_pieces);
+    return text;
+}
+
 std::string wordsOf(const ObjectChange& change) {
     std::vector<std::string> parts;
     if (change.role) parts.emplace_back(*change.role == Role::Target ? "target" : "excluded");
@@ -157,7 +165,7 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
     for (const ObjectDefinition& one : edits.scene.definitions) {
         const bool merged = one.kind == ObjectDefinition::Kind::Merge;
         rows.push_back({merged ? "merged" : "split", merged ? one.name : wordsOf(one.objects),
-                        merged ? "from " + wordsOf(one.objects) : "into its pieces"});
+                        merged ? "from " + wordsOf(one.objects) : wordsOf(one.limits)});
     }
     for (const std::string& one : edits.scene.ignore) {
         rows.push_back({"ignored", one, "class or name that is no target"});
@@ -225,7 +233,7 @@ Status checkArguments(const EditArguments& arguments) {
     if (arguments.scene.path.empty()) {
         return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
     }
-    if (arguments.showsOnly() && (arguments.plan || !arguments.out.empty())) {
+    if (arguments.showsOnly() && (arguments.plan || arguments.dry_run || !arguments.out.empty())) {
         return fail(ErrorCode::Usage,
                     "Say what to edit: give --script or --op; --list tells what.");
     }
@@ -236,7 +244,12 @@ Status checkArguments(const EditArguments& arguments) {
                     "Edits are listed without reading the scene; leave --unit, --up, --labels, "
                     "--models and --annotations out.");
     }
-    if (arguments.out.empty() && !isProjectFile(arguments.scene.path) &&
+    if (arguments.dry_run &&
+        (arguments.plan || !arguments.out.empty() || !arguments.annotations.empty())) {
+        return fail(ErrorCode::Usage,
+                    "A dry run writes nothing; leave --plan, -o and --write-annotations out.");
+    }
+    if (arguments.out.empty() && !arguments.dry_run && !isProjectFile(arguments.scene.path) &&
         arguments.annotations.empty()) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
                     arguments.scene.path);
@@ -351,6 +364,9 @@ void addEditCommand(CLI::App& app, Session& session) {
                      "SCENE.objects.json beside the scene is found by itself")
         ->type_name("FILE");
     command->add_flag("--plan", arguments->plan, "Plan afterwards, and store the plan");
+    command->add_flag("--dry-run", arguments->dry_run,
+                      "Say what the operations would do, into how many pieces a split would go, "
+                      "and write nothing");
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");
     command->footer(
