@@ -238,11 +238,12 @@ Status checkArguments(const EditArguments& arguments) {
                     "Say what to edit: give --script or --op; --list tells what.");
     }
     const SceneArguments& scene = arguments.scene;
-    if (arguments.showsOnly() && (scene.unit_m || scene.up_axis || scene.labels ||
-                                  !scene.models.empty() || scene.annotations)) {
+    if (arguments.showsOnly() &&
+        (scene.unit_m || scene.up_axis || scene.labels || !scene.models.empty() ||
+         scene.annotations || scene.keep_meshes)) {
         return fail(ErrorCode::Usage,
                     "Edits are listed without reading the scene; leave --unit, --up, --labels, "
-                    "--models and --annotations out.");
+                    "--models, --annotations and --keep-meshes out.");
     }
     if (arguments.dry_run &&
         (arguments.plan || !arguments.out.empty() || !arguments.annotations.empty())) {
