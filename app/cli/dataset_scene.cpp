@@ -164,6 +164,7 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
     if (given.labels) options.labels = *given.labels;
     options.model_folders.assign(given.models.begin(), given.models.end());
     if (given.annotations) options.annotations = *given.annotations;
+    options.regroup = !given.keep_meshes;
     options.read_textures = said.albedo;
     options.use_cache = true;
     options.small_volume_m3 = said.sizes.small_volume_m3;
@@ -191,6 +192,7 @@ Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidO
     SceneArguments arguments;
     arguments.path = path.string();
     arguments.labels = given.labels;
+    arguments.keep_meshes = given.keep_meshes;
     arguments.models = given.models;
     arguments.annotations = given.annotations;
     Result<OpenedScene> opened = openScene(arguments, job);
@@ -205,6 +207,10 @@ void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& argument
         .add_option("--scene", arguments.path,
                     "The scene or project it was made of; else looked for beside the dataset")
         ->type_name("SCENE");
+    command.add_flag(
+        "--keep-meshes", arguments.keep_meshes,
+        "As 'plan --keep-meshes' had it: meshes with parts of several objects are left "
+        "whole");
     command
         .add_option("--labels", arguments.labels,
                     "The table of names and NYU40 classes it was made with, if any")

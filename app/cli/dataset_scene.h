@@ -23,9 +23,10 @@ struct DatasetSceneArguments {
     std::optional<std::string> labels;
     std::vector<std::string> models;  // folders
     std::optional<std::string> annotations;
+    bool keep_meshes = false;
 };
 
-/// --scene, --labels, --models, --annotations
+/// --scene, --labels, --models, --annotations, --keep-meshes
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments);
 
 /// The scene that the dataset shows, as it was then: with the edits that dataset.json has.

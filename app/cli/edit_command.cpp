@@ -34,6 +34,7 @@ struct EditArguments {
     std::vector<std::string> operations;
     bool plan = false;
     bool list = false;
+    bool dry_run = false;
     bool as_json = false;
 
     /// Nothing is to be edited: the edits that are there are listed.
@@ -42,7 +43,7 @@ struct EditArguments {
     }
     [[nodiscard]] bool writesProject() const {
         return !out.empty() ||
-               (isProjectFile(scene.path) && !(script.empty() && operations.empty()));
+               (!dry_run && isProjectFile(scene.path) && !(script.empty() && operations.empty()));
     }
 };
 
@@ -115,6 +116,13 @@ std::string wordsOf(const Eigen::Vector3d& point) {
     return fmt::format("{:.2f}, {:.2f}, {:.2f}", point.x(), point.y(), point.z());
 }
 
+std::string wordsOf(const SplitLimits& limits) {
+    std::string text = "into its pieces";
+    if (limits.min_size_m > 0.0) text += fmt::format(" from {:g} m on", limits.min_size_m);
+    if (limits.max_pieces > 0) text += fmt::format(", {} at most", limits.max_pieces);
+    return text;
+}
+
 std::string wordsOf(const ObjectChange& change) {
     std::vector<std::string> parts;
     if (change.role) parts.emplace_back(*change.role == Role::Target ? "target" : "excluded");
@@ -142,7 +150,7 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
     for (const ObjectDefinition& one : edits.scene.definitions) {
         const bool merged = one.kind == ObjectDefinition::Kind::Merge;
         rows.push_back({merged ? "merged" : "split", merged ? one.name : wordsOf(one.objects),
-                        merged ? "from " + wordsOf(one.objects) : "into its pieces"});
+                        merged ? "from " + wordsOf(one.objects) : wordsOf(one.limits)});
     }
     for (const std::string& one : edits.scene.ignore) {
         rows.push_back({"ignored", one, "class or name that is no target"});
@@ -210,18 +218,24 @@ Status checkArguments(const EditArguments& arguments) {
     if (arguments.scene.path.empty()) {
         return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
     }
-    if (arguments.showsOnly() && (arguments.plan || !arguments.out.empty())) {
+    if (arguments.showsOnly() && (arguments.plan || arguments.dry_run || !arguments.out.empty())) {
         return fail(ErrorCode::Usage,
                     "Say what to edit: give --script or --op; --list tells what.");
     }
     const SceneArguments& scene = arguments.scene;
-    if (arguments.showsOnly() && (scene.unit_m || scene.up_axis || scene.labels ||
-                                  !scene.models.empty() || scene.annotations)) {
+    if (arguments.showsOnly() &&
+        (scene.unit_m || scene.up_axis || scene.labels || !scene.models.empty() ||
+         scene.annotations || scene.keep_meshes)) {
         return fail(ErrorCode::Usage,
                     "Edits are listed without reading the scene; leave --unit, --up, --labels, "
-                    "--models and --annotations out.");
+                    "--models, --annotations and --keep-meshes out.");
     }
-    if (arguments.out.empty() && !isProjectFile(arguments.scene.path) &&
+    if (arguments.dry_run &&
+        (arguments.plan || !arguments.out.empty() || !arguments.annotations.empty())) {
+        return fail(ErrorCode::Usage,
+                    "A dry run writes nothing; leave --plan, -o and --write-annotations out.");
+    }
+    if (arguments.out.empty() && !arguments.dry_run && !isProjectFile(arguments.scene.path) &&
         arguments.annotations.empty()) {
         return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
                     arguments.scene.path);
@@ -336,6 +350,9 @@ void addEditCommand(CLI::App& app, Session& session) {
                      "SCENE.objects.json beside the scene is found by itself")
         ->type_name("FILE");
     command->add_flag("--plan", arguments->plan, "Plan afterwards, and store the plan");
+    command->add_flag("--dry-run", arguments->dry_run,
+                      "Say what the operations would do, into how many pieces a split would go, "
+                      "and write nothing");
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");
     command->footer(

@@ -181,6 +181,7 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
     if (arguments.annotations) {
         stored["annotations"] = std::filesystem::absolute(*arguments.annotations).string();
     }
+    if (arguments.keep_meshes) stored["regroup"] = false;
     return stored;
 }
 
@@ -256,6 +257,9 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
                     "beside it, or the folder of a Hypersim scene (ai_VVV_NNN)")
         ->check(CLI::ExistingPath.description(""))
         ->type_name("FILE|DIR");
+    command.add_flag("--keep-meshes", arguments.keep_meshes,
+                     "Leave meshes whole that hold parts of several objects; else their pieces are "
+                     "regrouped to objects");
     command
         .add_option(
             "--cloud", arguments.cloud,

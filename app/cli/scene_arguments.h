@@ -29,6 +29,7 @@ struct SceneArguments {
     std::optional<std::string> labels;
     std::vector<std::string> models;         // --models folders
     std::optional<std::string> annotations;  // a file or a folder
+    bool keep_meshes = false;                // --keep-meshes: no regrouping
     std::vector<std::string> assignments;    // --set name=value
     std::vector<std::string> cloud;          // --cloud name=value
     std::optional<int> seed;
@@ -46,8 +47,8 @@ struct SceneArguments {
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// --unit, --up, --labels, --models, --annotations, --cloud: part of the above, for commands that
-/// take several scenes.
+/// --unit, --up, --labels, --models, --annotations, --keep-meshes, --cloud: part of the above, for
+/// commands that take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
 /// --set, --seed, --max-frames, --max-length, --fps, --duration; --ignore, --only, --start, --end, --loop
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);

@@ -122,13 +122,14 @@ void Editor::addEditCommands() {
                    {},
                    [this] {
                        const int id = selected_.objects().front();
-                       apply({{"op", "split"}, {"object", id}});
+                       apply(ui::splitOperation(id, panels_.selection.split));
                    },
                    [this]() -> std::string {
                        if (selected_.objects().size() != 1) return "Select one object first.";
-                       const auto pieces =
+                       ui::SelectionView view;
+                       view.piece_sizes_m =
                            pieces_.of(workspace_.shown().scene, selected_.objects().front());
-                       return pieces == 1 ? "It is one connected piece." : "";
+                       return ui::whyNoSplit(view, panels_.selection.split);
                    }});
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {

@@ -165,7 +165,7 @@ void Editor::drawSelection() {
     view.free_space = shown.free_space.get();
     view.track_time_s = track_time_.now();
     if (selected_.is(Selection::Kind::Object)) {
-        view.pieces = pieces_.of(shown.scene, selected_.objects().front());
+        view.piece_sizes_m = pieces_.of(shown.scene, selected_.objects().front());
     }
     panels_.selection.show_candidates = layer_settings_.candidates;
     const int object =

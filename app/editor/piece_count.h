@@ -7,23 +7,25 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace dollytrack::editor {
 
-/// Of how many connected pieces the selected object is: counted in the background when it is
-/// selected, since a million triangles take a while. Main thread only.
+/// Of which connected pieces the selected object is: found in the background when it is selected,
+/// since a million triangles take a while. Main thread only.
 class PieceCount {
   public:
     explicit PieceCount(std::function<void()> wake) : counter_(std::move(wake)) {}
 
-    /// Once a frame while the object is selected; nothing while it is being counted.
-    std::optional<std::size_t> of(const std::shared_ptr<const Scene>& scene, int object);
+    /// Once a frame while the object is selected: their sizes as pieceSizes() gives them; null
+    /// while they are being found.
+    const std::vector<double>* of(const std::shared_ptr<const Scene>& scene, int object);
 
   private:
     struct Counted {
         std::shared_ptr<const Scene> scene;
         int object = 0;
-        std::size_t pieces = 0;
+        std::vector<double> sizes_m;
     };
     std::shared_ptr<const Scene> asked_scene_;
     int asked_object_ = 0;

@@ -47,7 +47,8 @@ void define(Scene& scene, const ObjectDefinition& definition) {
         if (ids.size() > 1) mergeObjects(scene, ids, definition.name, definition.nyu40);
         return;
     }
-    const std::vector<TriangleList> pieces = findPieces(scene, scene.object(ids.front()));
+    const std::vector<TriangleList> pieces =
+        findPieces(scene, scene.object(ids.front()), definition.limits);
     if (pieces.size() < 2) {
         warnings.push_back(what + " was left out: it is one connected piece now");
         return;

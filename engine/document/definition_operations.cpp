@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace dollytrack {
 namespace {
@@ -75,6 +76,39 @@ bool isTaken(const Scene& scene, const std::string& name, const std::vector<Obje
     });
 }
 
+struct SplitCount {
+    std::size_t pieces = 0;
+    std::size_t joined = 0;  // connected pieces that stay with another one
+    double smallest_m = std::numeric_limits<double>::infinity();
+};
+
+/// Splits one object of `scene`, and of the state that the scene shows. False where it stays whole.
+bool splitOne(ProjectState& state, Scene& scene, const ObjectRef& object, const SplitLimits& limits,
+              SplitCount& count) {
+    const std::vector<TriangleList> pieces = findPieces(scene, scene.object(object.id), limits);
+    if (pieces.size() < 2) return false;
+    const std::vector<double> sizes = pieceSizes(scene, scene.object(object.id));
+    count.pieces += pieces.size();
+    count.joined += sizes.size() - pieces.size();
+    count.smallest_m = std::min(count.smallest_m, sizes[pieces.size() - 1]);
+    const std::vector<std::string> names = pieceNames(scene, object.name, pieces.size());
+    Successors successors;
+    int next = 1;
+    for (const Object& other : scene.objects) {
+        std::vector<ObjectRef>& made = successors.emplace_back();
+        if (other.id != object.id) {
+            made.push_back({next++, other.name});
+            continue;
+        }
+        for (const std::string& name : names) made.push_back({next++, name});
+    }
+    followAll(state.edits, scene, successors);
+    state.edits.scene.definitions.push_back(
+        {ObjectDefinition::Kind::Split, {object}, object.name, 0, limits});
+    splitObject(scene, object.id, pieces, names);
+    return true;
+}
+
 }  // namespace
 
 std::string merge(ProjectState& state, const OperationContext& context,
@@ -135,31 +169,31 @@ std::string merge(ProjectState& state, const OperationContext& context,
 
 std::string split(ProjectState& state, const OperationContext& context,
                   const OperationReader& fields) {
-    const Scene& scene = context.scene;
-    const ObjectRef object = fields.object("object");
-    if (fields.good()) refuseMoved(state, context, {object}, fields.field("object"));
+    const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
+    const SplitLimits limits = fields.splitLimits();
+    const JsonReader said = fields.field(fields.has("object") ? "object" : "class");
+    if (fields.good()) refuseMoved(state, context, objects, said);
     if (!fields.good()) return {};
-    const std::size_t pieces = findPieces(scene, scene.object(object.id)).size();
-    if (pieces < 2) {
-        fields.field("object").refuse(
-            fmt::format("'{}' is one connected piece and cannot be split.", object.name));
+    Scene scene = context.scene;
+    SplitCount count;
+    std::vector<ObjectRef> done;
+    // From the last one on: the numbers of those before it stay.
+    for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
+        if (splitOne(state, scene, *object, limits, count)) done.insert(done.begin(), *object);
+    }
+    if (done.empty()) {
+        said.refuse(limits == SplitLimits{}
+                        ? fmt::format("'{}' is one connected piece and cannot be split.",
+                                      objects.front().name)
+                        : fmt::format("'{}' has no two pieces within these limits; lower "
+                                      "min_size_m.",
+                                      objects.front().name));
         return {};
     }
-    const std::vector<std::string> names = pieceNames(scene, object.name, pieces);
-    Successors successors;
-    int next = 1;
-    for (const Object& other : scene.objects) {
-        std::vector<ObjectRef>& made = successors.emplace_back();
-        if (other.id != object.id) {
-            made.push_back({next++, other.name});
-            continue;
-        }
-        for (const std::string& name : names) made.push_back({next++, name});
-    }
-    followAll(state.edits, scene, successors);
-    state.edits.scene.definitions.push_back(
-        {ObjectDefinition::Kind::Split, {object}, object.name, 0});
-    return fmt::format("Split {} into {} pieces", object.name, pieces);
+    return fmt::format(
+        "Split {} into {} pieces, the smallest {:.3g} m{}", listInWords(done), count.pieces,
+        count.smallest_m,
+        count.joined == 0 ? "" : fmt::format(", {} smaller ones with the nearest", count.joined));
 }
 
 }  // namespace dollytrack

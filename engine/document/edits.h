@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/document/split_limits.h"
 #include "engine/math/pose.h"
 #include "engine/scene/object.h"
 
@@ -27,6 +28,7 @@ struct ObjectDefinition {
     std::vector<ObjectRef> objects;  // by rising id, as the definitions before this one number them
     std::string name;                // of the new object; of pieces: followed by a number
     int nyu40 = 0;                   // of the merged object; 0: that of its largest part
+    SplitLimits limits;              // of a split
     bool operator==(const ObjectDefinition&) const = default;
 };
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <type_traits>
 
 namespace dollytrack {
 namespace {
@@ -37,12 +38,22 @@ json refsJson(const std::vector<ObjectRef>& refs) {
     return list;
 }
 
+json limitsJson(const SplitLimits& limits) {
+    json members;
+    visitSplitLimits(limits, [&](const char* name, const auto& value, const FieldInfo&) {
+        members[name] = value;
+    });
+    return members;
+}
+
 json definitionJson(const ObjectDefinition& definition) {
     const bool merges = definition.kind == ObjectDefinition::Kind::Merge;
-    return {{"kind", merges ? "merge" : "split"},
-            {"objects", refsJson(definition.objects)},
-            {"name", definition.name},
-            {"nyu40", definition.nyu40}};
+    json one = {{"kind", merges ? "merge" : "split"},
+                {"objects", refsJson(definition.objects)},
+                {"name", definition.name},
+                {"nyu40", definition.nyu40}};
+    if (definition.limits != SplitLimits{}) one.update(limitsJson(definition.limits));
+    return one;
 }
 
 json moveJson(const ObjectMove& move) {
@@ -116,6 +127,7 @@ ObjectDefinition readDefinition(const JsonReader& from) {
     }
     definition.name = from.at("name").text();
     definition.nyu40 = from.at("nyu40").integer(0, kNyu40Count);
+    definition.limits = readSplitLimits(from);
     return definition;
 }
 
@@ -300,6 +312,23 @@ Result<Edits> editsFromJson(const json& section) {
     edits.plan.end = readPinName(from.at("end"), edits.plan.pinned);
     if (!status) return tl::unexpected<Error>(std::move(status.error()));
     return edits;
+}
+
+SplitLimits readSplitLimits(const JsonReader& from) {
+    SplitLimits limits;
+    visitSplitLimits(limits, [&](const char* name, auto& value, const FieldInfo& info) {
+        const JsonReader member = from.at(name);
+        if (member.absent()) return;
+        if constexpr (std::is_same_v<decltype(value), int&>) {
+            value = member.integer(static_cast<int>(info.min), static_cast<int>(info.max));
+        } else {
+            value = member.number(info.min, info.max);
+        }
+        if (!info.range().has(value)) {
+            member.refuse(fmt::format("This must be {}.", info.range().text()));
+        }
+    });
+    return limits;
 }
 
 }  // namespace dollytrack

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/document/edits.h"
+#include "engine/document/json_reader.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,5 +17,9 @@ nlohmann::json editsJson(const Edits& edits);
 /// with the place ("edits.pinned[2].position") for wrong types and values, and for a section of a
 /// later version.
 Result<Edits> editsFromJson(const nlohmann::json& section);
+
+/// The members of an object that are named like the fields of a split's limits; what is absent is
+/// off.
+SplitLimits readSplitLimits(const JsonReader& from);
 
 }  // namespace dollytrack

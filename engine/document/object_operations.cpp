@@ -78,15 +78,15 @@ std::vector<std::string> patterns(const OperationReader& fields) {
 
 std::string excludeObject(ProjectState& state, const OperationContext& context,
                           const OperationReader& fields) {
-    std::vector<ObjectRef> objects = fields.objects("object");
+    std::vector<ObjectRef> objects = fields.objectsOrClass("object");
     if (!fields.good()) return {};
     const std::string first = objects.front().name;
     std::erase_if(objects, [&](const ObjectRef& object) {
         return context.scene.object(object.id).role == Role::Structure;
     });
     if (objects.empty()) {
-        fields.field("object").refuse(
-            fmt::format("'{}' is a part of the building and no target anyway.", first));
+        fields.field(fields.has("object") ? "object" : "class")
+            .refuse(fmt::format("'{}' is a part of the building and no target anyway.", first));
         return {};
     }
     for (const ObjectRef& object : objects) {
@@ -101,7 +101,7 @@ std::string excludeObject(ProjectState& state, const OperationContext& context,
 
 std::string includeObject(ProjectState& state, const OperationContext& context,
                           const OperationReader& fields) {
-    const std::vector<ObjectRef> objects = fields.objects("object");
+    const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
     if (!fields.good()) return {};
     for (const ObjectRef& object : objects) {
         // Import makes everything a target that is no structure, and lists may take it back; only
@@ -117,11 +117,13 @@ std::string includeObject(ProjectState& state, const OperationContext& context,
 
 std::string setClass(ProjectState& state, const OperationContext& context,
                      const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
+    const std::vector<ObjectRef> objects = fields.objects("object");
     const int nyu40 = fields.nyu40("class");
     if (!fields.good()) return {};
-    alter(state, context, object, [&](ObjectChange& change) { change.nyu40 = nyu40; });
-    return fmt::format("Make {} a {}", object.name, nyu40Name(nyu40));
+    for (const ObjectRef& object : objects) {
+        alter(state, context, object, [&](ObjectChange& change) { change.nyu40 = nyu40; });
+    }
+    return fmt::format("Make {} a {}", listInWords(objects), nyu40Name(nyu40));
 }
 
 std::string setFront(ProjectState& state, const OperationContext& context,
@@ -193,17 +195,20 @@ std::string goToTime(ProjectState& state, const OperationContext&, const Operati
 
 std::string setSize(ProjectState& state, const OperationContext& context,
                     const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
+    const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
     const std::string size = fields.field("size").text();
     if (size != "large" && size != "small" && size != "auto") {
         fields.field("size").refuse("This must be large, small or auto.");
     }
     if (!fields.good()) return {};
-    alter(state, context, object, [&](ObjectChange& change) {
-        change.large = size == "auto" ? std::nullopt : std::optional(size == "large");
-    });
-    return size == "auto" ? fmt::format("Measure the size of {}", object.name)
-                          : fmt::format("Make {} {}", object.name, size);
+    for (const ObjectRef& object : objects) {
+        alter(state, context, object, [&](ObjectChange& change) {
+            change.large = size == "auto" ? std::nullopt : std::optional(size == "large");
+        });
+    }
+    const std::string names = listInWords(objects);
+    return size == "auto" ? fmt::format("Measure the size of {}", names)
+                          : fmt::format("Make {} {}", names, size);
 }
 
 std::string ignoreObjects(ProjectState& state, const OperationContext&,
@@ -222,14 +227,16 @@ std::string onlyObjects(ProjectState& state, const OperationContext&,
 
 std::string resetObject(ProjectState& state, const OperationContext& context,
                         const OperationReader& fields) {
-    const ObjectRef object = fields.object("object");
+    const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
     if (!fields.good()) return {};
-    alter(state, context, object, [](ObjectChange& change) {
-        const ObjectRef same = change.object;
-        change = {};
-        change.object = same;
-    });
-    return "Reset " + object.name;
+    for (const ObjectRef& object : objects) {
+        alter(state, context, object, [](ObjectChange& change) {
+            const ObjectRef same = change.object;
+            change = {};
+            change.object = same;
+        });
+    }
+    return "Reset " + listInWords(objects);
 }
 
 }  // namespace dollytrack

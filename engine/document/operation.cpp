@@ -14,7 +14,11 @@ using nlohmann::json;
 
 // Fields that several operations share.
 const OperationField kObject = {"object", "object", true, "its name or number"};
-const OperationField kOneOrMore = {"object", "objects", true, "its name or number, or a list"};
+const OperationField kOneOrMore = {"object", "objects", true,
+                                   "its name or number, a class, a name with * and ?, or a list"};
+const OperationField kSelected = {"object", "objects", false,
+                                  "its name or number, a class, a name with * and ?, or a list"};
+const OperationField kOfClass = {"class", "class", false, "or all of this class, NYU40"};
 const OperationField kObjects = {"objects", "objects", true,
                                  "those that the observation point stands for"};
 const OperationField kName = {"name", "text", false, "a name of its own; else one is made"};
@@ -32,6 +36,16 @@ const OperationField kWeight = {"weight", "number", false,
 const OperationField kMustSee = {"must_see", "flag", false,
                                  "true: all of its surface that can be seen is to be seen"};
 
+/// What a split is told, from the one list of its fields.
+std::vector<OperationField> splitFields() {
+    std::vector<OperationField> fields = {kSelected, kOfClass};
+    const SplitLimits limits;
+    visitSplitLimits(limits, [&](std::string_view name, auto, const FieldInfo& info) {
+        fields.push_back({name, "number", false, info.text});
+    });
+    return fields;
+}
+
 OperationField optional(OperationField field) {
     field.required = false;
     return field;
@@ -46,23 +60,23 @@ const std::vector<OperationInfo>& infos() {
         {"exclude",
          excludeObject,
          "Makes objects no targets: obstacles and labels only.",
-         {kOneOrMore}},
+         {kSelected, kOfClass}},
         {"include",
          includeObject,
          "Makes objects targets, parts of the building as well.",
-         {kOneOrMore}},
+         {kSelected, kOfClass}},
         {"set_class",
          setClass,
-         "Sets the class of an object.",
-         {kObject, {"class", "class", true, "NYU40, as a name or a number"}}},
+         "Sets the class of objects.",
+         {kOneOrMore, {"class", "class", true, "NYU40, as a name or a number"}}},
         {"set_front",
          setFront,
          "Sets the side from which an object is seen best.",
          {kObject, {"front", "direction", true, "degrees (0: along x, 90: along y) or [x, y]"}}},
         {"set_size",
          setSize,
-         "Makes an object large or small for the planner; auto measures it.",
-         {kObject, {"size", "text", true, "large, small or auto"}}},
+         "Makes objects large or small for the planner; auto measures them.",
+         {kSelected, kOfClass, {"size", "text", true, "large, small or auto"}}},
         {"move_object",
          moveObjectBy,
          "Moves and turns an object from where the scene file has it; what is not given stays.",
@@ -82,7 +96,10 @@ const std::vector<OperationInfo>& infos() {
          goToTime,
          "Moves all objects with tracks to where these have them at a time.",
          {{"time_s", "number", true, "s; before the first key and after the last they rest"}}},
-        {"reset_object", resetObject, "Takes back everything said of an object.", {kObject}},
+        {"reset_object",
+         resetObject,
+         "Takes back everything said of objects.",
+         {kSelected, kOfClass}},
         {"ignore",
          ignoreObjects,
          "Makes no targets of whole classes, or of objects by name; replaces what was ignored.",
@@ -94,10 +111,10 @@ const std::vector<OperationInfo>& infos() {
         {"merge",
          merge,
          "Makes one new object of several.",
-         {{"objects", "objects", true, "two or more"},
+         {{"objects", "objects", true, "two or more; classes and names with * and ? as well"},
           {"name", "text", true, "of the new object"},
           {"class", "class", false, "NYU40; else that of the largest part"}}},
-        {"split", split, "Takes an object apart into its connected pieces.", {kObject}},
+        {"split", split, "Takes objects apart into their connected pieces.", splitFields()},
         {"pin",
          pin,
          "Fixes the position point of an observation point; one pinned already is moved.",

@@ -1,6 +1,8 @@
 #include "engine/document/operation_reader.h"
 
 #include "engine/core/name_hint.h"
+#include "engine/document/edits_json.h"
+#include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -76,18 +78,72 @@ ObjectRef OperationReader::object(const std::string& name) const {
     return readObject(field(name));
 }
 
-std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
-    const JsonReader list = field(name);
-    if (!list.json().is_array()) return {readObject(list)};
+std::vector<ObjectRef> OperationReader::named(std::string_view pattern) const {
     std::vector<ObjectRef> refs;
-    for (std::size_t i = 0; i < list.size(); ++i) refs.push_back(readObject(list.at(i)));
-    if (refs.empty()) list.refuse("This must name at least one object.");
-    std::sort(refs.begin(), refs.end(),
-              [](const ObjectRef& a, const ObjectRef& b) { return a.id < b.id; });
-    if (std::adjacent_find(refs.begin(), refs.end()) != refs.end()) {
-        list.refuse("An object is named twice.");
+    for (const Object& object : scene_.objects) {
+        if (isNamedBy(object, pattern)) refs.push_back({object.id, object.name});
     }
     return refs;
+}
+
+std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
+    const JsonReader field_of = field(name);
+    const bool is_list = field_of.json().is_array();
+    const std::size_t entries = is_list ? field_of.size() : 1;
+    std::vector<ObjectRef> refs;  // each named by itself
+    std::vector<ObjectRef> by_pattern;
+    for (std::size_t i = 0; i < entries; ++i) {
+        const JsonReader entry = is_list ? field_of.at(i) : field_of;
+        std::vector<ObjectRef> found;
+        if (entry.json().is_string()) {
+            const std::string text = entry.text();
+            const bool is_name =
+                std::ranges::find(scene_.objects, text, &Object::name) != scene_.objects.end();
+            if (!is_name) found = named(text);
+        }
+        if (found.empty()) {
+            refs.push_back(readObject(entry));
+        } else {
+            by_pattern.insert(by_pattern.end(), found.begin(), found.end());
+        }
+    }
+    if (entries == 0) field_of.refuse("This must name at least one object.");
+    const auto byNumber = [](const ObjectRef& a, const ObjectRef& b) { return a.id < b.id; };
+    std::sort(refs.begin(), refs.end(), byNumber);
+    if (std::adjacent_find(refs.begin(), refs.end()) != refs.end()) {
+        field_of.refuse("An object is named twice.");
+    }
+    // Patterns may overlap.
+    refs.insert(refs.end(), by_pattern.begin(), by_pattern.end());
+    std::sort(refs.begin(), refs.end(), byNumber);
+    refs.erase(std::unique(refs.begin(), refs.end()), refs.end());
+    return refs;
+}
+
+std::vector<ObjectRef> OperationReader::objectsOrClass(const std::string& name) const {
+    if (has(name) == has("class")) {
+        fields_.refuse(has(name)
+                           ? fmt::format("Give either '{}' or 'class', not both.", name)
+                           : fmt::format("It needs the field '{}' or 'class': which objects it is "
+                                         "about.",
+                                         name));
+        return {};
+    }
+    if (has(name)) return objects(name);
+    const int wanted = nyu40("class");
+    std::vector<ObjectRef> refs;
+    for (const Object& object : scene_.objects) {
+        if (good() && object.nyu40 == wanted) refs.push_back({object.id, object.name});
+    }
+    if (good() && refs.empty()) {
+        field("class").refuse(
+            fmt::format("The scene has no object of the class '{}'.", nyu40Name(wanted)));
+    }
+    return refs;
+}
+
+SplitLimits OperationReader::splitLimits() const {
+    return readSplitLimits(fields_);
 }
 
 int OperationReader::nyu40(const std::string& name) const {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dollytrack {
@@ -24,8 +25,11 @@ class OperationReader {
 
     /// By number or by a name that only one object has.
     [[nodiscard]] ObjectRef object(const std::string& name) const;
-    /// One or a list of them, by rising id.
+    /// One or a list of them, by rising id. An entry that no object has as its name may be a class
+    /// or a name with * and ? (isNamedBy()), and stands for all objects that it names.
     [[nodiscard]] std::vector<ObjectRef> objects(const std::string& name) const;
+    /// The same, or all objects of the class in the field "class"; one of the two must be given.
+    [[nodiscard]] std::vector<ObjectRef> objectsOrClass(const std::string& name) const;
     /// 1..40, from a name or a number.
     [[nodiscard]] int nyu40(const std::string& name) const;
     /// Horizontal unit vector, from degrees (0: x, 90: y) or [x, y].
@@ -35,9 +39,12 @@ class OperationReader {
     [[nodiscard]] Pose pose(const std::optional<Pose>& before) const;
     /// From center, size and yaw_deg, likewise.
     [[nodiscard]] OrientedBox box(const std::optional<OrientedBox>& before) const;
+    /// Those of visitSplitLimits() that are given; the others are off.
+    [[nodiscard]] SplitLimits splitLimits() const;
 
   private:
     [[nodiscard]] ObjectRef readObject(const JsonReader& from) const;
+    [[nodiscard]] std::vector<ObjectRef> named(std::string_view pattern) const;
 
     JsonReader fields_;
     const Scene& scene_;

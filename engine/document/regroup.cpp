@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -102,6 +103,53 @@ class Layout {
     std::vector<std::size_t> measured_;
 };
 
+std::vector<Eigen::AlignedBox3f> boxesOf(const Scene& scene,
+                                         const std::vector<TriangleList>& pieces) {
+    std::vector<Eigen::AlignedBox3f> boxes(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (const std::uint32_t t : pieces[i]) {
+            for (const std::uint32_t v : scene.triangles[t]) boxes[i].extend(scene.positions[v]);
+        }
+    }
+    return boxes;
+}
+
+/// The nearest of the boxes; of those that a piece lies in, the smallest.
+std::size_t nearestBox(const Eigen::AlignedBox3f& piece,
+                       const std::vector<Eigen::AlignedBox3f>& boxes,
+                       const std::vector<std::size_t>& among) {
+    std::pair best(std::numeric_limits<float>::max(), std::numeric_limits<float>::max());
+    std::size_t nearest = among.front();
+    for (const std::size_t i : among) {
+        const std::pair one(static_cast<float>(piece.exteriorDistance(boxes[i])),
+                            boxes[i].diagonal().norm());
+        if (one < best) {
+            best = one;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/// Indices of the boxes, the one with the longest side first.
+std::vector<std::size_t> bySize(const std::vector<Eigen::AlignedBox3f>& boxes) {
+    std::vector<std::size_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return boxes[a].sizes().maxCoeff() > boxes[b].sizes().maxCoeff();
+    });
+    return order;
+}
+
+std::vector<double> sizesOf(const std::vector<Eigen::AlignedBox3f>& boxes,
+                            const std::vector<std::size_t>& order) {
+    std::vector<double> sizes;
+    for (const std::size_t i : order) {
+        sizes.push_back(static_cast<double>(boxes[i].sizes().maxCoeff()));
+    }
+    return sizes;
+}
+
 }  // namespace
 
 std::vector<TriangleList> findPieces(const Scene& scene, const Object& object) {
@@ -129,6 +177,41 @@ std::vector<TriangleList> findPieces(const Scene& scene, const Object& object) {
         pieces[static_cast<std::size_t>(piece)].push_back(triangle);
     }
     return pieces;
+}
+
+std::vector<TriangleList> findPieces(const Scene& scene, const Object& object,
+                                     const SplitLimits& limits) {
+    std::vector<TriangleList> pieces = findPieces(scene, object);
+    const std::vector<Eigen::AlignedBox3f> boxes = boxesOf(scene, pieces);
+    std::vector<std::size_t> kept = bySize(boxes);
+    // At least one, for the others to stay with.
+    kept.resize(std::max<std::size_t>(1, keptPieces(sizesOf(boxes, kept), limits)));
+    if (kept.size() == pieces.size()) return pieces;
+    std::sort(kept.begin(), kept.end());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (std::binary_search(kept.begin(), kept.end(), i)) continue;
+        TriangleList& whole = pieces[nearestBox(boxes[i], boxes, kept)];
+        whole.insert(whole.end(), pieces[i].begin(), pieces[i].end());
+    }
+    std::vector<TriangleList> wholes;
+    for (const std::size_t i : kept) {
+        std::sort(pieces[i].begin(), pieces[i].end());
+        wholes.push_back(std::move(pieces[i]));
+    }
+    return wholes;
+}
+
+std::vector<double> pieceSizes(const Scene& scene, const Object& object) {
+    const std::vector<Eigen::AlignedBox3f> boxes = boxesOf(scene, findPieces(scene, object));
+    return sizesOf(boxes, bySize(boxes));
+}
+
+std::size_t keptPieces(const std::vector<double>& sizes_m, const SplitLimits& limits) {
+    const auto first_small = std::find_if(
+        sizes_m.begin(), sizes_m.end(), [&](double size_m) { return size_m < limits.min_size_m; });
+    const auto large = static_cast<std::size_t>(first_small - sizes_m.begin());
+    return limits.max_pieces == 0 ? large
+                                  : std::min(large, static_cast<std::size_t>(limits.max_pieces));
 }
 
 void mergeObjects(Scene& scene, const std::vector<int>& ids, const std::string& name, int nyu40) {

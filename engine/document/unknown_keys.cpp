@@ -28,7 +28,7 @@ struct Entry {
 
 const std::array<Entry, 6>& entries() {
     static const std::array<Entry, 6> kEntries = {{
-        {"definitions", {"kind", "objects", "name", "nyu40"}},
+        {"definitions", {"kind", "objects", "name", "nyu40", "min_size_m", "max_pieces"}},
         {"changes", {"object", "role", "nyu40", "front", "large", "move", "track"}},
         {"pinned", {"name", "position", "quaternion_xyzw", "objects"}},
         {"removed", {"objects"}},

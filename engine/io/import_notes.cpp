@@ -1,6 +1,7 @@
 #include "engine/io/import_notes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include <limits>
@@ -70,6 +71,27 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
                                    "piece was put together with what it is attached to",
                                    "pieces were put together with what they are attached to") +
                            (list.empty() ? "" : ": " + list));
+}
+
+void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report) {
+    if (found.names.empty()) return;
+    const std::string meshes =
+        counted(found.names.size(), "mesh holds", "meshes hold") +
+        fmt::format(" parts of several objects: {}; ", fmt::join(found.names, ", "));
+    if (regrouped) {
+        report.notes.push_back(
+            meshes + fmt::format("they were regrouped into {} (--keep-meshes leaves them)",
+                                 counted(found.objects, "object", "objects")));
+        if (found.unnamed > 0) {
+            report.warnings.push_back(
+                counted(found.unnamed, "of the regrouped objects has",
+                        "of the regrouped objects have") +
+                " no class; set it (dollytrack edit, set_class), or exclude what is no object");
+        }
+    } else {
+        report.warnings.push_back(
+            meshes + "leave --keep-meshes out to regroup them, or split and merge them by hand");
+    }
 }
 
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report) {

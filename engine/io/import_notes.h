@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/material_meshes.h"
 #include "engine/io/object_grouping.h"
 #include "engine/io/piece_merge.h"
 #include "engine/io/raw_scene.h"
@@ -23,6 +24,9 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report);
 /// What the file names and is no object any more is told by its name, with what it went into.
 void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
                 ImportReport& report);
+
+/// Says which meshes hold parts of several objects, and what came of it or is to be done.
+void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report);
 
 /// `proxies` are names of meshes for physics, `twice` counts meshes that are there again.
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report);

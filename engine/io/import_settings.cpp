@@ -21,6 +21,7 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
         if (settings.contains("annotations")) {
             options.annotations = settings["annotations"].get<std::string>();
         }
+        if (settings.contains("regroup")) options.regroup = settings["regroup"].get<bool>();
         if (settings.contains("up_axis")) {
             const auto axis = settings["up_axis"].get<std::string>();
             options.up_axis = axis.empty() ? 'y' : axis.front();
@@ -41,7 +42,7 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
 
 nlohmann::json importOptionsToJson(const ImportOptions& options) {
     // By name, so that a new option that is forgotten here does not compile.
-    const auto& [unit_m, up_axis, labels, model_folders, annotations, cloud, read_textures,
+    const auto& [unit_m, up_axis, labels, model_folders, annotations, cloud, regroup, read_textures,
                  small_volume_m3, size_ratio, in_process, use_cache] = options;
     (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;
     nlohmann::json settings = nlohmann::json::object();
@@ -52,6 +53,7 @@ nlohmann::json importOptionsToJson(const ImportOptions& options) {
         settings["model_folders"].push_back(folder.string());
     }
     if (annotations) settings["annotations"] = annotations->string();
+    if (!regroup) settings["regroup"] = false;
     if (CloudParams params = cloud; params != CloudParams{}) {
         FieldCollector fields;
         visitCloudParams(params, fields);

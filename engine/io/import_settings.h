@@ -7,7 +7,8 @@
 
 namespace dollytrack::io {
 
-/// The import section of a project (`unit_m`, `up_axis`, `labels`, `model_folders`, `annotations`:
+/// The import section of a project (`unit_m`, `up_axis`, `labels`, `model_folders`, `annotations`,
+/// `regroup`:
 /// what a person said of the scene file) as options of importScene(). Error: BadInput for a wrong
 /// type.
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);

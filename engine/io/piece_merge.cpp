@@ -27,10 +27,6 @@ struct Piece {
     bool named = false;    // somebody named it
     bool is_part = false;  // its name says that it is a part
     std::size_t triangles = 0;
-
-    [[nodiscard]] float footprint() const {
-        return std::max(box.sizes().x(), 1e-4F) * std::max(box.sizes().y(), 1e-4F);
-    }
 };
 
 /// Names that modelling programs give when nobody does.
@@ -74,19 +70,6 @@ bool areBoardsOfOneThing(const Piece& a, const ObjectDraft& draft_a, const Piece
     const bool a_is_base = stem_b != draft_b.name && draft_a.name == stem_b;
     const bool b_is_base = stem_a != draft_a.name && draft_b.name == stem_a;
     return stem_a == stem_b || a_is_base || b_is_base;
-}
-
-/// The upper of two pieces merely stands on the lower one: it touches with its underside only, is
-/// the smaller one in plan, and could stand by itself.
-bool standsOn(const Piece& upper, const Piece& lower, const std::vector<Eigen::Vector3f>& contact) {
-    const float height = upper.box.sizes().z();
-    const float sole = upper.box.min().z() + std::max(0.01F, 0.12F * height);
-    for (const Eigen::Vector3f& p : contact) {
-        if (p.z() > sole) return false;
-    }
-    if (upper.footprint() > 0.7F * lower.footprint()) return false;
-    const float width = std::max(upper.box.sizes().x(), upper.box.sizes().y());
-    return height < 5.0F * width;
 }
 
 bool mayJoin(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
@@ -230,7 +213,23 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
     }
 }
 
-/// How well a draft's name serves as the name of the whole.
+}  // namespace
+
+bool standsOn(const Eigen::AlignedBox3f& upper, const Eigen::AlignedBox3f& lower,
+              const std::vector<Eigen::Vector3f>& contact) {
+    const auto footprint = [](const Eigen::AlignedBox3f& box) {
+        return std::max(box.sizes().x(), 1e-4F) * std::max(box.sizes().y(), 1e-4F);
+    };
+    const float height = upper.sizes().z();
+    const float sole = upper.min().z() + std::max(0.01F, 0.12F * height);
+    for (const Eigen::Vector3f& p : contact) {
+        if (p.z() > sole) return false;
+    }
+    if (footprint(upper) > 0.7F * footprint(lower)) return false;
+    const float width = std::max(upper.sizes().x(), upper.sizes().y());
+    return height < 5.0F * width;
+}
+
 int nameRank(const ObjectDraft& draft, bool named) {
     switch (draft.label.kind) {
         case LabelKind::Structure:
@@ -246,8 +245,6 @@ int nameRank(const ObjectDraft& draft, bool named) {
     }
     return 0;
 }
-
-}  // namespace
 
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
                                      std::vector<ObjectDraft>& drafts) {
@@ -280,7 +277,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         const bool crumb = a.loose && b.loose &&
                            std::min(a.box.sizes().maxCoeff(), b.box.sizes().maxCoeff()) < kCrumb;
         candidate.joins = candidate.boards || crumb || a.is_part || b.is_part ||
-                          (!standsOn(a, b, contact) && !standsOn(b, a, contact));
+                          (!standsOn(a.box, b.box, contact) && !standsOn(b.box, a.box, contact));
     });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.size < b.size; });

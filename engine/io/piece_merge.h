@@ -3,6 +3,8 @@
 #include "engine/io/object_grouping.h"
 #include "engine/io/raw_scene.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,5 +26,14 @@ struct MergedPiece {
 /// only pieces named as parts join those (a handle its door).
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
                                      std::vector<ObjectDraft>& drafts);
+
+/// The upper of two things merely stands on the lower one: it touches it with its underside only,
+/// is the smaller one in plan, and could stand by itself.
+bool standsOn(const Eigen::AlignedBox3f& upper, const Eigen::AlignedBox3f& lower,
+              const std::vector<Eigen::Vector3f>& contact);
+
+/// How well a draft's name serves as the name of a whole that it is a part of. `named`: somebody
+/// gave it, and not a program.
+int nameRank(const ObjectDraft& draft, bool named);
 
 }  // namespace dollytrack

@@ -1,6 +1,6 @@
 #include "engine/io/piece_split.h"
 
-#include "engine/geometry/piece_finder.h"
+#include "engine/io/draft_pieces.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
@@ -28,75 +28,22 @@ bool isMaterialNumber(const std::string& name) {
            name == "DefaultMaterial";
 }
 
-/// The triangles of one part that belong to one piece.
-MeshPart extract(const MeshPart& part, const std::vector<std::size_t>& triangles) {
-    MeshPart piece;
-    piece.name = part.name;
-    piece.node = part.node;
-    piece.material = part.material;
-    std::vector<std::uint32_t> renumbered(part.positions.size(), 0xFFFFFFFFU);
-    for (const std::size_t t : triangles) {
-        Triangle triangle;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t v = part.triangles[t][i];
-            if (renumbered[v] == 0xFFFFFFFFU) {
-                renumbered[v] = static_cast<std::uint32_t>(piece.positions.size());
-                piece.positions.push_back(part.positions[v]);
-                piece.normals.push_back(part.normals[v]);
-                piece.uvs.push_back(part.uvs[v]);
-                piece.bounds.extend(part.positions[v]);
-            }
-            triangle[i] = renumbered[v];
-        }
-        piece.triangles.push_back(triangle);
-    }
-    return piece;
-}
-
 std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
                                std::size_t least) {
-    std::size_t corners = 0;
-    for (const std::size_t part : draft.parts) corners += raw.parts[part].positions.size();
-    PieceFinder finder(corners);
-    std::vector<std::vector<std::uint32_t>> places(draft.parts.size());
-    for (std::size_t k = 0; k < draft.parts.size(); ++k) {
-        const MeshPart& part = raw.parts[draft.parts[k]];
-        for (const auto& p : part.positions) places[k].push_back(finder.add(p));
-        for (const Triangle& t : part.triangles) {
-            finder.join(places[k][t[0]], places[k][t[1]]);
-            finder.join(places[k][t[0]], places[k][t[2]]);
-        }
-    }
-    // Pieces in order of their first corner, so that the result does not depend on anything else.
-    std::vector<std::uint32_t> roots;
-    std::vector<std::vector<std::vector<std::size_t>>> members;  // piece, part, triangles
-    std::vector<std::int64_t> piece_of(corners, -1);
-    for (std::size_t k = 0; k < draft.parts.size(); ++k) {
-        const MeshPart& part = raw.parts[draft.parts[k]];
-        for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-            const std::uint32_t root = finder.find(places[k][part.triangles[t][0]]);
-            if (piece_of[root] < 0) {
-                piece_of[root] = static_cast<std::int64_t>(members.size());
-                members.emplace_back(draft.parts.size());
-            }
-            members[static_cast<std::size_t>(piece_of[root])][k].push_back(t);
-        }
-    }
-    if (members.size() < least) return {draft};
+    std::vector<DraftPiece> found = findDraftPieces(raw, draft);
+    if (found.size() < least) return {draft};
     std::vector<ObjectDraft> pieces;
-    for (const auto& by_part : members) {
+    for (DraftPiece& one : found) {
         ObjectDraft piece;
         piece.loose = true;
         std::size_t most = 0;
-        for (std::size_t k = 0; k < by_part.size(); ++k) {
-            if (by_part[k].empty()) continue;
-            const MeshPart made = extract(raw.parts[draft.parts[k]], by_part[k]);
-            if (made.triangles.size() > most) {
-                most = made.triangles.size();
-                piece.name = raw.materials[made.material].name;
+        for (MeshPart& mesh : one.meshes) {
+            if (mesh.triangles.size() > most) {
+                most = mesh.triangles.size();
+                piece.name = raw.materials[mesh.material].name;
             }
             piece.parts.push_back(raw.parts.size());
-            raw.parts.push_back(made);
+            raw.parts.push_back(std::move(mesh));
         }
         piece.label = labels.find(piece.name);
         // "mat_3" is a material here, not what lies before the door.

@@ -7,6 +7,7 @@
 #include "engine/io/import_labels.h"
 #include "engine/io/import_notes.h"
 #include "engine/io/input_check.h"
+#include "engine/io/material_meshes.h"
 #include "engine/io/object_grouping.h"
 #include "engine/io/oddity_notes.h"
 #include "engine/io/piece_merge.h"
@@ -14,6 +15,7 @@
 #include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/scene_assembly.h"
 #include "engine/io/scene_format.h"
+#include "engine/io/size_doubts.h"
 #include "engine/io/structure_finder.h"
 #include "engine/io/unseen_parts.h"
 #include "engine/scene/facing.h"
@@ -73,8 +75,9 @@ void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
 }
 
 /// From one draft a node to one draft an object.
-void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraft>& drafts,
-                 ImportReport& report) {
+void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
+                 std::vector<ObjectDraft>& drafts, ImportReport& report) {
+    noteMaterialMeshes(regroupMaterialMeshes(raw, labels, drafts, regroup), regroup, report);
     const std::size_t scattered = splitScattered(raw, labels, drafts);
     if (scattered > 0) {
         report.notes.push_back(
@@ -179,7 +182,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     moveNear(raw, world_from_source, scene.report);
     scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
     moveToWorld(raw.parts, world_from_source);
-    if (!knows_objects) findObjects(raw, *labels, drafts, scene.report);
+    if (!knows_objects) findObjects(raw, *labels, options.regroup, drafts, scene.report);
     drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
                   std::make_move_iterator(annotated.drafts.end()));
     job.report(0.7);
@@ -206,6 +209,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "does not count for its size");
     }
     noteOddities(scene, scene.report);
+    noteSizeDoubts(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 

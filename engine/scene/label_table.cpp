@@ -155,7 +155,8 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
         const std::string place = where + ":" + std::to_string(number);
         if (columns.size() < 2 || columns.size() > 3) {
             return fail(ErrorCode::BadInput,
-                        "a label line is \"pattern,class[,structure|target|part|weak]\"", place);
+                        "a label line is \"pattern,class[,structure|target|part|weak|component]\"",
+                        place);
         }
         const bool whole_name = columns[0].starts_with('=');
         std::vector<std::string> words = splitWords(columns[0]);
@@ -181,9 +182,13 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
             entry.kind = LabelKind::Part;
         } else if (kind == "weak") {
             entry.kind = LabelKind::Weak;
+        } else if (kind == "component") {
+            entry.kind = isStructureClass(entry.nyu40) ? LabelKind::Structure : LabelKind::Target;
+            entry.component = true;
         } else {
             return fail(ErrorCode::BadInput,
-                        "\"" + kind + "\" is not structure, target, part or weak", place);
+                        "\"" + kind + "\" is not structure, target, part, weak or component",
+                        place);
         }
         if (whole_name) {
             const std::string whole = lower(trim(columns[0].substr(1)));
@@ -217,6 +222,14 @@ const std::string* LabelTable::mostTelling(std::span<const std::string> words) c
     return nullptr;
 }
 
+bool LabelTable::mentions(std::string_view name, int nyu40) const {
+    const std::vector<std::string> words = splitWords(name);
+    return std::ranges::any_of(words, [&](const std::string& word) {
+        const Label label = find(word);
+        return label.kind == LabelKind::Target && label.nyu40 == nyu40;
+    });
+}
+
 Label LabelTable::find(std::string_view name) const {
     const auto whole = whole_names_.find(lower(trim(name)));
     if (whole != whole_names_.end()) {
@@ -240,7 +253,11 @@ Label LabelTable::find(std::string_view name) const {
             if (found == entries_.end()) continue;
             const Label label{found->second.kind, found->second.nyu40, text};
             spanned = std::max(spanned, i + n);
-            if (label.kind == LabelKind::Weak) {
+            const bool of_thing = found->second.component && i >= best_end &&
+                                  best.kind == LabelKind::Target && best.nyu40 != label.nyu40;
+            if (of_thing) {  // "chair frame"
+                part = {LabelKind::Part, best.nyu40, text};
+            } else if (label.kind == LabelKind::Weak) {
                 weak = label;
             } else if (label.kind == LabelKind::Part) {
                 part = label;

@@ -30,29 +30,29 @@ class Bell {
     bool rung_ = false;
 };
 
-TEST(PieceCount, CountsTheConnectedPiecesOfTheObjectThatIsAskedFor) {
+TEST(PieceCount, MeasuresTheConnectedPiecesOfTheObjectThatIsAskedFor) {
     test::SceneBuilder builder;
     builder.object("one").box({0, 0, 0}, {1, 1, 1});
     builder.object("three")
         .box({3, 0, 0}, {1, 1, 1})
-        .box({6, 0, 0}, {1, 1, 1})
-        .box({9, 0, 0}, {1, 1, 1});
+        .box({6, 0, 0}, {1, 1, 0.5})
+        .box({9, 0, 0}, {0.25, 0.1, 0.1});
     const auto scene = std::make_shared<const Scene>(builder.build());
     Bell bell;
     PieceCount count([&bell] { bell.ring(); });
-    const auto counted = [&](int object) {
-        std::optional<std::size_t> pieces = count.of(scene, object);
-        EXPECT_FALSE(pieces.has_value()) << "known before it was counted";
-        while (!pieces) {
+    const auto measured = [&](int object) {
+        const std::vector<double>* sizes = count.of(scene, object);
+        EXPECT_EQ(sizes, nullptr) << "known before they were measured";
+        while (sizes == nullptr) {
             bell.wait();
-            pieces = count.of(scene, object);
+            sizes = count.of(scene, object);
         }
-        return *pieces;
+        return *sizes;
     };
-    EXPECT_EQ(counted(1), 1U);
-    EXPECT_EQ(counted(2), 3U);
-    EXPECT_EQ(count.of(nullptr, 1), std::nullopt);
-    EXPECT_EQ(count.of(scene, 3), std::nullopt);
+    EXPECT_EQ(measured(1), std::vector<double>{1.0});
+    EXPECT_EQ(measured(2), (std::vector<double>{1.0, 1.0, 0.25}));
+    EXPECT_EQ(count.of(nullptr, 1), nullptr);
+    EXPECT_EQ(count.of(scene, 3), nullptr);
 }
 
 }  // namespace

@@ -44,6 +44,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"FoldingDoor_02", "door", kStructure}, Case{"ceiling", "ceiling", kStructure},
         Case{"skydome", "otherstructure", kStructure}, Case{"ground_plane", "floor", kStructure},
         Case{"baseboard_3", "wall", kStructure}, Case{"SofaLegs_Mesh021", "sofa", LabelKind::Part},
+        Case{"ChairFrame", "chair", LabelKind::Part},
+        Case{"ChairFrame_2", "chair", LabelKind::Part},
+        Case{"mirror_frame", "mirror", LabelKind::Part}, Case{"Frame_01", "picture"},
+        Case{"picture_frame", "picture"}, Case{"PosterFrame", "picture"},
+        Case{"window_frame", "window", kStructure}, Case{"chair_leg", "chair", LabelKind::Part},
+        Case{"TableTop", "table"}, Case{"DeskTop", "desk"},
+        Case{"lamp_shade", "lamp", LabelKind::Part}, Case{"bed_frame", "bed"},
         Case{"Circle.012", "void", LabelKind::None}, Case{"", "void", LabelKind::None},
         Case{"0042", "void", LabelKind::None}));
 

@@ -15,6 +15,11 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
 // selection_track.cpp: where an object is at which time
 void drawTrack(const SelectionView& view, int id, SelectionActions& actions);
 
+// selection_split.cpp: what a split would make of an object, and its limits
+void drawSplit(const SelectionView& view, SelectionState& state);
+/// "Makes 12 objects of it, the smallest 0.21 m".
+std::string splitText(const SelectionView& view, const SplitLimits& limits);
+
 // selection_search.cpp: what was tried for an observation point, and how it ended
 void drawSearch(const SelectionView& view, int observation_point, SelectionActions& actions);
 void drawCandidate(const SelectionView& view, SelectionActions& actions);

@@ -143,7 +143,8 @@ void drawMove(const Said& said, const json& key, EditRequest& edit) {
           "turn_deg", 0.0);
 }
 
-void drawButtons(const SelectionView& view, const Object& object, SelectionActions& actions) {
+void drawButtons(const SelectionView& view, const Object& object, const SelectionState& state,
+                 SelectionActions& actions) {
     const json key = objectKey(*view.scene, object.id);
     const bool changed =
         view.edits != nullptr && findChange(*view.edits, *view.scene, object.id) != nullptr;
@@ -152,12 +153,8 @@ void drawButtons(const SelectionView& view, const Object& object, SelectionActio
     }
     flowTo("Split into pieces");
     if (button("Split into pieces", "selection.split",
-               {.why_not = view.pieces == 1 ? "It is one connected piece." : "",
-                .tip = view.pieces ? fmt::format("Makes {} objects of it, one of every connected "
-                                                 "piece",
-                                                 *view.pieces)
-                                   : "Makes an object of every connected piece"})) {
-        actions.edit.operation = {{"op", "split"}, {"object", key}};
+               {.why_not = whyNoSplit(view, state.split), .tip = splitText(view, state.split)})) {
+        actions.edit.operation = splitOperation(key, state.split);
     }
     flowTo("Reset");
     if (button("Reset", "selection.reset",
@@ -262,7 +259,8 @@ void drawObject(const SelectionView& view, int id, SelectionState& state,
     heading(objectName(*view.scene, id).c_str());
     ImGui::SameLine();
     ImGui::TextColored(palette().text_dim, "no. %d", id);
-    drawButtons(view, object, actions);
+    drawButtons(view, object, state, actions);
+    drawSplit(view, state);
     ImGui::Spacing();
     drawCapture(view, object, actions);
     heading("Properties");

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dollytrack::planning {
 class FreeSpace;
@@ -25,7 +26,7 @@ struct SelectionView {
     const planning::FreeSpace* free_space = nullptr;  // null before planning
     RemedySearch remedy;                              // of the selected object
     double track_time_s = 0.0;                        // at which objects' tracks are looked at
-    std::optional<std::size_t> pieces;  // connected ones of the object; nothing: being counted
+    const std::vector<double>* piece_sizes_m = nullptr;  // of the object; null: being measured
 };
 
 /// What the panel remembers between frames.
@@ -33,6 +34,7 @@ struct SelectionState {
     bool show_candidates = true;  // of the selected target, in the viewport
     std::string class_filter;
     std::string merge_name;
+    SplitLimits split;
 };
 
 /// What the user asked for.
@@ -50,6 +52,11 @@ struct SelectionActions {
 /// changed of it.
 SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& state);
 
+/// The operation that splits an object; limits that are off are not in it.
+nlohmann::json splitOperation(const nlohmann::json& object, const SplitLimits& limits);
+/// Why a split would make nothing of the selected object; empty where it would, or where the pieces
+/// are not known yet.
+std::string whyNoSplit(const SelectionView& view, const SplitLimits& limits);
 /// The operation that gives an object's track a key at this time, where the object now is.
 nlohmann::json addKeyOperation(const Edits& edits, const Scene& scene, int id, double time_s);
 /// And the one that takes it away; null where there is none.

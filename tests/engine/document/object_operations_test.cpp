@@ -1,3 +1,5 @@
+#include "engine/document/edits_json.h"
+#include "engine/scene/labels.h"
 #include "tests/engine/document/editing.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +56,7 @@ TEST(Operation, SplitGivesTwoObjectsWithExactBoxes) {
     Editing editing;
     const auto names = editing.apply({{{"op", "split"}, {"object", "pair"}}});
     ASSERT_TRUE(names) << describe(names.error());
-    EXPECT_EQ(names->front(), "Split pair into 2 pieces");
+    EXPECT_EQ(names->front(), "Split pair into 2 pieces, the smallest 0.5 m");
     const Scene scene = editing.scene();
     expectWellFormed(scene);
     ASSERT_EQ(scene.objects.size(), 10U);
@@ -117,6 +119,102 @@ TEST(Operation, SplitAndMergeBackIsTheSameSurface) {
         Scene other = editing.imported;
         return applySceneEdits(other, editing.state.edits.scene)->object(8).box;
     }());
+}
+
+namespace {
+
+/// A sofa of two cushions with six buttons on each, two lamps of two pieces each, and a mug.
+Scene sofaScene() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 4, 2.6});  // 1..6
+    auto& sofa = builder.object("sofa");   // 7
+    for (const double x : {1.0, 2.2}) {
+        sofa.box({x, 2, 0.4}, {1, 0.8, 0.4});
+        for (int i = 0; i < 6; ++i) sofa.box({x - 0.4 + 0.15 * i, 2, 0.61}, {0.02, 0.02, 0.02});
+    }
+    test::SceneBuilder::Look lamp;
+    lamp.nyu40 = kNyuLamp;
+    builder.object("Lamp_1", lamp)
+        .box({5, 1, 0.05}, {0.3, 0.3, 0.1})
+        .box({5, 1, 1}, {0.2, 0.2, 0.2});
+    builder.object("Lamp_2", lamp)
+        .box({5, 3, 0.05}, {0.3, 0.3, 0.1})
+        .box({5, 3, 1}, {0.2, 0.2, 0.2});
+    builder.object("mug").box({3, 1, 0.05}, {0.1, 0.1, 0.1});  // 10
+    return builder.build();
+}
+
+}  // namespace
+
+TEST(Operation, ASplitKeepsSmallPiecesWithTheNearestLargeOne) {
+    Editing editing;
+    editing.imported = sofaScene();
+    EXPECT_EQ(editing.apply({{{"op", "split"}, {"object", "sofa"}}})->front(),
+              "Split sofa into 14 pieces, the smallest 0.02 m");
+    editing.state = {};
+    const auto names = editing.apply({{{"op", "split"}, {"object", "sofa"}, {"min_size_m", 0.1}}});
+    ASSERT_TRUE(names) << describe(names.error());
+    EXPECT_EQ(names->front(),
+              "Split sofa into 2 pieces, the smallest 1 m, 12 smaller ones with the nearest");
+    const Scene scene = editing.scene();
+    expectWellFormed(scene);
+    ASSERT_EQ(scene.objects.size(), 11U);
+    EXPECT_EQ(scene.object(7).triangle_count, 7U * 12U);  // a cushion and its six buttons
+    EXPECT_EQ(scene.object(8).triangle_count, 7U * 12U);
+    EXPECT_LT(scene.object(7).box.center.x(), 1.6);
+    EXPECT_GT(scene.object(8).box.center.x(), 1.6);
+    // The project file says the same.
+    const Result<Edits> read = editsFromJson(editsJson(editing.state.edits));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(*read, editing.state.edits);
+
+    editing.state = {};
+    ASSERT_TRUE(editing.apply({{{"op", "split"}, {"object", "sofa"}, {"max_pieces", 3}}}));
+    EXPECT_EQ(editing.scene().objects.size(), 12U);
+    const auto none = editing.apply({{{"op", "split"}, {"object", "mug"}, {"min_size_m", 2}}});
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("lower min_size_m"), std::string::npos);
+    EXPECT_FALSE(editing.apply({{{"op", "split"}, {"object", 7}, {"max_pieces", 1}}}));
+}
+
+TEST(Operation, PatternsAndClassesNameSeveralObjects) {
+    Editing editing;
+    editing.imported = sofaScene();
+    const auto nameOf = [&](const json& operation) {
+        const auto names = editing.apply(json::array({operation}));
+        return names ? names->front() : describe(names.error());
+    };
+    EXPECT_EQ(nameOf({{"op", "exclude"}, {"class", "lamp"}}), "Exclude Lamp_1 and Lamp_2");
+    EXPECT_EQ(editing.scene().object(8).role, Role::Excluded);
+    EXPECT_EQ(editing.scene().object(9).role, Role::Excluded);
+    EXPECT_EQ(editing.scene().object(10).role, Role::Target);
+    EXPECT_EQ(nameOf({{"op", "include"}, {"object", "lamp*"}}), "Include Lamp_1 and Lamp_2");
+    EXPECT_EQ(editing.state, ProjectState{});
+    EXPECT_EQ(nameOf({{"op", "set_class"}, {"object", {"lamp", "m?g"}}, {"class", "chair"}}),
+              "Make Lamp_1, Lamp_2 and mug a chair");
+    EXPECT_EQ(nyu40Name(editing.scene().object(10).nyu40), "chair");
+    EXPECT_EQ(nameOf({{"op", "reset_object"}, {"class", "chair"}}), "Reset Lamp_1, Lamp_2 and mug");
+    EXPECT_EQ(editing.state, ProjectState{});
+
+    // Each object's definition follows from the numbers that the one before left.
+    EXPECT_EQ(nameOf({{"op", "split"}, {"object", "Lamp_*"}}),
+              "Split Lamp_1 and Lamp_2 into 4 pieces, the smallest 0.2 m");
+    const Scene split = editing.scene();
+    expectWellFormed(split);
+    ASSERT_EQ(split.objects.size(), 12U);
+    EXPECT_TRUE(split.report.warnings.empty());
+    EXPECT_EQ(split.object(8).name, "Lamp_1_1");
+    EXPECT_EQ(split.object(11).name, "Lamp_2_2");
+    EXPECT_EQ(split.object(12).name, "mug");
+    EXPECT_EQ(nameOf({{"op", "merge"}, {"objects", {"Lamp_1_*"}}, {"name", "Lamp_1"}}),
+              "Make Lamp_1 of Lamp_1_1 and Lamp_1_2");
+
+    EXPECT_NE(nameOf({{"op", "exclude"}, {"object", "Chair_*"}}).find("no object 'Chair_*'"),
+              std::string::npos);
+    EXPECT_NE(nameOf({{"op", "exclude"}, {"class", "toilet"}}).find("no object of the class"),
+              std::string::npos);
+    EXPECT_NE(nameOf({{"op", "exclude"}, {"class", "lamp"}, {"object", "mug"}}).find("not both"),
+              std::string::npos);
 }
 
 TEST(Operation, NumbersFollowWhatDefinitionsDo) {

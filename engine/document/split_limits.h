@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/core/fields.h"
+
+namespace dollytrack {
+
+/// How far a split takes an object apart. What is smaller, or more than wanted, stays with the
+/// nearest of the pieces that are kept. Saved with the project.
+struct SplitLimits {
+    double min_size_m = 0.0;  // longest side of the box of a kept piece
+    int max_pieces = 0;       // the largest ones; 0: all
+    bool operator==(const SplitLimits&) const = default;
+};
+
+/// The one list of these fields: the operation, the project file and the editor follow from it.
+template <class Limits, class Visitor>
+void visitSplitLimits(Limits& limits, Visitor&& visit) {
+    visit("min_size_m", limits.min_size_m,
+          FieldInfo{0.0, 100.0, "m",
+                    "Longest side of the smallest piece; smaller ones stay with the nearest"});
+    visit("max_pieces", limits.max_pieces,
+          FieldInfo{0, 65'535, "", "Pieces at most, the largest; 0: all", {}, 2});
+}
+
+}  // namespace dollytrack

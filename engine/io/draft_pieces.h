@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/io/object_grouping.h"
+#include "engine/io/raw_scene.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace dollytrack {
+
+/// One connected piece of a draft: surfaces that share corners, to 0.1 mm in the world's frame.
+struct DraftPiece {
+    std::vector<MeshPart> meshes;  // copies, one for each part that the piece has triangles of
+    Eigen::AlignedBox3f box;
+};
+
+/// In the order of their first triangles, so that the result depends on nothing else.
+std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& draft);
+
+}  // namespace dollytrack

@@ -1,0 +1,135 @@
+#include "engine/io/scene_import.h"
+#include "engine/scene/labels.h"
+#include "tests/support/imported_scene.h"
+#include "tests/support/obj_writer.h"
+#include "tests/support/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace dollytrack {
+namespace {
+
+using Eigen::Vector3d;
+using test::find;
+using test::ObjWriter;
+using test::says;
+using test::TempFolder;
+
+/// Ten places of a classroom, those of a row nearer to each other than half a metre.
+void atEachPlace(const std::function<void(double x, double y)>& draw) {
+    for (int row = 0; row < 2; ++row) {
+        for (int place = 0; place < 5; ++place) draw(0.8 + 0.8 * place, 1.0 + row);
+    }
+}
+
+/// A room with ten chairs and ten desks, whose meshes hold what is of one material.
+std::string classroom() {
+    ObjWriter obj;
+    obj.room({5.5, 4.0, 2.8}, true);
+    const auto box = [&](double x, double y, double z, const Vector3d& size) {
+        obj.box({x, y, z}, Vector3d(x, y, z) + size);
+    };
+    obj.object("ChairFrame");
+    atEachPlace([&](double x, double y) {
+        box(x, y, 0.03, {0.03, 0.4, 0.42});
+        box(x + 0.37, y, 0.03, {0.03, 0.4, 0.42});
+        box(x + 0.02, y, 0.42, {0.36, 0.03, 0.4});  // between them, up to the back
+    });
+    obj.object("ChairSeat");
+    atEachPlace([&](double x, double y) { box(x, y, 0.45, {0.4, 0.4, 0.03}); });
+    obj.object("Rubber");
+    atEachPlace([&](double x, double y) {
+        for (const double dx : {0.0, 0.37}) {
+            for (const double dy : {0.0, 0.36}) box(x + dx, y + dy, 0.0, {0.03, 0.04, 0.03});
+        }
+    });
+    obj.object("DeskTop");
+    atEachPlace([&](double x, double y) { box(x - 0.15, y + 0.45, 0.7, {0.7, 0.45, 0.03}); });
+    obj.object("DeskLegs");
+    atEachPlace([&](double x, double y) {
+        box(x - 0.15, y + 0.45, 0.0, {0.04, 0.45, 0.7});
+        box(x + 0.51, y + 0.45, 0.0, {0.04, 0.45, 0.7});
+    });
+    return obj.text();
+}
+
+Scene importedWith(const std::string& text, bool regroup) {
+    const TempFolder folder;
+    ImportOptions options;
+    options.regroup = regroup;
+    return test::imported(folder.write("room.obj", text), options);
+}
+
+std::ptrdiff_t targetsOf(const Scene& scene, int nyu40) {
+    return std::ranges::count_if(scene.objects, [&](const Object& object) {
+        return object.role == Role::Target && object.nyu40 == nyu40;
+    });
+}
+
+}  // namespace
+
+TEST(MaterialMeshes, AreRegroupedToTheObjectsTheyHoldPartsOf) {
+    const Scene scene = importedWith(classroom(), true);
+    EXPECT_EQ(test::countTargets(scene), 20);
+    EXPECT_EQ(targetsOf(scene, nyu40FromName("chair")), 10);
+    EXPECT_EQ(targetsOf(scene, nyu40FromName("desk")), 10);
+    const Object* chair = find(scene, "chair_1");
+    ASSERT_NE(chair, nullptr);
+    EXPECT_EQ(chair->triangle_count, 8U * 12U);  // frame, seat and feet
+    EXPECT_LT((2.0 * chair->box.half_size - Vector3d(0.4, 0.4, 0.82)).norm(), 0.01);
+    EXPECT_TRUE(says(scene.report.notes,
+                     "5 meshes hold parts of several objects: ChairFrame, ChairSeat, Rubber, "
+                     "DeskTop, DeskLegs; they were regrouped into 20 objects"))
+        << (scene.report.notes.empty() ? "no notes" : scene.report.notes.front());
+    EXPECT_TRUE(scene.report.warnings.empty());
+}
+
+TEST(MaterialMeshes, AreKeptAndDoubtfulWhereTheyAreToBeKept) {
+    const Scene scene = importedWith(classroom(), false);
+    EXPECT_LT(targetsOf(scene, nyu40FromName("chair")), 10);
+    EXPECT_TRUE(says(scene.report.warnings, "5 meshes hold parts of several objects"));
+    EXPECT_TRUE(says(scene.report.warnings, "of sizes that their classes do not have"));
+}
+
+TEST(MaterialMeshes, ObjectsOfSeveralPiecesStayWhole) {
+    ObjWriter obj = test::furnished();
+    // Books on a board, a table on four loose legs, a long curtain of three lengths.
+    obj.object("books");
+    for (int i = 0; i < 12; ++i) {
+        obj.box({1.0 + 0.1 * i, 3.7, 1.5}, {1.03 + 0.1 * i, 3.9, 1.75});
+    }
+    obj.object("table").box({3.0, 0.3, 0.7}, {4.8, 1.1, 0.74});
+    for (const double x : {3.0, 4.75}) {
+        for (const double y : {0.3, 1.05}) obj.box({x, y, 0.0}, {x + 0.05, y + 0.05, 0.7});
+    }
+    obj.object("curtain");
+    for (int i = 0; i < 3; ++i) {
+        obj.box({0.2 + 0.9 * i, 0.02, 0.3}, {1.0 + 0.9 * i, 0.05, 2.4});
+    }
+    const Scene scene = importedWith(obj.text(), true);
+    const Scene kept = importedWith(obj.text(), false);
+    ASSERT_EQ(scene.objects.size(), kept.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        EXPECT_EQ(scene.objects[i].name, kept.objects[i].name);
+        EXPECT_EQ(scene.objects[i].triangle_count, kept.objects[i].triangle_count);
+    }
+    EXPECT_FALSE(says(scene.report.notes, "parts of several objects"));
+    EXPECT_FALSE(says(kept.report.warnings, "parts of several objects"));
+}
+
+// The smallest thing that its class does not have the size of, and one that is only unusual.
+TEST(SizeDoubts, NameWhatItsClassCannotBe) {
+    ObjWriter obj = test::furnished();
+    obj.object("chair_small").box({3.5, 3.5, 0.0}, {3.54, 3.54, 0.04});
+    obj.object("stool_low").box({4.5, 0.3, 0.0}, {4.8, 0.6, 0.2});
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_TRUE(says(scene.report.warnings,
+                     "1 object is of a size that its class does not have: chair_small (chair, "
+                     "0.04 m)"));
+}
+
+}  // namespace dollytrack
