@@ -151,7 +151,7 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
     PictureLinks links;
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const auto index = static_cast<int>(i);
-        const std::string name = "/" + pictureStamp(contents, i) + ".png";
+        const std::string name = fmt::format("/{}.png", pictureStamp(contents, i));
         links[kFolders[0] + name] = frameFile("rgb", index);
         if (isStereo(contents)) links[kFolders[1] + name] = frameFile("rgb_right", index);
     }
