@@ -34,15 +34,16 @@ std::int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
 
-std::string pictureName(const DatasetContents& contents, std::size_t frame) {
-    return fmt::format("{}.png", nanoseconds(contents.frames[frame].camera.time_s));
+/// With 19 digits, as times since 1970 have there.
+std::string pictureStamp(const DatasetContents& contents, std::size_t frame) {
+    return fmt::format("{:019}", nanoseconds(contents.frames[frame].camera.time_s));
 }
 
 std::string pictureList(const DatasetContents& contents) {
     std::string text = "#timestamp [ns],filename\n";
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        text += fmt::format("{},{}\n", nanoseconds(contents.frames[i].camera.time_s),
-                            pictureName(contents, i));
+        const std::string stamp = pictureStamp(contents, i);
+        text += stamp + "," + stamp + ".png\n";
     }
     return text;
 }
@@ -150,7 +151,7 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
     PictureLinks links;
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const auto index = static_cast<int>(i);
-        const std::string name = "/" + pictureName(contents, i);
+        const std::string name = fmt::format("/{}.png", pictureStamp(contents, i));
         links[kFolders[0] + name] = frameFile("rgb", index);
         if (isStereo(contents)) links[kFolders[1] + name] = frameFile("rgb_right", index);
     }

@@ -47,7 +47,7 @@ Fold splitOf(const DatasetContents& contents) {
 /// A list of pictures; readers put the list's own folder before names that begin with "./".
 std::string listOf(const std::vector<int>& frames) {
     std::string text;
-    for (const int frame : frames) text += "./" + pictureName(frame) + "\n";
+    for (const int frame : frames) text += fmt::format("./{}\n", pictureName(frame));
     return text;
 }
 

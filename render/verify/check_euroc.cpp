@@ -85,7 +85,7 @@ class EurocCheck {
         const auto rows = rowsOf(file);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const auto frame = static_cast<int>(i);
-            const std::string stamp = stampOf(i);
+            const std::string stamp = fmt::format("{:0>19}", stampOf(i));
             if (rows[i].size() != 2 || rows[i][0] != stamp || rows[i][1] != stamp + ".png") {
                 add(file, frame, rows[i].front(), stamp + "," + stamp + ".png");
                 continue;
