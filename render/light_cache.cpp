@@ -1,17 +1,17 @@
 #include "render/light_cache.h"
 
 #include "engine/io/cache_room.h"
-#include "engine/io/durable_file.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/io/sha256.h"
 #include "engine/io/user_cache.h"
 #include "render/scene_hash.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -19,8 +19,6 @@
 
 namespace dollytrack::render {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".light";
 constexpr std::size_t kSumLength = 64;  // SHA-256 in digits, at a file's end
@@ -187,27 +185,24 @@ std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
     return hash.finish();
 }
 
-fs::path LightCache::fileOf(const std::string& key) const {
-    return folder_ / (key + kExtension);
-}
-
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
-    std::error_code missing;
-    const std::uint64_t size = fs::file_size(fileOf(key), missing);
-    if (missing || size < kSumLength || size > most_bytes_) return std::nullopt;
-    std::vector<std::uint8_t> bytes(size);
-    std::ifstream file(fileOf(key), std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file) return std::nullopt;
-    const auto data = std::span(bytes).first(bytes.size() - kSumLength);
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
+    if (!folder) return std::nullopt;
+    const Result<io::FileDescriptor> file = folder->openFile(key + kExtension, O_RDONLY);
+    struct stat status {};
+    if (!file || ::fstat(file->get(), &status) != 0) return std::nullopt;
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size < kSumLength || size > most_bytes_) return std::nullopt;
+    const auto bytes = folder->read(key + kExtension);
+    if (!bytes || bytes->size() != size) return std::nullopt;
+    const auto data = std::span(*bytes).first(size - kSumLength);
     const std::string sum = io::sha256Of(data);
-    if (!std::equal(sum.begin(), sum.end(), bytes.end() - kSumLength)) return std::nullopt;
+    if (!std::equal(sum.begin(), sum.end(), bytes->end() - kSumLength)) return std::nullopt;
     LightVolume volume;
     Reader read(data);
     visitVolume(read, volume);
     if (!read.whole()) return std::nullopt;
-    std::error_code ignored;
-    fs::last_write_time(fileOf(key), fs::file_time_type::clock::now(), ignored);
+    ::futimens(file->get(), nullptr);  // it is the youngest now
     return volume;
 }
 
@@ -216,8 +211,10 @@ void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     visitVolume(write, volume);
     write.bytes += io::sha256Of(write.bytes);
     if (write.bytes.size() > most_bytes_) return;
-    io::makeCacheRoom(folder_, {kExtension}, most_bytes_ - write.bytes.size());
-    (void)io::writeWhole(fileOf(key), write.bytes, io::Durability::Renamed);
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
+    if (!folder) return;
+    io::makeCacheRoom(*folder, {kExtension}, most_bytes_ - write.bytes.size());
+    (void)folder->write(key + kExtension, write.bytes, io::Durability::Renamed);
 }
 
 LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const LightRig& rig,
