@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <fstream>
 #include <utility>
 
 namespace dollytrack::render {
@@ -25,9 +24,9 @@ std::string lineOf(const std::string& text) {
 }
 
 /// The JSON of a line; discarded when its checksum is not right.
-json readLine(const std::string& line) {
+json readLine(std::string_view line) {
     if (line.size() <= kChecksum + 1) return json(json::value_t::discarded);
-    const std::string_view text = std::string_view(line).substr(kChecksum + 1);
+    const std::string_view text = line.substr(kChecksum + 1);
     if (line.compare(0, kChecksum, io::sha256Of(text), 0, kChecksum) != 0) {
         return json(json::value_t::discarded);
     }
@@ -118,19 +117,26 @@ std::string differences(const DatasetIdentity& a, const DatasetIdentity& b) {
     return names;
 }
 
-JournalContents readJournal(const std::filesystem::path& path) {
+JournalContents readJournal(const io::GuardedFolder& folder) {
     JournalContents contents;
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    while (std::getline(file, line) && !file.eof()) {  // a last line without its end is torn
-        contents.whole_bytes += line.size() + 1;
-        const json value = readLine(line);
+    const auto bytes = folder.read(kJournalFile);
+    if (!bytes) return contents;
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    // A last line without its end is torn.
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos;
+         end = text.find('\n', contents.whole_bytes)) {
+        const json value = readLine(text.substr(contents.whole_bytes, end - contents.whole_bytes));
+        contents.whole_bytes = end + 1;
         if (value.is_discarded()) continue;
         try {
             if (value.contains("identity")) {
                 if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;
                 contents.identity = value.at("identity").get<DatasetIdentity>();
                 contents.drawn_by = value.value("drawn_by", "");
+                // Journals of earlier versions have none.
+                if (value.contains("writes")) {
+                    contents.names = datasetNamesFrom(value.at("writes"));
+                }
             } else {
                 JournalEntry entry = entryFrom(value);
                 const int index = entry.index;
@@ -150,23 +156,26 @@ DatasetJournal::DatasetJournal(std::filesystem::path path, io::FileDescriptor fi
       length_(length),
       synced_(std::chrono::steady_clock::now()) {}
 
-Result<DatasetJournal> DatasetJournal::open(const std::filesystem::path& path,
-                                            std::uint64_t length) {
-    io::FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-    if (!file.valid()) return tl::unexpected<Error>(io::writeError(errno, path));
-    if (::ftruncate(file.get(), static_cast<off_t>(length)) != 0) {
+Result<DatasetJournal> DatasetJournal::open(const io::GuardedFolder& folder, std::uint64_t length) {
+    const std::filesystem::path path = folder.path() / kJournalFile;
+    Result<io::FileDescriptor> file = folder.openFile(kJournalFile, O_WRONLY | O_CREAT | O_APPEND);
+    if (!file) return tl::unexpected(file.error());
+    if (::ftruncate(file->get(), static_cast<off_t>(length)) != 0) {
         return tl::unexpected<Error>(io::writeError(errno, path));
     }
-    return DatasetJournal(path, std::move(file), length);
+    return DatasetJournal(path, std::move(*file), length);
 }
 
-Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
+Result<DatasetJournal> DatasetJournal::begin(const io::GuardedFolder& folder,
                                              const DatasetIdentity& identity,
-                                             const std::string& drawn_by) {
-    Result<DatasetJournal> journal = open(path, 0);
+                                             const std::string& drawn_by,
+                                             const DatasetNames& names) {
+    Result<DatasetJournal> journal = open(folder, 0);
     if (!journal) return journal;
-    const json header = {
-        {"dollytrack_journal", kVersion}, {"identity", identity}, {"drawn_by", drawn_by}};
+    const json header = {{"dollytrack_journal", kVersion},
+                         {"identity", identity},
+                         {"drawn_by", drawn_by},
+                         {"writes", toJson(names)}};
     Status status =
         journal->appendLine(header.dump(-1, ' ', false, json::error_handler_t::replace));
     if (status) status = journal->sync();
@@ -174,9 +183,9 @@ Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
     return journal;
 }
 
-Result<DatasetJournal> DatasetJournal::resume(const std::filesystem::path& path,
+Result<DatasetJournal> DatasetJournal::resume(const io::GuardedFolder& folder,
                                               const JournalContents& contents) {
-    return open(path, contents.whole_bytes);
+    return open(folder, contents.whole_bytes);
 }
 
 Status DatasetJournal::append(const JournalEntry& entry) {

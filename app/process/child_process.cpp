@@ -1,7 +1,5 @@
 #include "app/process/child_process.h"
 
-#include "engine/io/durable_file.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -38,21 +36,6 @@ struct Pipe {
     ~Pipe() {
         closeWriteEnd();
         if (read_end >= 0) close(read_end);
-    }
-};
-
-/// A file for what a program says; nothing where no name is given.
-struct OutputFile {
-    int descriptor = -1;
-
-    Status open(const std::filesystem::path& path) {
-        if (path.empty()) return {};
-        descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (descriptor < 0) return tl::unexpected<Error>(io::writeError(errno, path));
-        return {};
-    }
-    ~OutputFile() {
-        if (descriptor >= 0) close(descriptor);
     }
 };
 
@@ -132,14 +115,9 @@ tl::unexpected<Error> cannotStart(const std::string& program, int error) {
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command,
                                          const ProcessSetup& setup) {
-    OutputFile output;
-    OutputFile messages;
-    Status opened = output.open(setup.output);
-    if (opened) opened = messages.open(setup.messages);
-    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
     Pipe words;
     Pipe failure;
-    const bool heard = setup.messages.empty();
+    const bool heard = setup.messages < 0;
     if ((heard && !words.open()) || !failure.open()) return cannotStart(command[0], errno);
     std::vector<char*> arguments;
     for (const std::string& argument : command) {
@@ -148,7 +126,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     arguments.push_back(nullptr);
     const Becoming wanted{
         arguments.data(),  getpid(),
-        output.descriptor, heard ? words.write_end : messages.descriptor,
+        setup.output,      heard ? words.write_end : setup.messages,
         failure.write_end, setup.memory_bytes > 0 ? setup.memory_bytes : RLIM_INFINITY,
         setup.expendable};
     const pid_t child = fork();

@@ -73,6 +73,27 @@ class Batch(FolderCase):
         file.write_text(f'out = "out"\n{head}\n{text}\n[[set]]\nname = "small"\n{sets}\n{export}')
         return file
 
+    def test_links_in_its_folders_are_not_followed(self):
+        self.rooms("a.obj")
+        file = self.jobs('scenes = ["rooms/*.obj"]')
+        mine = self.place / "mine"
+        mine.mkdir()
+        (mine / "text").write_text("mine")
+        job = self.out / "a.small"
+        for name in ["", "log.txt", "metrics.json", "result.json", ".lock", "dataset"]:
+            with self.subTest(name):
+                shutil.rmtree(self.out, ignore_errors=True)
+                (job if name else self.out).mkdir(parents=True)
+                link = job / name if name else job
+                link.symlink_to(mine if name in ("", "dataset") else mine / "text")
+                result = run("-q", "batch", file)
+                self.assertEqual(result.returncode, 3, result.stderr)
+                message = self.summary()["a.small"]["message"]
+                self.assertIn(str(link), message)
+                self.assertIn("link", message)
+                self.assertEqual(hashes(mine), {"text": hashes(mine)["text"]})
+                self.assertEqual((mine / "text").read_text(), "mine")
+
     def summary(self, folder=None):
         jobs = json.loads(((folder or self.out) / "summary.json").read_text())["jobs"]
         return {job["name"]: job for job in jobs}
