@@ -99,6 +99,9 @@ class Editor {
     void makeExportQueue();
     void drawSheet();
     void queueExport(const ui::ExportView& view);
+    /// Where a finished dataset is: into another folder, or in its place.
+    void askToReplace(const ui::ExportRequest& request,
+                      const std::function<void(const ui::ExportRequest&)>& add);
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
     [[nodiscard]] std::filesystem::path exportFolder() const;

@@ -357,8 +357,8 @@ void Editor::drawBars() {
     if (pressed != 0) return;
     if (!workspace_.unsaved()) return workspace_.open(file);
     questions_.ask({"Reload " + file.filename().string() + "?",
-                    "What was changed here since it was opened or saved is lost.", "Reload",
-                    [this, file] { workspace_.open(file); }});
+                    "What was changed here since it was opened or saved is lost.",
+                    {{"Reload", [this, file] { workspace_.open(file); }}}});
 }
 
 void Editor::drawCentre() {
