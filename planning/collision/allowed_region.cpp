@@ -17,7 +17,10 @@ constexpr double kShortest_m = 0.001;
 AllowedRegion::AllowedRegion(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
                              const std::vector<NoGoBox>& no_go, const FreeSpaceParams& params,
                              double camera_radius_m)
-    : no_go_(no_go), min_height_m_(params.min_height_m), max_height_m_(params.max_height_m) {
+    : no_go_(no_go),
+      min_height_m_(params.min_height_m),
+      max_height_m_(params.max_height_m),
+      index_(no_go) {
     const FreeSpaceParams all;
     if (min_height_m_ > all.min_height_m || max_height_m_ < all.max_height_m) {
         floors_ = std::make_unique<const FloorHeights>(scene, rays, free_space, camera_radius_m);
@@ -38,7 +41,7 @@ AllowedRegion::AllowedRegion(AllowedRegion&&) noexcept = default;
 AllowedRegion& AllowedRegion::operator=(AllowedRegion&&) noexcept = default;
 
 Verdict AllowedRegion::verdict(const Eigen::Vector3d& center, double radius_m) const {
-    if (noGoDistance(center) < radius_m) return Verdict::NoGo;
+    if (index_.nearest(center, radius_m).box != NoGoIndex::kNone) return Verdict::NoGo;
     if (!floors_) return Verdict::Legal;
     const double height = heightOf(center);
     return height >= min_height_m_ && height <= max_height_m_ ? Verdict::Legal
@@ -46,21 +49,12 @@ Verdict AllowedRegion::verdict(const Eigen::Vector3d& center, double radius_m) c
 }
 
 double AllowedRegion::noGoDistance(const Eigen::Vector3d& point) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const NoGoBox& box : no_go_) nearest = std::min(nearest, box.box.distance(point));
-    return nearest;
+    return index_.nearest(point, std::numeric_limits<double>::infinity()).distance_m;
 }
 
 const NoGoBox* AllowedRegion::boxAt(const Eigen::Vector3d& center, double radius_m) const {
-    const NoGoBox* entered = nullptr;
-    double nearest = radius_m;
-    for (const NoGoBox& box : no_go_) {
-        const double distance = box.box.distance(center);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        entered = &box;
-    }
-    return entered;
+    const std::size_t entered = index_.nearest(center, radius_m).box;
+    return entered == NoGoIndex::kNone ? nullptr : &no_go_[entered];
 }
 
 bool AllowedRegion::bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,

@@ -2,6 +2,7 @@
 
 #include "engine/document/edits.h"
 #include "engine/plan/viewpoint.h"
+#include "planning/collision/no_go_index.h"
 
 #include <Eigen/Core>
 
@@ -71,6 +72,7 @@ class AllowedRegion {
     double max_height_m_;
     std::unique_ptr<const FloorHeights> floors_;  // null without a band
     std::vector<std::vector<Eigen::Vector3f>> cells_;
+    NoGoIndex index_;  // of no_go_
 };
 
 }  // namespace dollytrack::planning
