@@ -113,13 +113,16 @@ class Batch(FolderCase):
             "--max-frames", 6, "--set", "width_px=64", "--set", "height_px=48", "--out", by_hand)
         self.assertEqual(hashes(self.out / "kitchen.small.uniform.seed2/dataset"),
                          hashes(by_hand))
-        # Its scene is found where the batch had it from; elsewhere, what is not proven is said.
+        # Its scene is found where it was; without it, what is not proven is said.
         dataset = self.out / "kitchen.small.dollytrack.seed2/dataset"
         elsewhere = self.place / "elsewhere"
         shutil.copytree(dataset, elsewhere)
         verified = run("-q", "verify", dataset)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         self.assertTrue(verified.stdout.strip().endswith(": sound"), verified.stdout)
+        card = json.loads((elsewhere / "dataset.json").read_text())
+        card["scene"]["path"] = str(self.place / "moved.obj")
+        (elsewhere / "dataset.json").write_text(json.dumps(card))
         verified = run("-q", "verify", elsewhere)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         last = verified.stdout.strip().splitlines()[-1]
