@@ -4,7 +4,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene_report.h"
 #include "planning/free_space/free_space.h"
-#include "planning/free_space/leak_report.h"
+#include "planning/free_space/leak_summary.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -46,8 +46,8 @@ void printRooms(const planning::FreeSpace& map) {
         fmt::print("  {:2}  {:.1f} x {:.1f} x {:.1f} m, {:.1f} m2, {:.1f} m3\n", room.component + 1,
                    size.x(), size.y(), size.z(), room.floor_area_m2, room.volume_m3);
     }
-    for (const planning::Opening& opening : map.leaks().openings) {
-        fmt::print("  note: {}\n", planning::describe(opening));
+    for (const std::string& line : planning::describeAll(map.leaks())) {
+        fmt::print("  note: {}\n", line);
     }
 }
 

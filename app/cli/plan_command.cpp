@@ -3,6 +3,7 @@
 #include "app/cli/coverage_output.h"
 #include "app/cli/ledger_table.h"
 #include "app/cli/metrics_table.h"
+#include "app/cli/output_file.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/rival_plan.h"
@@ -178,6 +179,11 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
     }
+    for (const std::string& file : {arguments.out, arguments.picture}) {
+        if (Status status = checkWritable(file); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     if (Status status = checkCoverageFiles(arguments.coverage); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -235,7 +241,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         fmt::print("{}", metricsTable(planned->metrics));
     }
     if (arguments.explain && !arguments.as_json) {
-        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth(stdout)));
+        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth()));
     }
     return areMet(*requirements, planned->metrics) ? kDone : kPartial;
 }

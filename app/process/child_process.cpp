@@ -86,7 +86,8 @@ struct Becoming {
     dup2(wanted.messages >= 0 ? wanted.messages : nothing, STDERR_FILENO);
     if (wanted.memory != RLIM_INFINITY) {
         const rlimit limit{wanted.memory, wanted.memory};
-        setrlimit(RLIMIT_AS, &limit);
+        // Not RLIMIT_AS: libraries and threads reserve many times the addresses that they use.
+        setrlimit(RLIMIT_DATA, &limit);
     }
     if (wanted.expendable) {
         const int score = open("/proc/self/oom_score_adj", O_WRONLY);

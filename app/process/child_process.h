@@ -22,7 +22,7 @@ struct ProcessEnd {
 struct ProcessSetup {
     std::filesystem::path output;    // a file for its standard output; empty: nobody
     std::filesystem::path messages;  // a file for its standard error; empty: read() hears it
-    std::uint64_t memory_bytes = 0;  // of address space, at most; 0: without limit
+    std::uint64_t memory_bytes = 0;  // of its own data (RLIMIT_DATA), at most; 0: without limit
     bool expendable = false;         // the first one that the system ends when memory is short
 };
 

@@ -1,6 +1,7 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/fold_repeats.h"
 #include "engine/io/annotated_objects.h"
 #include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
@@ -209,6 +210,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 
+    scene.report.notes = foldRepeats(scene.report.notes);
+    scene.report.warnings = foldRepeats(scene.report.warnings);
     scene.source_sha256 = std::move(read->sha256);
     job.report(1.0);
     return scene;
