@@ -156,7 +156,7 @@ void asThen(const SaidOfScene& said, ImportOptions& options) {
     Eigen::Index axis = 2;
     up.cwiseAbs().maxCoeff(&axis);
     if (up.norm() > 0.0) options.unit_m = 1.0 / up.norm();
-    options.up_axis = "xyz"[axis];
+    options.up_axis = UpAxis("xyz"[axis], up[axis] < 0.0);
 }
 
 Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,

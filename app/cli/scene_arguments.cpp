@@ -21,6 +21,18 @@
 namespace dollytrack::cli {
 namespace {
 
+/// Takes any spelling of an upward axis and hands on the usual one.
+CLI::Validator upAxisOption() {
+    return CLI::Validator(
+        [](std::string& text) {
+            const std::optional<UpAxis> axis = parseUpAxis(text);
+            if (!axis) return fmt::format("'{}' is no upward axis: give {}", text, kUpAxes);
+            text = axis->text();
+            return std::string();
+        },
+        "", "upward axis");
+}
+
 Status applyArguments(const SceneArguments& arguments, planning::PlanParams& params) {
     const FieldList fields = planning::listFields(params);
     std::vector<std::string> all = arguments.assignments;
@@ -231,8 +243,10 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
                     "Metres per unit of the scene, or m, cm, mm, inch, ft; else found out")
         ->transform(lengthUnit())
         ->type_name("METRES|UNIT");
-    command.add_option("--up", arguments.up_axis, "The scene's upward axis; else found out")
-        ->check(CLI::IsMember({"x", "y", "z"}))
+    command
+        .add_option("--up", arguments.up_axis,
+                    "The scene's upward axis: x, y, z, -x, -y or -z; else found out")
+        ->transform(upAxisOption())
         ->type_name("AXIS");
     command
         .add_option("--labels", arguments.labels,

@@ -111,6 +111,7 @@ class Editor {
     void editWithGizmo();
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
+    void drawImportBar();
     void clickAt(const Eigen::Vector2d& pixel, bool add);
     void requestPicture();
     void requestPreview();
@@ -168,6 +169,7 @@ class Editor {
     ui::LogBook& log_;
     EditorSettings settings_;
     SettingsSaver settings_saver_;
+    bool import_bar_dismissed_ = false;
     std::filesystem::path noted_file_;  // the newest of the recent ones
     Workspace workspace_;
     Autosave autosave_;

@@ -28,6 +28,14 @@ namespace {
 constexpr double kFullSizeMetre_px = 80.0;
 constexpr double kSmallestMarks = 0.6;
 
+/// How the scene was read: "1 unit = 4.1 m, z up".
+std::string importText(const ImportReport& report) {
+    ImportProposal as_read;
+    as_read.unit_m = report.unit_m;
+    as_read.up_axis = parseUpAxis(report.up_axis);
+    return settingsText(as_read);
+}
+
 }  // namespace
 
 render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
@@ -344,7 +352,32 @@ void Editor::drawLegend() {
     if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
 
+void Editor::drawImportBar() {
+    if (!workspace_.isOpen() || import_bar_dismissed_) return;
+    if (workspace_.importBefore()) {
+        const int pressed = ui::drawNoteBar(
+            "import_changed",
+            "The scene was read again with " + importText(workspace_.importReport()) + ".",
+            {{"Undo", "Read it as before"}, {"Keep", "Hide this line"}});
+        if (pressed == 0) workspace_.takeBackImport();
+        if (pressed == 1) import_bar_dismissed_ = true;
+        return;
+    }
+    const ImportProposal& proposal = workspace_.proposal();
+    if (!proposal.hasSettings()) return;
+    const std::string& up = proposal.up_doubt;
+    const std::string& unit = proposal.unit_doubt;
+    const int pressed =
+        ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
+                        {{"Read with " + settingsText(proposal),
+                          "Read the scene file again like that; can be undone"},
+                         {"Keep", "Hide this line"}});
+    if (pressed == 0) workspace_.applyProposal();
+    if (pressed == 1) import_bar_dismissed_ = true;
+}
+
 void Editor::drawBars() {
+    drawImportBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed = ui::drawNoteBar(

@@ -1,7 +1,9 @@
 #include "engine/io/import_settings.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/core/field_list.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -23,7 +25,13 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
         }
         if (settings.contains("up_axis")) {
             const auto axis = settings["up_axis"].get<std::string>();
-            options.up_axis = axis.empty() ? 'y' : axis.front();
+            options.up_axis = parseUpAxis(axis);
+            if (!options.up_axis) {
+                return fail(
+                    ErrorCode::BadInput,
+                    fmt::format("'{}' is no upward axis; it must be {}.", cleanText(axis), kUpAxes),
+                    "import.up_axis");
+            }
         }
         if (settings.contains("cloud")) {
             FieldCollector fields;
@@ -46,7 +54,7 @@ nlohmann::json importOptionsToJson(const ImportOptions& options) {
     (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;
     nlohmann::json settings = nlohmann::json::object();
     if (unit_m) settings["unit_m"] = *unit_m;
-    if (up_axis) settings["up_axis"] = std::string(1, *up_axis);
+    if (up_axis) settings["up_axis"] = up_axis->text();
     if (labels) settings["labels"] = labels->string();
     for (const std::filesystem::path& folder : model_folders) {
         settings["model_folders"].push_back(folder.string());

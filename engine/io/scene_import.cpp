@@ -6,6 +6,7 @@
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
 #include "engine/io/import_notes.h"
+#include "engine/io/import_proposal.h"
 #include "engine/io/input_check.h"
 #include "engine/io/object_grouping.h"
 #include "engine/io/oddity_notes.h"
@@ -93,6 +94,13 @@ void findObjects(RawScene& raw, const LabelTable& labels, std::vector<ObjectDraf
     noteMerges(merges, drafts, report);
 }
 
+/// Says what is doubtful about unit and axis, and what is likelier.
+void doubtFrame(const FrameChoice& frame, Scene& scene) {
+    ImportProposal proposal = proposeImport(scene);
+    if (proposal.unit_doubt.empty()) proposal.unit_doubt = frame.unit_doubt;
+    for (std::string& line : describe(proposal)) scene.report.warnings.push_back(std::move(line));
+}
+
 /// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
 void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportReport& report) {
     constexpr double kFar_m = 1000.0;
@@ -117,9 +125,8 @@ Status checkOptions(const ImportOptions& options) {
     if (options.unit_m && !(*options.unit_m > 0.0 && *options.unit_m < 1e6)) {
         return fail(ErrorCode::Usage, "metres per unit must be above 0 and below 1e6", "unit_m");
     }
-    if (options.up_axis && *options.up_axis != 'x' && *options.up_axis != 'y' &&
-        *options.up_axis != 'z') {
-        return fail(ErrorCode::Usage, "the upward axis is x, y or z", "up_axis");
+    if (options.up_axis && !options.up_axis->isAxis()) {
+        return fail(ErrorCode::Usage, fmt::format("the upward axis is {}", kUpAxes), "up_axis");
     }
     return {};
 }
@@ -170,7 +177,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                  raw.warnings.end());
     scene.report.unit_m = frame.unit_m;
     scene.report.unit_source = frame.unit_source;
-    scene.report.up_axis = std::string(1, frame.up_axis);
+    scene.report.up_axis = frame.up_axis.text();
     scene.report.up_source = frame.up_source;
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
@@ -205,6 +212,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
+    doubtFrame(frame, scene);
     noteOddities(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);

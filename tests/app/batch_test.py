@@ -431,7 +431,7 @@ class Batch(FolderCase):
             ('[export]\narguments = ["--out=x"]\n', 4, "--out"),
             ('[export]\nmax_frame = 3\n', 4, "max_frames"),
             ('export = 3\n', 3, "[export]"),
-            ('[import]\nup = "w"\n', 4, "up"),
+            ('[import]\nup = "w"\n', 4, "-y"),
             ('exclude = "rooms/*"\n', 3, "no scene"),
             ('x = = 3\n', 3, ""),
         ]:
