@@ -74,7 +74,7 @@ void Workspace::close() {
     shown_ = {};
     light_.reset();
     lit_rooms_.clear();
-    ++serial_;
+    first_serial_ = ++serial_;
     ++document_;
     restored_from_.clear();
     changed_file_.reset();
@@ -338,7 +338,7 @@ void Workspace::take(PlanOutcome outcome) {
         log::warn("planning", describe(*outcome.error));
     }
     for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
-    if (shown_.serial != outcome.serial) {
+    if (shown_.serial != outcome.serial && outcome.serial == serial_) {
         latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
     }
     const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
@@ -354,10 +354,16 @@ void Workspace::take(PlanOutcome outcome) {
     shown_ = std::move(outcome);
 }
 
+/// Of a value that has changed since, a plan is better than an older one; an error is of no use.
+bool Workspace::isWanted(const PlanOutcome& outcome) const {
+    if (outcome.serial == serial_) return true;
+    return outcome.serial >= first_serial_ && outcome.plan != nullptr;
+}
+
 void Workspace::poll() {
     if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
     if (std::optional<PlanOutcome> outcome = planner_.poll();
-        outcome && isOpen() && outcome->serial == serial_) {
+        outcome && isOpen() && isWanted(*outcome)) {
         take(std::move(*outcome));
     }
     if (std::optional<Lit> lit = lit_->take();

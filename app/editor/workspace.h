@@ -155,6 +155,7 @@ class Workspace {
     void finishOpening(LoadOutcome outcome);
     void finishSaving(SaveOutcome outcome);
     void updateLight();
+    [[nodiscard]] bool isWanted(const PlanOutcome& outcome) const;
     void take(PlanOutcome outcome);
 
     std::function<void()> wake_;
@@ -171,6 +172,7 @@ class Workspace {
     CommandStack::State state_when_asked_;  // to open another
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
+    std::uint64_t first_serial_ = 0;  // of this document: earlier plans are of another
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
     std::shared_ptr<const render::LightVolume> light_;
