@@ -14,6 +14,7 @@
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/key_frames.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -40,6 +41,15 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
         }
     }
     return -1;
+}
+
+/// How many key frames a budget of frames has room for; 0: any number.
+int mostVisits(const PlanParams& params) {
+    if (params.body.heading == Heading::Free) return params.timing.max_frames;
+    // Beside a key frame's own: turning to it and back, and two corners on the way to it.
+    constexpr int kFramesPerVisit = 7;
+    return params.timing.max_frames > 0 ? std::max(1, params.timing.max_frames / kFramesPerVisit)
+                                        : 0;
 }
 
 }  // namespace
@@ -76,10 +86,10 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
             const FreeSpaceParams& limits = params.free_space;
             return run("region", region,
                        std::tuple(free_space.version(), structureClasses(*scene), edits.no_go,
-                                  limits.min_height_m, limits.max_height_m),
+                                  limits.min_height_m, limits.max_height_m, params.body),
                        job.stage(0.4, 0.4, "region"), [&]() -> Result<AllowedRegion> {
                            return AllowedRegion(*scene, *rays, *free_space, edits.no_go, limits,
-                                                params.camera.camera_radius_m);
+                                                params.body, params.camera.camera_radius_m);
                        });
         })
         .and_then([&] {
@@ -94,12 +104,15 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
     const PitchBand pitch = pitchBand(params.constraints);
-    const Surroundings around{*views, *free_space, sphere, pitch};
+    const HeadingLimit heading = headingLimit(params.body);
+    const Surroundings around{*views, *free_space, sphere, pitch, heading};
     PathEnds ends;
     // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
-    const auto around_moves = [&] { return Surroundings{*views, *free_space, moves(), pitch}; };
+    const auto around_moves = [&] {
+        return Surroundings{*views, *free_space, moves(), pitch, heading};
+    };
     const TrajectoryMaker maker{
         [&](const CameraPath& path) {
             return smoothPath(path, points().viewpoints.position_points,
@@ -112,14 +125,22 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 TimingParams timed = params.timing;
                 timed.max_frames = max_frames;
                 return timeTrajectory(smooth, all.position_points, all.observation_points, timed,
-                                      pitch);
+                                      pitch, heading);
             };
+            // Turns on the spot need frames of their own: there the rate cannot get lower.
+            const int least =
+                heading.restricts()
+                    ? static_cast<int>(leastFrames(smooth, all.position_points,
+                                                   all.observation_points, pitch, heading))
+                    : 0;
             return within(params.timing.max_frames)
                 .and_then([&](Trajectory&& timed) -> Result<Trajectory> {
                     if (params.timing.max_frames <= 0) return std::move(timed);
                     FrameLooks looks(*views);  // of this call: repairs are tried in parallel
-                    return dropRepeats(std::move(timed), params.timing.max_repeat_rate, within,
-                                       looks, job);
+                    return dropRepeats(
+                        std::move(timed), params.timing.max_repeat_rate,
+                        [&](int max_frames) { return within(std::max(max_frames, least)); }, looks,
+                        job);
                 })
                 .and_then([&](Trajectory&& steady) {
                     return shakeTrajectory(smooth, std::move(steady), all.position_points, *views,
@@ -134,7 +155,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             const JobContext part = job.stage(0.44, 0.68, "viewpoints");
             memory.refreshSearches(mapped(), {params.camera, params.viewpoints, pitch, params.seed,
-                                              edits.no_go, params.free_space});
+                                              edits.no_go, params.free_space, params.body});
             return run("viewpoints", found,
                        std::tuple(targets.version(), region.version(), views.version(),
                                   params.viewpoints, pitch, params.seed),
@@ -188,7 +209,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     params.constraints.loop,
                     pointWeights(points().viewpoints.position_points, weights),
                     weights,
-                    params.timing.max_frames};
+                    mostVisits(params)};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
             const auto& all = points().viewpoints.position_points;
@@ -239,7 +260,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 "path", paths,
                 std::tuple(linking.version(), params.path, params.roadmap, edits.regions,
                            ends.start, ends.end, ends.loop, ends.visits,
-                           params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{}),
+                           params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{},
+                           params.body),
                 part, [&]() -> Result<Paths> {
                     Paths taken{*linking, {}};
                     return takePaths(taken.roadmap, points().viewpoints.position_points, moves(),
@@ -252,7 +274,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const JobContext part = job.stage(0.84, 0.9, "smoothing");
-            return run("smoothing", smoothing, std::tuple(paths.version(), params.smoothing), part,
+            return run("smoothing", smoothing,
+                       std::tuple(paths.version(), params.smoothing, params.body), part,
                        [&]() -> Result<std::vector<SmoothPath>> {
                            std::vector<SmoothPath> smooth;
                            for (const CameraPath& path : paths->paths) {
@@ -265,7 +288,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             return run("timing", timing,
-                       std::tuple(smoothing.version(), params.timing, params.shake),
+                       std::tuple(smoothing.version(), params.timing, params.shake, params.body),
                        job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*smoothing); });
         })
         .and_then([&] {

@@ -66,6 +66,12 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
     const auto region = pipeline.region();
     const auto free_space = pipeline.freeSpace();
     if (!region->restricts()) return {};
+    if (region->hasLevels()) {
+        const auto& cells = region->levels().cells();
+        if (std::ranges::any_of(cells, [](const auto& room) { return !room.empty(); })) return {};
+        return "no floor has room for the body at camera_height_m; lower body_radius_m, "
+               "body_height_m or camera_height_m";
+    }
     bool in_band = false;
     bool any = false;
     for (std::size_t room = 0; room < free_space->rooms().size(); ++room) {

@@ -54,6 +54,17 @@ class Constraints(FolderCase):
         for have, wanted in zip(forward, way):
             self.assertAlmostEqual(have, wanted / length, 6)
 
+    def test_a_robot_keeps_its_height_and_looks_level(self):
+        rooms = self.folder / "rooms.obj"
+        write_two_rooms(rooms)
+        _, frames, _ = self.plan("--set", "camera_preset=robot", "--set", "camera_height_m=0.5",
+                                 scene=rooms)
+        self.assertGreater(len(frames), 10)
+        for frame in frames:
+            self.assertAlmostEqual(frame["position"][2], 0.5, 4)
+            x, y, z, w = frame["quaternion_xyzw"]
+            self.assertAlmostEqual(1 - 2 * (x * x + y * y), 0.0, 6)
+
     def test_ignored_classes_and_names_are_no_targets(self):
         everything, _, _ = self.plan()
         metrics, _, project = self.plan("--ignore", "m?g", "--ignore", "sofa")
