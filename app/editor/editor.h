@@ -23,6 +23,7 @@
 #include "app/editor/track_time.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
+#include "render/look_inside.h"
 #include "ui/edit_request.h"
 #include "ui/layers.h"
 #include "ui/panels/export_panel.h"
@@ -116,6 +117,8 @@ class Editor {
     void requestPreview();
     void requestLayers();
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
+    /// Of the scene that is shown; only with one.
+    [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
     /// By what widths and sizes of overlays are multiplied on this screen, from this far.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
@@ -192,6 +195,9 @@ class Editor {
     Selected selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
+    mutable std::vector<render::StoreyView> storeys_;  // of the two below
+    mutable std::shared_ptr<const Scene> storeys_of_scene_;
+    mutable std::shared_ptr<const Plan> storeys_of_plan_;
     Playback playback_;
     TrackTime track_time_;
     CommandStack::State followed_tracks_;  // from which the tracks' time was read

@@ -30,6 +30,18 @@ constexpr double kSmallestMarks = 0.6;
 
 }  // namespace
 
+const std::vector<render::StoreyView>& Editor::storeys() const {
+    const PlanOutcome& shown = workspace_.shown();
+    if (storeys_of_scene_ != shown.scene || storeys_of_plan_ != shown.plan) {
+        storeys_of_scene_ = shown.scene;
+        storeys_of_plan_ = shown.plan;
+        storeys_ =
+            render::storeysOf(*shown.scene, shown.plan ? std::span(shown.plan->rooms)
+                                                       : std::span<const Eigen::AlignedBox3d>());
+    }
+    return storeys_;
+}
+
 render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     const PlanOutcome& shown = workspace_.shown();
     render::View view;
@@ -53,7 +65,12 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
         shown.plan ? std::span(shown.plan->rooms) : std::span<const Eigen::AlignedBox3d>();
     const Eigen::AlignedBox3d building = render::buildingOf(*shown.scene, rooms);
     if (building.isEmpty() || building.contains(camera.pose().position)) return view;
-    const std::vector<bool> covers = render::hidesRooms(*shown.scene);
+    const std::vector<render::StoreyView>& all = storeys();
+    const bool is_there = layer_settings_.storey > 0 &&
+                          static_cast<std::size_t>(layer_settings_.storey) <= all.size();
+    const render::StoreyView& storey =
+        is_there ? all[static_cast<std::size_t>(layer_settings_.storey) - 1] : all.back();
+    const std::vector<bool> covers = render::hiddenFor(*shown.scene, storey);
     for (std::size_t i = 0; i < std::min(covers.size(), view.hidden.size()); ++i) {
         if (covers[i]) view.hidden[i] = true;
     }
@@ -61,9 +78,9 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     if (way.z() < -0.1) return view;
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
-    view.structure_cut = render::cutTowards(building, render::floorOf(*shown.scene, rooms),
-                                            render::ceilingOf(*shown.scene, rooms),
-                                            level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
+    view.structure_cut = render::cutTowards(
+        all.size() > 1 ? render::withinStorey(building, storey) : building, storey.floor_z,
+        storey.ceiling_z, level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
     return view;
 }
 

@@ -20,6 +20,7 @@
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
+#include "engine/scene/outside_objects.h"
 #include "engine/scene/room_bounds.h"
 
 #include <fmt/format.h>
@@ -111,6 +112,19 @@ void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportRep
         fmt::format("the scene lies {:.0f} m from the origin and was moved by "
                     "({:.0f}, {:.0f}, {:.0f}) m",
                     center.norm(), moved.x(), moved.y(), moved.z()));
+}
+
+/// What lies outside is no target, unless an edit says so; nor is it a part of the building, which
+/// would tell what is inside.
+void setOutsideRoles(Scene& scene) {
+    const std::vector<int> outside = findOutsideObjects(scene);
+    for (const int id : outside) {
+        scene.objects[static_cast<std::size_t>(id) - 1].role = Role::Structure;
+    }
+    if (outside.empty()) return;
+    scene.report.notes.push_back(
+        counted(outside.size(), "object outside the building is no target; edit its role if it is",
+                "objects outside the building are no targets; edit their roles if they are"));
 }
 
 Status checkOptions(const ImportOptions& options) {
@@ -205,6 +219,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
+    setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);

@@ -223,6 +223,9 @@ class CommandLine(FolderCase):
     def test_names_that_could_not_be_opened_again_are_refused(self):
         self.assertFails(run("plan", self.room, "-o", "room.txt"), 2, ".dolly")
         self.assertFails(run("plan", self.room, "--picture", "room.jpg"), 2, ".png")
+        self.assertFails(run("plan", self.room, "--storey", "1"), 2, "--picture")
+        self.assertFails(run("plan", self.room, "--picture", self.folder / "room.png", "--storey",
+                             "2"), 2, "There is no storey 2")
 
     def test_a_project_without_its_scene_says_so(self):
         project = json.loads(self.project.read_text())
