@@ -44,6 +44,8 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     if (!fits) return in(path, std::move(fits.error()));
     Result<Edits> edits = editsFromJson(file->edits);
     if (!edits) return in(path, std::move(edits.error()));
+    const Result<ImportOptions> options = io::importOptionsFromJson(file->import);
+    if (!options) return in(path, options.error());
     content.project = path;
     content.scene_file = std::move(file->scene);
     content.import = std::move(file->import);
