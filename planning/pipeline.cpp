@@ -97,17 +97,8 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const PlanEdits& edits,
                                                   const JobContext& job,
                                                   const OnTrajectory& on_trajectory) {
-    if (Status status = validate(params.camera); !status) {
+    if (Status status = validate(params); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
-    }
-    if (!(params.free_space.min_height_m < params.free_space.max_height_m)) {
-        return fail(ErrorCode::Usage, "The height band is empty; it must be above min_height_m.",
-                    "max_height_m");
-    }
-    if (params.constraints.min_pitch_deg > params.constraints.max_pitch_deg) {
-        return fail(ErrorCode::Usage,
-                    "The pitch band is empty; it must not be below min_pitch_deg.",
-                    "max_pitch_deg");
     }
     if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
         return fail(ErrorCode::Usage,

@@ -16,6 +16,7 @@
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/key_frames.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -42,6 +43,15 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
         }
     }
     return -1;
+}
+
+/// How many key frames a budget of frames has room for; 0: any number.
+int mostVisits(const PlanParams& params) {
+    if (params.body.heading == Heading::Free) return params.timing.max_frames;
+    // Beside a key frame's own: turning to it and back, and two corners on the way to it.
+    constexpr int kFramesPerVisit = 7;
+    return params.timing.max_frames > 0 ? std::max(1, params.timing.max_frames / kFramesPerVisit)
+                                        : 0;
 }
 
 }  // namespace
@@ -78,10 +88,10 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
             const FreeSpaceParams& limits = params.free_space;
             return run("region", region,
                        std::tuple(free_space.version(), structureClasses(*scene), edits.no_go,
-                                  limits.min_height_m, limits.max_height_m),
+                                  limits.min_height_m, limits.max_height_m, params.body),
                        job.stage(0.4, 0.4, "region"), [&]() -> Result<AllowedRegion> {
                            return AllowedRegion(*scene, *rays, *free_space, edits.no_go, limits,
-                                                params.camera.camera_radius_m);
+                                                params.body, params.camera.camera_radius_m);
                        });
         })
         .and_then([&] {
@@ -96,15 +106,25 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, &*region);
     const PitchBand pitch = pitchBand(params.constraints);
-    const Surroundings around{*views, *free_space, sphere, pitch};
+    const HeadingLimit heading = headingLimit(params.body);
+    const Surroundings around{*views, *free_space, sphere, pitch, heading};
     PathEnds ends;
     // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
-    const auto around_moves = [&] { return Surroundings{*views, *free_space, moves(), pitch}; };
+    const auto around_moves = [&] {
+        return Surroundings{*views, *free_space, moves(), pitch, heading};
+    };
     const auto steadily = [&](const std::vector<SmoothPath>& smooth, const TimingParams& with) {
         return timeTrajectory(smooth, points().viewpoints.position_points,
-                              points().viewpoints.observation_points, with, pitch);
+                              points().viewpoints.observation_points, with, pitch, heading);
+    };
+    // Turns on the spot need frames of their own: there the rate cannot get lower.
+    const auto leastOf = [&](const std::vector<SmoothPath>& smooth) {
+        if (!heading.restricts()) return 0;
+        return static_cast<int>(leastFrames(smooth, points().viewpoints.position_points,
+                                            points().viewpoints.observation_points, pitch,
+                                            heading));
     };
     const auto timed = [&](const std::vector<SmoothPath>& smooth, const TimingParams& with) {
         const auto within = [&](int max_frames) {
@@ -115,8 +135,12 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         return within(with.max_frames)
             .and_then([&](Trajectory&& steady) -> Result<Trajectory> {
                 if (with.max_frames <= 0 || keepsFrameRate(with)) return std::move(steady);
+                const int least = leastOf(smooth);
                 FrameLooks looks(*views);  // of this call: repairs are tried in parallel
-                return dropRepeats(std::move(steady), with.max_repeat_rate, within, looks, job);
+                return dropRepeats(
+                    std::move(steady), with.max_repeat_rate,
+                    [&](int max_frames) { return within(std::max(max_frames, least)); }, looks,
+                    job);
             })
             .and_then([&](Trajectory&& steady) {
                 return shakeTrajectory(smooth, std::move(steady),
@@ -153,7 +177,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&] {
             const JobContext part = job.stage(0.44, 0.68, "viewpoints");
             memory.refreshSearches(mapped(), {params.camera, params.viewpoints, pitch, params.seed,
-                                              edits.no_go, params.free_space});
+                                              edits.no_go, params.free_space, params.body});
             return run("viewpoints", found,
                        std::tuple(targets.version(), region.version(), views.version(),
                                   params.viewpoints, pitch, params.seed),
@@ -207,7 +231,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     params.constraints.loop,
                     pointWeights(points().viewpoints.position_points, weights),
                     weights,
-                    keepsFrameRate(params.timing) ? 0 : params.timing.max_frames};
+                    keepsFrameRate(params.timing) ? 0 : mostVisits(params)};
             // One point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
             const auto& all = points().viewpoints.position_points;
@@ -280,7 +304,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     linking.version(), params.path, params.roadmap, edits.regions, ends.start,
                     ends.end, ends.loop, ends.visits,
                     clip || params.path.max_length_m > 0.0 ? params.smoothing : SmoothingParams{},
-                    clip ? params.timing : TimingParams{}),
+                    clip ? params.timing : TimingParams{}, params.body),
                 part, [&]() -> Result<Paths> {
                     if (!clip) return measured.take(params.path.max_length_m);
                     return pathsWithinFrames(measured, params.path.max_length_m,
@@ -293,12 +317,13 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             const JobContext part = job.stage(0.84, 0.9, "smoothing");
-            return run("smoothing", smoothing, std::tuple(paths.version(), params.smoothing), part,
+            return run("smoothing", smoothing,
+                       std::tuple(paths.version(), params.smoothing, params.body), part,
                        [&] { return smoothAll(paths->paths); });
         })
         .and_then([&] {
             return run("timing", timing,
-                       std::tuple(smoothing.version(), params.timing, params.shake),
+                       std::tuple(smoothing.version(), params.timing, params.shake, params.body),
                        job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*smoothing); });
         })
         .and_then([&] {

@@ -45,7 +45,8 @@ struct Pipeline::Stages {
     Stage<std::tuple<V>, RayCaster> rays;
     Stage<std::tuple<V, double>, SurfaceMap> surfaces;
     Stage<std::tuple<unsigned, double>, FreeSpace> free_space;
-    Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double>, AllowedRegion>
+    Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double, BodyParams>,
+          AllowedRegion>
         region;
     Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
     Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
@@ -59,11 +60,11 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
     Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool, int,
-                     SmoothingParams, TimingParams>,
+                     SmoothingParams, TimingParams, BodyParams>,
           Paths>
         paths;
-    Stage<std::tuple<V, SmoothingParams>, std::vector<SmoothPath>> smoothing;
-    Stage<std::tuple<V, TimingParams, ShakeParams>, Trajectory> timing;
+    Stage<std::tuple<V, SmoothingParams, BodyParams>, std::vector<SmoothPath>> smoothing;
+    Stage<std::tuple<V, TimingParams, ShakeParams, BodyParams>, Trajectory> timing;
     Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
     Stage<std::tuple<V, RepairParams>, Metrics> metrics;
 

@@ -1,6 +1,5 @@
 #include "planning/plan_params.h"
 
-
 #include <nlohmann/json.hpp>
 
 namespace dollytrack::planning {
@@ -12,7 +11,82 @@ FieldList listFields(PlanParams& params) {
     FieldList fields = collector.take();
     letSensorPresetSetOthers(fields, params.sensor);
     letLightPresetSetOthers(fields, params.light);
+    letPresetSetOthers(fields, "camera_preset", [&params] { applyCameraPreset(params); });
     return fields;
+}
+
+void applyCameraPreset(PlanParams& params) {
+    const PlanParams defaults;
+    const CameraPreset preset = params.body.camera_preset;
+    params.body = defaults.body;
+    params.body.camera_preset = preset;
+    params.camera.camera_radius_m = defaults.camera.camera_radius_m;
+    params.free_space.min_height_m = defaults.free_space.min_height_m;
+    params.free_space.max_height_m = defaults.free_space.max_height_m;
+    params.constraints.min_pitch_deg = defaults.constraints.min_pitch_deg;
+    params.constraints.max_pitch_deg = defaults.constraints.max_pitch_deg;
+    params.shake.shake = defaults.shake.shake;
+    switch (preset) {
+        case CameraPreset::Free:
+            break;
+        case CameraPreset::Handheld:  // between a lowered hand and an arm held up
+            params.free_space.min_height_m = 0.9;
+            params.free_space.max_height_m = 1.9;
+            params.constraints.min_pitch_deg = -60.0;
+            params.constraints.max_pitch_deg = 45.0;
+            params.shake.shake = ShakeKind::Handheld;
+            break;
+        case CameraPreset::Drone:  // a small one, with its propeller guards, on a gimbal
+            params.camera.camera_radius_m = 0.2;
+            params.free_space.min_height_m = 0.4;
+            params.constraints.min_pitch_deg = -85.0;
+            params.constraints.max_pitch_deg = 30.0;
+            break;
+        case CameraPreset::Robot:
+            params.body.camera_height_m = 0.4;
+            params.body.body = BodyShape::Cylinder;
+            params.body.heading = Heading::Along;
+            params.constraints.min_pitch_deg = 0.0;
+            params.constraints.max_pitch_deg = 0.0;
+            break;
+    }
+}
+
+Status validate(const PlanParams& params) {
+    if (Status status = validate(params.camera); !status) return status;
+    const FreeSpaceParams& band = params.free_space;
+    const BodyParams& body = params.body;
+    if (!(band.min_height_m < band.max_height_m)) {
+        return fail(ErrorCode::Usage, "The height band is empty; it must be above min_height_m.",
+                    "max_height_m");
+    }
+    if (params.constraints.min_pitch_deg > params.constraints.max_pitch_deg) {
+        return fail(ErrorCode::Usage,
+                    "The pitch band is empty; it must not be below min_pitch_deg.",
+                    "max_pitch_deg");
+    }
+    const bool has_height = body.camera_height_m > 0.0;
+    if (has_height &&
+        (body.camera_height_m < band.min_height_m || body.camera_height_m > band.max_height_m)) {
+        return fail(ErrorCode::Usage,
+                    "The camera's height must lie between min_height_m and max_height_m.",
+                    "camera_height_m");
+    }
+    if (body.body == BodyShape::Cylinder && !has_height) {
+        return fail(ErrorCode::Usage,
+                    "A cylinder stands on the floor; set camera_height_m above 0 as well.", "body");
+    }
+    if (body.body == BodyShape::Cylinder && body.body_height_m <= body.max_step_m) {
+        return fail(ErrorCode::Usage, "The cylinder's top must be above max_step_m.",
+                    "body_height_m");
+    }
+    if (body.heading == Heading::Along && params.shake.shake != ShakeKind::None) {
+        return fail(ErrorCode::Usage,
+                    "A shaken camera does not look along its motion; set shake=none or "
+                    "heading=free.",
+                    "heading");
+    }
+    return {};
 }
 
 PlanParams onlyOfThePlan(PlanParams params) {

@@ -10,6 +10,59 @@
 
 namespace dollytrack::planning {
 
+/// What carries the camera: sets of settings that belong together.
+enum class CameraPreset { Free, Handheld, Drone, Robot };
+
+/// The shape that moves are proven collision-free for, beside the camera's sphere.
+enum class BodyShape { Sphere, Cylinder };
+
+/// Where the camera looks while it moves.
+enum class Heading { Free, Along };
+
+/// The carrier of the camera, such as a wheeled robot.
+struct BodyParams {
+    CameraPreset camera_preset = CameraPreset::Free;
+    double camera_height_m = 0.0;
+    BodyShape body = BodyShape::Sphere;
+    double body_radius_m = 0.2;
+    double body_height_m = 0.45;
+    double max_step_m = 0.03;
+    Heading heading = Heading::Free;
+    double max_heading_deg = 30.0;
+    bool operator==(const BodyParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitBodyParams(Params& p, Visitor&& visit) {
+    visit("camera_preset", p.camera_preset,
+          ChoiceInfo{{"free", "handheld", "drone", "robot"},
+                     "Sets what carries the camera: its heights, body, heading, pitch band, radius "
+                     "and shake; what is named beside it changes single ones"});
+    visit("camera_height_m", p.camera_height_m,
+          FieldInfo{0, 10, "m",
+                    "Exact height of the camera above the level of the floor, which it then never "
+                    "leaves by steps; 0: free"});
+    visit("body", p.body,
+          ChoiceInfo{{"sphere", "cylinder"},
+                     "Shape that moves are proven collision-free for: the camera's sphere alone, "
+                     "or also a cylinder below it that stands on the floor"});
+    visit("body_radius_m", p.body_radius_m, FieldInfo{0.01, 2, "m", "Radius of the cylinder"});
+    visit("body_height_m", p.body_height_m,
+          FieldInfo{0.05, 10, "m", "Top of the cylinder above the floor"});
+    visit("max_step_m", p.max_step_m,
+          FieldInfo{0.001, 0.5, "m",
+                    "Thresholds and rugs up to this height are driven over; the cylinder begins "
+                    "above them"});
+    visit("heading", p.heading,
+          ChoiceInfo{{"free", "along"},
+                     "free: the camera looks anywhere while it moves; along: it looks along its "
+                     "motion, and stops to turn on the spot"});
+    visit("max_heading_deg", p.max_heading_deg,
+          FieldInfo{1, 90, "deg",
+                    "Largest angle between where the camera looks and where it moves, seen from "
+                    "above, with heading=along"});
+}
+
 /// Which objects are small, and what stands on or hangs at what (paper, 3.2.2).
 struct TargetParams {
     double small_volume_m3 = 0.1;
@@ -276,6 +329,7 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
 /// Everything that shapes a plan and the pictures along it. Field names are unique across the
 /// sections.
 struct PlanParams {
+    BodyParams body;
     CameraParams camera;
     FreeSpaceParams free_space;
     ConstraintParams constraints;
@@ -300,6 +354,8 @@ struct PlanParams {
 /// The one list of all fields: `section(name)` is called before each section's fields.
 template <class Params, class Section, class Visitor>
 void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
+    section("body");  // first: its preset sets fields of other sections
+    visitBodyParams(p.body, visit);
     section("camera");
     visitCameraParams(p.camera, visit);
     section("free_space");
@@ -343,6 +399,12 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
 
 /// Whether both lead to the same plan: they may differ in what is made of it alone.
 [[nodiscard]] bool makeSamePlan(const PlanParams& a, const PlanParams& b);
+
+/// Sets all fields that belong to params.body.camera_preset to what it stands for.
+void applyCameraPreset(PlanParams& params);
+
+/// Whether the parameters fit one another. Error: Usage, naming the field.
+Status validate(const PlanParams& params);
 
 /// Sets one parameter in a project's sections, which are then complete: every field, with its
 /// default where they did not name it. Error: BadInput, as setFromJson() gives it.

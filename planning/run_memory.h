@@ -36,6 +36,7 @@ struct SearchInputs {
     int seed = 0;
     std::vector<NoGoBox> no_go;
     FreeSpaceParams free_space;
+    BodyParams body;
     bool operator==(const SearchInputs&) const = default;
 };
 

@@ -98,9 +98,10 @@ cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
 }
 
 /// Empty when the file is gone or damaged. Labels are not blended into other labels.
-cv::Mat thumbnail(const std::filesystem::path& file, std::string_view modality) {
+cv::Mat thumbnail(const io::GuardedFolder& folder, const std::string& file,
+                  std::string_view modality) {
     try {
-        const cv::Mat image = readPictureFile(file, cv::IMREAD_UNCHANGED);
+        const cv::Mat image = readPictureFile(folder, file, cv::IMREAD_UNCHANGED);
         if (image.empty()) return {};
         const int height = std::max(1, kThumbWidth * image.rows / image.cols);
         const bool labels = modality == "instance" || modality == "semantic";
@@ -130,18 +131,20 @@ std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key) {
     return chosen;
 }
 
-Result<std::vector<std::uint8_t>> encodeContactSheet(const std::vector<SheetPicture>& pictures,
+Result<std::vector<std::uint8_t>> encodeContactSheet(const io::GuardedFolder& folder,
+                                                     const std::vector<SheetPicture>& pictures,
                                                      const Modality& modality,
                                                      const std::string& title) {
     std::vector<cv::Mat> thumbs(pictures.size());
-    parallelFor(pictures.size(),
-                [&](std::size_t i) { thumbs[i] = thumbnail(pictures[i].file, modality.name); });
+    parallelFor(pictures.size(), [&](std::size_t i) {
+        thumbs[i] = thumbnail(folder, pictures[i].file, modality.name);
+    });
     int thumb_height = 1;
     for (std::size_t i = 0; i < thumbs.size(); ++i) {
         if (thumbs[i].empty()) {
             return fail(ErrorCode::BadInput,
                         "the image was damaged or taken away while the export was running",
-                        pictures[i].file.string());
+                        (folder.path() / pictures[i].file).string());
         }
         thumb_height = std::max(thumb_height, thumbs[i].rows);
     }

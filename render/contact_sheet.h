@@ -1,18 +1,18 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/guarded_folder.h"
 #include "render/modalities.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace dollytrack::render {
 
-/// A picture on a contact sheet: an image file of a dataset, and a line of text below it.
+/// A picture on a contact sheet: an image file in a dataset's folder, and a line of text below it.
 struct SheetPicture {
-    std::filesystem::path file;
+    std::string file;
     std::string caption;
 };
 
@@ -24,6 +24,7 @@ struct SheetPicture {
 /// bytes. Depth becomes grey (near is bright), ids and classes become colours. Error: BadInput for
 /// a file that is gone or damaged.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeContactSheet(
-    const std::vector<SheetPicture>& pictures, const Modality& modality, const std::string& title);
+    const io::GuardedFolder& folder, const std::vector<SheetPicture>& pictures,
+    const Modality& modality, const std::string& title);
 
 }  // namespace dollytrack::render

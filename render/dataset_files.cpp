@@ -1,6 +1,5 @@
 #include "render/dataset_files.h"
 
-#include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
 #include "render/contact_sheet.h"
 #include "render/formats/fold_files.h"
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <span>
-#include <system_error>
 
 namespace dollytrack::render {
 namespace {
@@ -20,7 +18,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-Result<std::vector<std::uint8_t>> contactSheet(const std::filesystem::path& folder,
+Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
                                                const DatasetContents& contents,
                                                const std::string& title) {
     std::vector<bool> is_key;
@@ -32,23 +30,19 @@ Result<std::vector<std::uint8_t>> contactSheet(const std::filesystem::path& fold
         const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
         // Not printf(), which writes another point in another locale.
         pictures.push_back(
-            {folder / contents.pictureFile(index),
+            {contents.pictureFile(index),
              fmt::format("{}   {:.1f} s   {:.24}", index, frame.camera.time_s, frame.room)});
     }
-    return encodeContactSheet(pictures, contents.pictureModality(), title);
+    return encodeContactSheet(folder, pictures, contents.pictureModality(), title);
 }
 
 }  // namespace
 
-Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetContents& contents,
+Status writeDatasetFiles(const io::GuardedFolder& folder, const DatasetContents& contents,
                          DatasetCard card, const std::string& title) {
     const auto put = [&](const std::string& name, std::span<const std::uint8_t> bytes) -> Status {
         card.sha256s[name] = io::sha256Of(bytes);
-        std::error_code error;
-        const std::filesystem::path parent = (folder / name).parent_path();
-        std::filesystem::create_directories(parent, error);
-        if (error) return tl::unexpected<Error>(io::writeError(error.value(), parent));
-        return io::writeWhole(folder / name, bytes, io::Durability::Renamed);
+        return folder.write(name, bytes, io::Durability::Renamed);
     };
     for (const Format* format : card.formats) {
         if (!format->write) continue;
@@ -63,7 +57,7 @@ Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetConte
         if (written == card.sha256s.end()) {
             return fail(ErrorCode::Failed, "the picture was not written", picture);
         }
-        if (Status status = linkPicture(folder, name, picture); !status) return status;
+        if (Status status = folder.link(picture, name); !status) return status;
         card.sha256s[name] = written->second;
     }
     const Result<std::vector<DatasetFile>> folds = foldFiles(contents, card.formats);
@@ -81,8 +75,8 @@ Status writeDatasetFiles(const std::filesystem::path& folder, const DatasetConte
     const std::string text =
         json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     // Everything it vouches for is on the disk before it appears.
-    if (Status status = io::syncFolder(folder); !status) return status;
-    return io::writeWhole(folder / "dataset.json", text);
+    if (Status status = folder.syncAll(); !status) return status;
+    return folder.write("dataset.json", text);
 }
 
 }  // namespace dollytrack::render

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/guarded_folder.h"
 #include "render/dataset_contents.h"
 #include "render/formats/dataset_card.h"
 
-#include <filesystem>
 #include <string>
 
 namespace dollytrack::render {
 
 /// Writes what a dataset holds beside its images: the formats' files, the contact sheet under this
 /// title, and dataset.json when all the others are on the disk. `card` has the images' hashes.
-[[nodiscard]] Status writeDatasetFiles(const std::filesystem::path& folder,
+[[nodiscard]] Status writeDatasetFiles(const io::GuardedFolder& folder,
                                        const DatasetContents& contents, DatasetCard card,
                                        const std::string& title);
 

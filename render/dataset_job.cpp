@@ -121,23 +121,23 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
     const std::uint64_t bytes =
         estimateBytes(contents, order.card.formats, pipeline->missingCount());
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
-    if (Status status =
-            folder->begin(contents.modalities, order.card.formats, keep, rigFolders(contents.rig));
-        !status) {
-        return status;
-    }
+    const DatasetNames names =
+        namesOf(contents.modalities, order.card.formats, frameCount(), rigFolders(contents.rig));
+    if (Status status = folder->begin(names, keep); !status) return status;
+    order.contents.folder = folder->unfinished().path();
     Result<DatasetJournal> journal =
-        earlier.identity ? DatasetJournal::resume(folder->journal(), earlier)
-                         : DatasetJournal::begin(folder->journal(), identity, gl::rendererName());
+        earlier.identity
+            ? DatasetJournal::resume(folder->folder(), earlier)
+            : DatasetJournal::begin(folder->folder(), identity, gl::rendererName(), names);
     if (!journal) return tl::unexpected(journal.error());
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
-    writer.emplace(FrameWriter::Settings{folder->path(), contents.modalities, order.card.formats,
-                                         needsOf(contents.modalities, order.card.formats)},
-                   *frame_context, [this](WrittenFrame written) {
-                       return ledger->addWritten(written.index, std::move(written.sha256s),
-                                                 std::move(written.masks),
-                                                 std::move(written.instances));
-                   });
+    writer.emplace(
+        FrameWriter::Settings{folder->unfinished(), contents.modalities, order.card.formats,
+                              needsOf(contents.modalities, order.card.formats)},
+        *frame_context, [this](WrittenFrame written) {
+            return ledger->addWritten(written.index, std::move(written.sha256s),
+                                      std::move(written.masks), std::move(written.instances));
+        });
     return {};
 }
 
@@ -149,6 +149,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     }
     if (already_counted) {
         summary.counted = *already_counted;
+        if (Status status = folder->release(); !status) return tl::unexpected(status.error());
         return summary;
     }
     if (pipeline->doneCount() != frameCount()) {
@@ -178,8 +179,8 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
                   summary.frames, summary.counted.captured, summary.counted.objects,
                   summary.counted.well_captured);
     Status status =
-        writeDatasetFiles(settings.folder, contents, card, contents.scene.name + title.data());
-    if (status) status = folder->release();
+        writeDatasetFiles(folder->unfinished(), contents, card, contents.scene.name + title.data());
+    if (status) status = folder->finish();
     if (!status) return tl::unexpected(status.error());
     return summary;
 }
@@ -204,7 +205,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     auto impl = std::make_unique<Impl>(std::move(settings), std::move(varied), std::move(*order));
     impl->context = std::move(context);
     Result<DatasetFolder> folder =
-        DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite);
+        DatasetFolder::claim(impl->settings.folder, impl->settings.overwrite, impl->settings.root);
     if (!folder) return tl::unexpected(folder.error());
     impl->folder.emplace(std::move(*folder));
     if (!impl->settings.overwrite && !impl->settings.resume) {
@@ -267,6 +268,10 @@ int DatasetJob::framesDone() const {
 
 Result<bool> DatasetJob::step() {
     if (framesDone() == frameCount()) return false;
+    if (!folderIsThere()) {  // what is written now would be lost, or go where the folder went
+        return fail(ErrorCode::CannotWrite, "the dataset cannot be written on",
+                    impl_->settings.folder.string());
+    }
     Status status = impl_->context->makeCurrent();
     if (status) status = impl_->pipeline->drawNext(*impl_->writer, *impl_->ledger);
     if (!status) return tl::unexpected(status.error());
@@ -284,7 +289,7 @@ int DatasetJob::keep() {
     const Status synced = impl_->ledger->sync();
     if (!drained) log::debug("export", describe(drained.error()));
     if (!synced) log::debug("export", describe(synced.error()));
-    return folderIsThere() ? impl_->ledger->finishedCount(impl_->folder->path()) : 0;
+    return folderIsThere() ? impl_->ledger->finishedCount(impl_->folder->unfinished()) : 0;
 }
 
 bool DatasetJob::folderIsThere() const {
@@ -302,7 +307,8 @@ Status checkChoices(const DatasetSettings& settings) {
 
 Status checkSettings(const DatasetSettings& settings) {
     if (Status status = checkChoices(settings); !status) return status;
-    const Result<DatasetFolder> folder = DatasetFolder::claim(settings.folder, settings.overwrite);
+    const Result<DatasetFolder> folder =
+        DatasetFolder::claim(settings.folder, settings.overwrite, settings.root);
     if (!folder) return tl::unexpected(folder.error());
     return settings.overwrite || settings.resume ? Status() : folder->checkNotComplete();
 }

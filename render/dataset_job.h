@@ -30,10 +30,11 @@ namespace dollytrack::render {
 /// Where a dataset goes and how much of the trajectory it holds.
 struct DatasetSettings {
     std::filesystem::path folder;
+    std::filesystem::path root;  // a folder around it, below which no link is followed; empty: none
     FrameRange range;
     std::vector<std::string> modalities;  // names of modalities.h; empty: the standard ones
     std::vector<std::string> formats;     // names of formats/formats.h; likewise
-    bool overwrite = false;  // replaces a complete dataset; allows other files, which stay
+    bool overwrite = false;  // replaces a complete dataset when the new one is; allows other files
     bool resume = false;     // continues what an export left in the folder
     CaptureRules rules;
     double imu_rate_hz = 200.0;             // samples a second in imu.csv
@@ -77,7 +78,8 @@ struct DatasetSummary {
 /// Renders a trajectory into a labelled dataset: begin, step() until it returns false, finish().
 /// Each step draws one frame, so a window can run it between its own frames. Without finish(), or
 /// after an error, what is in the folder are whole images, the journal of those that are finished,
-/// and no dataset.json; a later job with `resume` continues there and ends with the same bytes.
+/// and no dataset.json but that of an earlier dataset, which is still whole; a later job with
+/// `resume` continues there and ends with the same bytes.
 class DatasetJob {
   public:
     /// Checks and locks the folder, finds what an earlier export left, computes the light and loads

@@ -39,7 +39,8 @@ json readLine(std::string_view line) {
 /// journal's ends the list, as the file's end does: a last line without its end is torn.
 class JournalLines {
   public:
-    explicit JournalLines(const std::filesystem::path& path) : file_(io::openNamedFile(path)) {}
+    explicit JournalLines(const io::GuardedFolder& folder)
+        : file_(folder.openInput(kJournalFile)) {}
 
     /// The next line, valid until the next call; nothing at the end.
     std::optional<std::string_view> next() {
@@ -154,9 +155,9 @@ std::string differences(const DatasetIdentity& a, const DatasetIdentity& b) {
     return names;
 }
 
-JournalContents readJournal(const std::filesystem::path& path) {
+JournalContents readJournal(const io::GuardedFolder& folder) {
     JournalContents contents;
-    JournalLines lines(path);
+    JournalLines lines(folder);
     while (const std::optional<std::string_view> line = lines.next()) {
         contents.whole_bytes += line->size() + 1;
         const json value = readLine(*line);
@@ -166,6 +167,10 @@ JournalContents readJournal(const std::filesystem::path& path) {
                 if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;
                 contents.identity = value.at("identity").get<DatasetIdentity>();
                 contents.drawn_by = value.value("drawn_by", "");
+                // Journals of earlier versions have none.
+                if (value.contains("writes")) {
+                    contents.names = datasetNamesFrom(value.at("writes"));
+                }
             } else {
                 JournalEntry entry = entryFrom(value);
                 const int index = entry.index;
@@ -185,23 +190,26 @@ DatasetJournal::DatasetJournal(std::filesystem::path path, io::FileDescriptor fi
       length_(length),
       synced_(std::chrono::steady_clock::now()) {}
 
-Result<DatasetJournal> DatasetJournal::open(const std::filesystem::path& path,
-                                            std::uint64_t length) {
-    io::FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-    if (!file.valid()) return tl::unexpected<Error>(io::writeError(errno, path));
-    if (::ftruncate(file.get(), static_cast<off_t>(length)) != 0) {
+Result<DatasetJournal> DatasetJournal::open(const io::GuardedFolder& folder, std::uint64_t length) {
+    const std::filesystem::path path = folder.path() / kJournalFile;
+    Result<io::FileDescriptor> file = folder.openFile(kJournalFile, O_WRONLY | O_CREAT | O_APPEND);
+    if (!file) return tl::unexpected(file.error());
+    if (::ftruncate(file->get(), static_cast<off_t>(length)) != 0) {
         return tl::unexpected<Error>(io::writeError(errno, path));
     }
-    return DatasetJournal(path, std::move(file), length);
+    return DatasetJournal(path, std::move(*file), length);
 }
 
-Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
+Result<DatasetJournal> DatasetJournal::begin(const io::GuardedFolder& folder,
                                              const DatasetIdentity& identity,
-                                             const std::string& drawn_by) {
-    Result<DatasetJournal> journal = open(path, 0);
+                                             const std::string& drawn_by,
+                                             const DatasetNames& names) {
+    Result<DatasetJournal> journal = open(folder, 0);
     if (!journal) return journal;
-    const json header = {
-        {"dollytrack_journal", kVersion}, {"identity", identity}, {"drawn_by", drawn_by}};
+    const json header = {{"dollytrack_journal", kVersion},
+                         {"identity", identity},
+                         {"drawn_by", drawn_by},
+                         {"writes", toJson(names)}};
     Status status =
         journal->appendLine(header.dump(-1, ' ', false, json::error_handler_t::replace));
     if (status) status = journal->sync();
@@ -209,9 +217,9 @@ Result<DatasetJournal> DatasetJournal::begin(const std::filesystem::path& path,
     return journal;
 }
 
-Result<DatasetJournal> DatasetJournal::resume(const std::filesystem::path& path,
+Result<DatasetJournal> DatasetJournal::resume(const io::GuardedFolder& folder,
                                               const JournalContents& contents) {
-    return open(path, contents.whole_bytes);
+    return open(folder, contents.whole_bytes);
 }
 
 Status DatasetJournal::append(const JournalEntry& entry) {

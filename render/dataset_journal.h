@@ -1,8 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/file_descriptor.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/plan/capture.h"
+#include "render/dataset_listing.h"
 #include "render/formats/mask_rle.h"
 #include "render/instances.h"
 
@@ -34,25 +35,30 @@ struct JournalEntry {
     std::vector<int> well_shown;
 };
 
+/// The journal's file in a dataset's folder.
+inline constexpr const char* kJournalFile = ".dollytrack-export";
+
 /// What an earlier export left. Damaged and torn lines are as if never written.
 struct JournalContents {
     std::optional<DatasetIdentity> identity;  // none: nothing that could be continued
     std::string drawn_by;                     // the OpenGL driver
+    DatasetNames names;                       // of the files that it may have left
     std::map<int, JournalEntry> entries;      // by index
     std::uint64_t whole_bytes = 0;            // up to where a torn last line begins
 };
-[[nodiscard]] JournalContents readJournal(const std::filesystem::path& path);
+[[nodiscard]] JournalContents readJournal(const io::GuardedFolder& folder);
 
 /// The list of finished frames that lets an export continue: a line a frame, each with a checksum.
 /// Lines are brought to the disk every few seconds.
 class DatasetJournal {
   public:
     /// Writes over what is there.
-    [[nodiscard]] static Result<DatasetJournal> begin(const std::filesystem::path& path,
+    [[nodiscard]] static Result<DatasetJournal> begin(const io::GuardedFolder& folder,
                                                       const DatasetIdentity& identity,
-                                                      const std::string& drawn_by);
+                                                      const std::string& drawn_by,
+                                                      const DatasetNames& names);
     /// Writes behind what readJournal() found.
-    [[nodiscard]] static Result<DatasetJournal> resume(const std::filesystem::path& path,
+    [[nodiscard]] static Result<DatasetJournal> resume(const io::GuardedFolder& folder,
                                                        const JournalContents& contents);
 
     /// A line that does not fit on the disk leaves nothing behind.
@@ -61,7 +67,7 @@ class DatasetJournal {
 
   private:
     DatasetJournal(std::filesystem::path path, io::FileDescriptor file, std::uint64_t length);
-    [[nodiscard]] static Result<DatasetJournal> open(const std::filesystem::path& path,
+    [[nodiscard]] static Result<DatasetJournal> open(const io::GuardedFolder& folder,
                                                      std::uint64_t length);
     [[nodiscard]] Status appendLine(const std::string& json);
 

@@ -89,7 +89,6 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
         }
     }
     order.contents.score = settings.score;
-    order.contents.folder = settings.folder;
     order.contents.folds = settings.folds;
     if (Status status = validate(settings.rig); !status) return tl::unexpected(status.error());
     order.contents.rig = settings.rig;

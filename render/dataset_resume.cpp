@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dollytrack::render {
@@ -17,9 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool isWhole(const DatasetFolder& folder, const std::string& file, const std::string& sha256) {
-    const Result<std::string> found = io::sha256OfFile(folder.path() / file);
-    return found && *found == sha256;
+bool isWhole(const io::GuardedFolder& folder, const std::string& file, const std::string& sha256) {
+    const auto bytes = folder.read(file);
+    return bytes && io::sha256Of(std::span<const std::uint8_t>(*bytes)) == sha256;
 }
 
 /// Calls check(i) for all i on all threads, in portions between which it reports and may stop.
@@ -34,7 +36,7 @@ void checkAll(std::size_t count, const JobContext& job, const Check& check) {
 }
 
 Json readCard(const DatasetFolder& folder) {
-    return io::readBoundedJson<Json>(folder.path() / "dataset.json").value_or(Json());
+    return io::readBoundedJson<Json>(folder.folder(), kCardFile).value_or(Json());
 }
 
 tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,
@@ -57,7 +59,7 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
     checkAll(list.size(), job, [&](std::size_t i) {
         const auto& hashes = list[i]->sha256s;
         whole[i] = std::all_of(hashes.begin(), hashes.end(), [&](const auto& file) {
-            return isWhole(folder, file.first, file.second);
+            return isWhole(folder.unfinished(), file.first, file.second);
         });
     });
     std::size_t i = 0;
@@ -94,7 +96,7 @@ Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetO
         }
         std::vector<char> whole(files.size(), 0);
         checkAll(files.size(), job, [&](std::size_t i) {
-            whole[i] = isWhole(folder, files[i].first, files[i].second);
+            whole[i] = isWhole(folder.folder(), files[i].first, files[i].second);
         });
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
         const auto first = std::find(whole.begin(), whole.end(), 0);
@@ -122,17 +124,24 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
                             const DatasetIdentity& identity, const JobContext& job) {
     Earlier earlier;
     JournalContents& journal = earlier.journal;
-    journal = readJournal(folder.journal());
-    if (!journal.identity) {
-        if (!folder.isComplete()) {
-            log::info("export", "there is nothing to continue in the folder: beginning anew");
-            return Earlier{};
-        }
+    journal = readJournal(folder.folder());
+    const bool begun = journal.identity.has_value();
+    if (folder.isComplete() && !(begun && folder.isStaged())) {
         const Result<CaptureMetrics> counted = checkComplete(folder, order, job);
-        if (!counted) return tl::unexpected(counted.error());
-        log::info("export", "the dataset in the folder is complete and whole");
-        earlier.complete = *counted;
-        return earlier;
+        if (counted) {
+            log::info("export", "the dataset in the folder is complete and whole");
+            earlier.complete = *counted;
+            return earlier;
+        }
+        // With a journal, one that was to replace it was cut off before its first frame.
+        if (!begun || counted.error().code == ErrorCode::Cancelled) {
+            return tl::unexpected(counted.error());
+        }
+        journal.entries.clear();
+    }
+    if (!begun) {
+        log::info("export", "there is nothing to continue in the folder: beginning anew");
+        return Earlier{};
     }
     if (*journal.identity != identity) {
         return fail(ErrorCode::Usage,

@@ -68,12 +68,9 @@ Status FrameLedger::addCounted(int index, std::vector<ObjectView> views,
     return impl_->finishIfComplete(row);
 }
 
-int FrameLedger::finishedCount(const std::filesystem::path& folder) const {
+int FrameLedger::finishedCount(const io::GuardedFolder& folder) const {
     const std::lock_guard lock(impl_->mutex);
-    const auto isThere = [&](const auto& file) {
-        std::error_code error;
-        return std::filesystem::exists(folder / file.first, error);
-    };
+    const auto isThere = [&](const auto& file) { return folder.has(file.first); };
     return static_cast<int>(std::ranges::count_if(impl_->rows, [&](const Row& row) {
         return row.finished && std::ranges::all_of(row.entry.sha256s, isThere);
     }));

@@ -2,7 +2,6 @@
 
 #include "render/dataset_journal.h"
 
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -26,7 +25,7 @@ class FrameLedger {
                                     std::vector<int> well_shown);
 
     /// Finished frames whose files are still in the folder.
-    [[nodiscard]] int finishedCount(const std::filesystem::path& folder) const;
+    [[nodiscard]] int finishedCount(const io::GuardedFolder& folder) const;
     [[nodiscard]] Status sync();
 
     /// Hands out what is known of a frame; the ledger keeps no copy.

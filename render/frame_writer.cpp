@@ -1,6 +1,5 @@
 #include "render/frame_writer.h"
 
-#include "engine/io/durable_file.h"
 #include "engine/io/sha256.h"
 
 #include <algorithm>
@@ -141,8 +140,8 @@ struct FrameWriter::Impl {
         for (const FrameFile& file : *files) {
             // All files are synced once, before dataset.json says that it is complete; a continued
             // export finds by their hashes those that a power cut took.
-            if (Status status = io::writeWhole(settings.folder / file.path, file.bytes,
-                                               io::Durability::Renamed);
+            if (Status status =
+                    settings.folder.write(file.path, file.bytes, io::Durability::Renamed);
                 !status) {
                 return status;
             }

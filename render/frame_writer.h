@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/guarded_folder.h"
 #include "render/formats/formats.h"
 #include "render/formats/mask_rle.h"
 #include "render/frame_context.h"
@@ -8,7 +9,6 @@
 #include "render/modalities.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -30,7 +30,7 @@ struct WrittenFrame {
 class FrameWriter {
   public:
     struct Settings {
-        std::filesystem::path folder;  // has the subfolders
+        io::GuardedFolder folder;
         ModalitySet modalities;
         FormatSet formats;
         unsigned needs = 0;  // bits of FrameNeeds

@@ -1,12 +1,13 @@
 #include "render/light_cache.h"
 
 #include "engine/io/cache_room.h"
-#include "engine/io/durable_file.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/sha256.h"
 #include "engine/io/user_cache.h"
 #include "render/scene_hash.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -19,8 +20,6 @@
 
 namespace dollytrack::render {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".light";
 constexpr std::size_t kSumLength = 64;  // SHA-256 in digits, at a file's end
@@ -187,12 +186,12 @@ std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
     return hash.finish();
 }
 
-fs::path LightCache::fileOf(const std::string& key) const {
-    return folder_ / (key + kExtension);
-}
-
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
-    const Result<std::string> bytes = io::readNamedFile(fileOf(key), most_bytes_);
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
+    if (!folder) return std::nullopt;
+    const Result<io::InputFile> file = folder->openInput(key + kExtension);
+    if (!file) return std::nullopt;
+    const Result<std::string> bytes = file->readAll(most_bytes_);
     if (!bytes || bytes->size() < kSumLength) return std::nullopt;
     const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()),
                          bytes->size() - kSumLength);
@@ -201,8 +200,7 @@ std::optional<LightVolume> LightCache::find(const std::string& key) const {
     Reader read(data);
     visitVolume(read, volume);
     if (!read.whole()) return std::nullopt;
-    std::error_code ignored;
-    fs::last_write_time(fileOf(key), fs::file_time_type::clock::now(), ignored);
+    ::futimens(file->descriptor(), nullptr);  // it is the youngest now
     return volume;
 }
 
@@ -211,8 +209,10 @@ void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     visitVolume(write, volume);
     write.bytes += io::sha256Of(write.bytes);
     if (write.bytes.size() > most_bytes_) return;
-    io::makeCacheRoom(folder_, {kExtension}, most_bytes_ - write.bytes.size());
-    (void)io::writeWhole(fileOf(key), write.bytes, io::Durability::Renamed);
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
+    if (!folder) return;
+    io::makeCacheRoom(*folder, {kExtension}, most_bytes_ - write.bytes.size());
+    (void)folder->write(key + kExtension, write.bytes, io::Durability::Renamed);
 }
 
 LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const LightRig& rig,

@@ -32,8 +32,6 @@ class LightCache {
     void keep(const std::string& key, const LightVolume& volume) const;
 
   private:
-    [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
-
     std::filesystem::path folder_;
     std::uint64_t most_bytes_;
 };

@@ -1,12 +1,31 @@
 #include "render/look_inside.h"
 
 #include "engine/scene/labels.h"
+#include "engine/scene/storeys.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace dollytrack::render {
+namespace {
+
+/// A cupboard's inside, or a hollow below the floor, is no storey: only rooms with a good part of
+/// the widest one's floor count.
+std::vector<Eigen::AlignedBox3d> largeOf(std::span<const Eigen::AlignedBox3d> rooms) {
+    const auto area = [](const Eigen::AlignedBox3d& room) {
+        return room.sizes().x() * room.sizes().y();
+    };
+    double widest = 0.0;
+    for (const Eigen::AlignedBox3d& room : rooms) widest = std::max(widest, area(room));
+    std::vector<Eigen::AlignedBox3d> large;
+    for (const Eigen::AlignedBox3d& room : rooms) {
+        if (area(room) >= 0.2 * widest) large.push_back(room);
+    }
+    return large;
+}
+
+}  // namespace
 
 std::vector<bool> hidesRooms(const Scene& scene) {
     std::vector<bool> hidden(scene.objects.size() + 1, false);
@@ -31,30 +50,58 @@ Eigen::AlignedBox3d buildingOf(const Scene& scene, std::span<const Eigen::Aligne
 }
 
 double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
-    Eigen::AlignedBox3d all;
-    for (const Eigen::AlignedBox3d& room : rooms) all.extend(room);
-    return all.isEmpty() ? scene.room_bounds.min().z() : all.min().z();
+    if (rooms.empty()) return lowestFloor(scene);
+    double floor = std::numeric_limits<double>::infinity();
+    for (const Eigen::AlignedBox3d& room : largeOf(rooms)) floor = std::min(floor, room.min().z());
+    return floor;
 }
 
 double ceilingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
     constexpr double kStorey = 1.0;  // m: rooms whose floors differ by less are of one
-    // A cupboard's inside is no storey: only rooms with a good part of the widest one's floor
-    // count.
-    const auto area = [](const Eigen::AlignedBox3d& room) {
-        return room.sizes().x() * room.sizes().y();
-    };
-    double widest = 0.0;
-    for (const Eigen::AlignedBox3d& room : rooms) widest = std::max(widest, area(room));
+    const std::vector<Eigen::AlignedBox3d> large = largeOf(rooms);
     double top_floor = -std::numeric_limits<double>::infinity();
-    for (const Eigen::AlignedBox3d& room : rooms) {
-        if (area(room) >= 0.2 * widest) top_floor = std::max(top_floor, room.min().z());
-    }
+    for (const Eigen::AlignedBox3d& room : large) top_floor = std::max(top_floor, room.min().z());
     double ceiling = scene.room_bounds.max().z() + 1.0;
-    for (const Eigen::AlignedBox3d& room : rooms) {
-        const bool counts = area(room) >= 0.2 * widest && room.min().z() > top_floor - kStorey;
-        if (counts) ceiling = std::min(ceiling, room.max().z());
+    for (const Eigen::AlignedBox3d& room : large) {
+        if (room.min().z() > top_floor - kStorey) ceiling = std::min(ceiling, room.max().z());
     }
     return ceiling;
+}
+
+std::vector<StoreyView> storeysOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
+    constexpr double kFlushLamp = 0.2;  // m: what hangs at the ceiling begins below this above it
+    constexpr double kSlabEdge = 0.02;
+    constexpr double kRug = 0.05;
+    const std::vector<FloorLevel> floors =
+        rooms.empty() ? labelledFloors(scene) : floorsBelow(scene, rooms);
+    const double top_ceiling = ceilingOf(scene, rooms);
+    const StoreyView top{floorOf(scene, rooms), top_ceiling, top_ceiling + kFlushLamp};
+    if (floors.size() < 2) return {top};
+    std::vector<StoreyView> storeys;
+    for (std::size_t i = 0; i + 1 < floors.size(); ++i) {
+        storeys.push_back(
+            {floors[i].top_m, floors[i + 1].underside_m - kSlabEdge, floors[i + 1].top_m - kRug});
+    }
+    storeys.push_back({floors.back().top_m, top.ceiling_z, top.left_away_from});
+    return storeys;
+}
+
+std::vector<bool> hiddenFor(const Scene& scene, const StoreyView& storey) {
+    std::vector<bool> hidden = hidesRooms(scene);
+    for (const Object& object : scene.objects) {
+        if (object.box.center.z() - object.box.half_size.z() < storey.left_away_from) continue;
+        hidden[static_cast<std::size_t>(object.id)] = true;
+    }
+    return hidden;
+}
+
+Eigen::AlignedBox3d withinStorey(const Eigen::AlignedBox3d& building, const StoreyView& storey) {
+    constexpr double kAboveCeiling =
+        0.35;  // m: as far as a room's air ends below its ceiling, and a wall's rim
+    Eigen::AlignedBox3d within = building;
+    within.min().z() = std::max(building.min().z(), storey.floor_z - 0.25);
+    within.max().z() = std::min(building.max().z(), storey.ceiling_z + kAboveCeiling);
+    return within.isEmpty() ? building : within;
 }
 
 StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z, double ceiling_z,

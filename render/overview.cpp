@@ -45,13 +45,21 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     camera.height_px = settings.height_px * settings.supersampling;
     camera.hfov_deg = settings.hfov_deg;
     view.intrinsics = makeIntrinsics(camera);
-    view.hidden = hidesRooms(scene);
+    const std::vector<StoreyView> storeys = storeysOf(scene, rooms);
+    const std::size_t asked =
+        settings.storey > 0 ? static_cast<std::size_t>(settings.storey) : storeys.size();
+    const StoreyView storey = storeys[std::min(asked, storeys.size()) - 1];
+    view.hidden = hiddenFor(scene, storey);
     view.backdrop = Eigen::Vector3f(0.955F, 0.955F, 0.95F);
     Eigen::AlignedBox3d bounds = buildingOf(scene, rooms);
     if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
-    // What lies as low as the lowest floor is not cut: a room's box begins just above it.
+    // What lies as low as the floor is not cut: a room's box begins just above it.
     double floor = bounds.min().z();
     if (!rooms.empty()) floor = bounds.min().z() + 0.25;
+    if (storeys.size() > 1) {
+        bounds = withinStorey(bounds, storey);
+        floor = storey.floor_z;
+    }
 
     const double azimuth = settings.azimuth_deg * kDegree;
     const double elevation = settings.elevation_deg * kDegree;
@@ -90,7 +98,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     view.intrinsics.cx += 0.5 * camera.width_px - off.x();
     view.intrinsics.cy += 0.5 * camera.height_px - off.y();
 
-    view.structure_cut = cutTowards(bounds, floor, ceilingOf(scene, rooms), aside);
+    view.structure_cut = cutTowards(bounds, floor, storey.ceiling_z, aside);
     return view;
 }
 

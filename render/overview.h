@@ -24,6 +24,7 @@ struct OverviewSettings {
     double elevation_deg = 48.0;  // above the horizon
     double hfov_deg = 30.0;
     int supersampling = 2;  // drawn this many times larger each way
+    int storey = 0;         // that is looked into, 1 the lowest; 0: the topmost
 };
 
 /// 3 bytes a pixel, sRGB, rows from the top.
@@ -35,6 +36,7 @@ struct Picture {
 
 /// A view from above at an angle that holds the whole building, with the ceilings, everything far
 /// outside and the near walls left away.
+/// What lies over the storey is left away, too.
 [[nodiscard]] View overviewOf(const Scene& scene, const OverviewSettings& settings = {},
                               std::span<const Eigen::AlignedBox3d> rooms = {});
 

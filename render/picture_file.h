@@ -1,8 +1,11 @@
 #pragma once
 
+#include "engine/io/guarded_folder.h"
+
 #include <opencv2/core.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace dollytrack::render {
 
@@ -10,5 +13,8 @@ namespace dollytrack::render {
 /// most 512 MiB: imread() waits for pipes and reads devices without end. Empty where there is none
 /// or it cannot be decoded.
 [[nodiscard]] cv::Mat readPictureFile(const std::filesystem::path& path, int flags);
+/// The same, of a file in a guarded folder.
+[[nodiscard]] cv::Mat readPictureFile(const io::GuardedFolder& folder, const std::string& name,
+                                      int flags);
 
 }  // namespace dollytrack::render

@@ -35,6 +35,7 @@ struct LayerSettings {
     ShownVerdicts candidate_kinds = allButOutside();
     bool no_go_boxes = true;
     bool ceiling_cut = true;  // look into rooms from above
+    int storey = 0;           // that is looked into, 1 the lowest; 0: the topmost
     bool grid = false;
 
     bool operator==(const LayerSettings&) const = default;

@@ -1,12 +1,10 @@
 #include "app/batch/batch_folder.h"
 
 #include "engine/io/bounded_json.h"
-#include "engine/io/durable_file.h"
 #include "engine/io/text_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
@@ -50,11 +48,8 @@ bool isFree(const fs::path& folder) {
 
 Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) return tl::unexpected<Error>(io::writeError(error.value(), folder));
-    if (!fs::is_directory(folder, error)) {
-        return tl::unexpected<Error>(io::writeError(ENOTDIR, folder));
-    }
+    const Result<io::GuardedFolder> own = io::GuardedFolder::make(folder);
+    if (!own) return tl::unexpected(own.error());
     const fs::path path = folder / kList;
     const std::string wanted = textOf(list);
     const Result<std::string> list_text = io::readText(path);
@@ -70,7 +65,7 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
                     "folder with 'out' or --out",
                     folder.string());
     }
-    Status written = io::writeWhole(path, wanted);
+    Status written = own->write(kList, wanted);
     if (!written && io::readText(path).value_or("") == wanted) return {};
     return written;
 }
@@ -103,14 +98,12 @@ Result<BatchList> readBatchList(const fs::path& folder) {
     return list;
 }
 
-Result<JobLock> JobLock::take(const fs::path& job_folder) {
-    std::error_code error;
-    fs::create_directories(job_folder, error);
-    if (error) return tl::unexpected<Error>(io::writeError(error.value(), job_folder));
-    JobLock lock;
-    const fs::path path = job_folder / kLock;
-    lock.file_ = io::FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (!lock.file_.valid()) return tl::unexpected<Error>(io::writeError(errno, path));
+Result<JobLock> JobLock::take(const io::GuardedFolder& batch, const std::string& job) {
+    Result<io::GuardedFolder> folder = batch.makeWithin(job);
+    if (!folder) return tl::unexpected(folder.error());
+    Result<io::FileDescriptor> file = folder->openFile(kLock, O_RDWR | O_CREAT);
+    if (!file) return tl::unexpected(file.error());
+    JobLock lock(std::move(*folder), std::move(*file));
     lock.ours_ = ::flock(lock.file_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     return lock;
 }

@@ -2,10 +2,11 @@
 
 #include "app/batch/job.h"
 #include "engine/core/result.h"
-#include "engine/io/file_descriptor.h"
+#include "engine/io/guarded_folder.h"
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::batch {
@@ -28,14 +29,19 @@ struct BatchList {
 /// without locks give it to all; there, the export's own checks are what is left.
 class JobLock {
   public:
-    /// Makes the job's folder. Error: CannotWrite.
-    [[nodiscard]] static Result<JobLock> take(const std::filesystem::path& job_folder);
+    /// Makes the job's folder, which is called `job`, in that of its batch. Error: CannotWrite.
+    [[nodiscard]] static Result<JobLock> take(const io::GuardedFolder& batch,
+                                              const std::string& job);
+
+    [[nodiscard]] const io::GuardedFolder& folder() const { return folder_; }
 
     [[nodiscard]] bool isOurs() const { return ours_; }
 
   private:
-    JobLock() = default;
+    JobLock(io::GuardedFolder folder, io::FileDescriptor file)
+        : folder_(std::move(folder)), file_(std::move(file)) {}
 
+    io::GuardedFolder folder_;
     io::FileDescriptor file_;
     bool ours_ = false;
 };

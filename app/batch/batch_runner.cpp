@@ -163,16 +163,17 @@ class Runner {
         result.arguments = jobs_[index].arguments;
         result.version = settings_.version;
         result.ran_now = true;
-        if (readResult(folderOf(index)).state != JobState::NotRun) return;
-        if (const Status kept = writeResult(folderOf(index), result); !kept) {
-            log::debug("batch", describe(kept.error()));
-        }
+        if (readResult(folderOf(index)).state != JobState::NotRun || !batch_) return;
+        const Result<io::GuardedFolder> folder = batch_->makeWithin(jobs_[index].name);
+        const Status kept =
+            folder ? writeResult(*folder, result) : Status(tl::unexpected<Error>(folder.error()));
+        if (!kept) log::debug("batch", describe(kept.error()));
     }
 
     Status tryToBegin(std::size_t index) {
         const Job& job = jobs_[index];
-        const fs::path folder = folderOf(index);
-        Result<JobLock> lock = JobLock::take(folder);
+        if (!batch_) return tl::unexpected<Error>(batch_.error());
+        Result<JobLock> lock = JobLock::take(*batch_, job.name);
         if (!lock) return tl::unexpected<Error>(std::move(lock.error()));
         if (!lock->isOurs()) {
             if (!looks_last_) {
@@ -204,10 +205,14 @@ class Runner {
         result.ran_now = true;
         result.seconds = resumes ? standing->found.seconds : 0.0;
         // First of all: whatever happens, the next batch knows what the folder's frames are of.
-        if (Status status = writeResult(folder, result); !status) return status;
+        if (Status status = writeResult(lock->folder(), result); !status) return status;
+        const Result<io::FileDescriptor> output = lock->folder().openEmptied(kOutput);
+        if (!output) return tl::unexpected<Error>(output.error());
+        const Result<io::FileDescriptor> messages = lock->folder().openEmptied(kLog);
+        if (!messages) return tl::unexpected<Error>(messages.error());
         ProcessSetup setup;
-        setup.output = folder / kOutput;
-        setup.messages = folder / kLog;
+        setup.output = output->get();
+        setup.messages = messages->get();
         setup.memory_bytes = settings_.memory_mb * 1'000'000;
         setup.expendable = true;
         Result<ChildProcess> process =
@@ -280,7 +285,7 @@ class Runner {
                 result.message = fmt::format("it ended with code {}", end.exit_code);
             }
         }
-        if (const Status status = writeResult(folder, result); !status) {
+        if (const Status status = writeResult(one.lock.folder(), result); !status) {
             result.state = JobState::Failed;
             result.message = describe(status.error());
         }
@@ -303,6 +308,7 @@ class Runner {
     const std::vector<Job>& jobs_;
     const RunSettings& settings_;
     const JobContext& job_;
+    const Result<io::GuardedFolder> batch_ = io::GuardedFolder::make(settings_.folder);
     std::vector<JobResult> results_;
     std::list<Running> running_;
     std::vector<std::size_t> busy_;  // jobs that another batch was at
@@ -342,7 +348,8 @@ std::vector<std::string> commandOf(const Job& job, const RunSettings& settings, 
     if (job.command == "export") {
         const fs::path out = settings.folder / job.name / kDataset;
         // The job's folder is ours, whatever became of the dataset in it.
-        command.insert(command.end(), {"--out", out.string(), "--overwrite"});
+        command.insert(command.end(), {"--out", out.string(), "--within", settings.folder.string(),
+                                       "--overwrite"});
         if (resumes) command.emplace_back("--resume");
     }
     return command;

@@ -1,7 +1,6 @@
 #include "app/batch/job_result.h"
 
 #include "engine/io/bounded_json.h"
-#include "engine/io/durable_file.h"
 #include "engine/io/project_file.h"
 #include "engine/io/sha256.h"
 
@@ -121,7 +120,7 @@ JobResult resultOf(const Job& job, const fs::path& batch_folder) {
     return isOf(result, job) ? result : JobResult();
 }
 
-Status writeResult(const fs::path& folder, const JobResult& result) {
+Status writeResult(const io::GuardedFolder& folder, const JobResult& result) {
     Json datasets = Json::array();
     for (const WrittenDataset& one : result.datasets) {
         datasets.push_back({{"folder", one.folder}, {"frames", one.frames}});
@@ -141,8 +140,7 @@ Status writeResult(const fs::path& folder, const JobResult& result) {
                        {"version", result.version},
                        {"metrics", result.metrics},
                        {"datasets", std::move(datasets)}};
-    return io::writeWhole(folder / kFile,
-                          json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    return folder.write(kFile, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void readOutput(const fs::path& output, const fs::path& folder, JobResult& result) {

@@ -2,6 +2,7 @@
 
 #include "app/batch/job.h"
 #include "engine/core/result.h"
+#include "engine/io/guarded_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -70,7 +71,7 @@ struct JobResult {
 [[nodiscard]] JobResult readResult(const std::filesystem::path& folder);
 /// The result in a batch's folder, where it is of the job as it is asked for now; else a fresh one.
 [[nodiscard]] JobResult resultOf(const Job& job, const std::filesystem::path& batch_folder);
-[[nodiscard]] Status writeResult(const std::filesystem::path& folder, const JobResult& result);
+[[nodiscard]] Status writeResult(const io::GuardedFolder& folder, const JobResult& result);
 
 /// Takes the numbers and folders over from what the program printed with --json.
 void readOutput(const std::filesystem::path& output, const std::filesystem::path& folder,

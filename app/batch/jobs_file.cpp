@@ -5,6 +5,7 @@
 #include "app/cli/requirement.h"
 #include "engine/core/field_list.h"
 #include "engine/io/text_file.h"
+#include "engine/math/up_axis.h"
 #include "planning/plan_params.h"
 #include "planning/rivals/planner.h"
 #include "render/formats/formats.h"
@@ -83,9 +84,8 @@ class OrderReader {
         TableReader import(*table, file_.string());
         import.read("unit_m", order_.unit_m, 1e-6, 1e6);
         import.read("up", order_.up_axis);
-        if (order_.up_axis && *order_.up_axis != "x" && *order_.up_axis != "y" &&
-            *order_.up_axis != "z") {
-            import.refuse(import.placeOf("up"), "'up' must be \"x\", \"y\" or \"z\".");
+        if (order_.up_axis && !parseUpAxis(*order_.up_axis)) {
+            import.refuse(import.placeOf("up"), fmt::format("'up' must be {}.", kUpAxes));
         }
         std::optional<std::string> labels;
         import.read("labels", labels);

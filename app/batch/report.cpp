@@ -3,7 +3,7 @@
 #include "app/batch/markup.h"
 #include "app/cli/requirement.h"
 #include "app/cli/rival_plan.h"
-#include "engine/io/durable_file.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/plan/plan_json.h"
 
 #include <fmt/format.h>
@@ -173,14 +173,14 @@ std::string reportText(const Report& report) {
 }
 
 Status writeReport(const Report& report) {
-    std::error_code error;
-    std::filesystem::create_directories(report.folder, error);
-    if (error) return tl::unexpected<Error>(io::writeError(error.value(), report.folder));
+    const Result<io::GuardedFolder> folder =
+        io::GuardedFolder::makeBelow(report.folder, report.jobs_folder);
+    if (!folder) return tl::unexpected(folder.error());
     const std::string json =
         reportJson(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    Status status = io::writeWhole(report.folder / "summary.json", json);
-    if (status) status = io::writeWhole(report.folder / "junit.xml", reportJunit(report));
-    if (status) status = io::writeWhole(report.folder / "index.html", reportHtml(report));
+    Status status = folder->write("summary.json", json);
+    if (status) status = folder->write("junit.xml", reportJunit(report));
+    if (status) status = folder->write("index.html", reportHtml(report));
     return status;
 }
 

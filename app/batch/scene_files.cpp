@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -64,7 +65,7 @@ class Search {
 
     /// Looks in `folder` (below the base) for what fits the parts from number `at` on. Several "**"
     /// lead to the same folder and part in many ways; only the first is followed.
-    Status look(const fs::path& folder, std::size_t at, const fs::path& below) {
+    Status look(const fs::path& folder, std::size_t at) {
         if (!looked_.insert({folder.string(), at}).second) return {};
         if (looked_.size() > kMostLooks) {
             return fail(ErrorCode::BadInput,
@@ -75,7 +76,7 @@ class Search {
         }
         const bool any_depth = parts_[at] == kAnyFolders;
         if (any_depth && at + 1 < parts_.size()) {
-            if (Status status = look(folder, at + 1, below); !status) return status;
+            if (Status status = look(folder, at + 1); !status) return status;
         }
         const Result<std::vector<Entry>> entries = entriesOf(base_ / folder);
         if (!entries) return tl::unexpected<Error>(entries.error());
@@ -85,14 +86,14 @@ class Search {
                 // Links to folders may lead back to where one came from.
                 const bool link = fs::is_symlink(base_ / folder / entry.name);
                 if (entry.folder && !link && entry.name.front() != '.') {
-                    status = look(folder / entry.name, at, below / entry.name);
+                    status = look(folder / entry.name, at);
                 }
             } else if (fitsPattern(entry.name, parts_[at])) {
                 const bool last = at + 1 == parts_.size();
                 if (last && !entry.folder && isScene(base_ / folder / entry.name)) {
-                    found_.push_back({folder / entry.name, below / entry.name, {}});
+                    found_.push_back({folder / entry.name, {}});
                 } else if (!last && entry.folder) {
-                    status = look(folder / entry.name, at + 1, below / entry.name);
+                    status = look(folder / entry.name, at + 1);
                 }
             }
             if (!status) return status;
@@ -130,16 +131,73 @@ bool fitAll(const Parts& names, const Parts& parts) {
     return fit.back() != 0;
 }
 
-/// From short to long; the last one is always the file's own.
-std::string nameAt(const SceneFile& scene, int level) {
-    switch (level) {
-        case 0:
-            return asName(fs::path(scene.below).replace_extension().string());
-        case 1:
-            return asName(scene.below.string());
-        default:
-            return asName(scene.path.string());
+constexpr std::size_t kLongestName = 64;  // bytes; sets, planners and seeds follow it
+
+/// At most as many bytes, without a part of a character at the end.
+std::string cutName(std::string name) {
+    std::size_t end = std::min(name.size(), kLongestName);
+    while (end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
+    name.resize(end);
+    return name;
+}
+
+/// What scenes are called that lie in a folder each: their folders' names tell them apart.
+bool saysNothing(std::string stem) {
+    std::ranges::transform(stem, stem.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array<std::string_view, 5> kStems = {"scene", "model", "mesh", "home",
+                                                        "untitled"};
+    return std::ranges::find(kStems, stem) != kStems.end();
+}
+
+/// The file's own name after its nearest folders' names.
+struct NameParts {
+    Parts folders;  // the nearest first
+    std::string own;
+    std::string ending;
+};
+
+NameParts namePartsOf(const fs::path& path) {
+    NameParts parts;
+    parts.own = path.stem().string();
+    if (path.has_extension()) parts.ending = path.extension().string().substr(1);
+    for (const std::string& folder : partsOf(path.parent_path())) {
+        if (folder != "." && folder != ".." && folder != "/") {
+            parts.folders.insert(parts.folders.begin(), folder);
+        }
     }
+    if (saysNothing(parts.own) && !parts.folders.empty()) {
+        parts.own = parts.folders.front();
+        parts.folders.erase(parts.folders.begin());
+    }
+    return parts;
+}
+
+std::string nameWith(const NameParts& parts, std::size_t folders, bool with_ending) {
+    std::string name = parts.own;
+    for (std::size_t i = 0; i < std::min(folders, parts.folders.size()); ++i) {
+        name.insert(0, parts.folders[i] + "_");
+    }
+    return cutName(asName(with_ending ? name + "_" + parts.ending : name));
+}
+
+/// The shortest names that tell scenes of the same name apart, if any do.
+std::vector<std::string> namesApart(const std::vector<NameParts>& alike) {
+    std::size_t most = 0;
+    for (const NameParts& one : alike) most = std::max(most, one.folders.size());
+    std::vector<std::string> names;
+    for (std::size_t folders = 0; folders <= most; ++folders) {
+        for (const bool with_ending : {false, true}) {
+            names.clear();
+            for (const NameParts& one : alike) {
+                names.push_back(nameWith(one, folders, with_ending));
+            }
+            if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) {
+                return names;
+            }
+        }
+    }
+    return names;
 }
 
 }  // namespace
@@ -155,7 +213,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
         if (!fs::exists(base / path, error)) {
             return fail(ErrorCode::BadInput, "there is no file '" + pattern + "'");
         }
-        return std::vector<SceneFile>{{path, path.filename(), {}}};
+        return std::vector<SceneFile>{{path, {}}};
     }
     // The folders without wildcards are gone into, not looked for.
     Parts parts = partsOf(path);
@@ -165,7 +223,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
     parts.erase(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(fixed));
     if (parts.back() == kAnyFolders) parts.emplace_back("*");
     Search search(base, std::move(parts));
-    if (Status status = search.look(folder, 0, {}); !status) {
+    if (Status status = search.look(folder, 0); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     std::vector<SceneFile> found = search.take();
@@ -182,17 +240,15 @@ bool matches(const fs::path& path, const std::string& pattern) {
 }
 
 void nameScenes(std::vector<SceneFile>& scenes) {
-    constexpr int kLast = 2;
-    std::vector<int> levels(scenes.size(), 0);
-    for (int level = 0; level <= kLast; ++level) {
-        std::map<std::string, int> count;
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            scenes[i].name = nameAt(scenes[i], levels[i]);
-            ++count[scenes[i].name];
-        }
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            if (count[scenes[i].name] > 1) levels[i] = std::min(level + 1, kLast);
-        }
+    std::map<std::string, std::vector<std::size_t>> by_name;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        by_name[nameWith(namePartsOf(scenes[i].path), 0, false)].push_back(i);
+    }
+    for (const auto& [name, indices] : by_name) {
+        std::vector<NameParts> alike;
+        for (const std::size_t i : indices) alike.push_back(namePartsOf(scenes[i].path));
+        const std::vector<std::string> names = namesApart(alike);
+        for (std::size_t i = 0; i < indices.size(); ++i) scenes[indices[i]].name = names[i];
     }
     // Paths that differ in other characters alone.
     std::set<std::string> all;

@@ -10,9 +10,8 @@ namespace dollytrack::batch {
 
 /// A scene or project of a batch.
 struct SceneFile {
-    std::filesystem::path path;   // from the jobs file's folder on, or absolute as it was given
-    std::filesystem::path below;  // its part behind the pattern's last folder without wildcards
-    std::string name;             // as folders are called after it; see nameScenes()
+    std::filesystem::path path;  // from the jobs file's folder on, or absolute as it was given
+    std::string name;            // as folders are called after it; see nameScenes()
 };
 
 /// Whether a text has wildcards at all.
@@ -28,8 +27,9 @@ struct SceneFile {
 /// Whether a pattern without a look at the disk covers a path given in the same way.
 [[nodiscard]] bool matches(const std::filesystem::path& path, const std::string& pattern);
 
-/// Gives each a name of its own made of letters, digits, '-' and '_': that of its file, with
-/// folders and ending where others have the same one. What a scene is called does not depend on
+/// Gives each a short name of its own made of letters, digits, '-' and '_': that of its file, or of
+/// its folder where the file is called scene, model or the like. Where others have the same one,
+/// the ending or as many folders as it takes are added. What a scene is called does not depend on
 /// scenes of other names, so that a batch which grows finds its finished jobs again.
 void nameScenes(std::vector<SceneFile>& scenes);
 

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 /// What dataset.json says of the scene.
 struct SaidOfScene {
     std::string file, sha256;
+    std::string path;  // where it was; empty in datasets of before
     Eigen::Matrix4d source_from_world = Eigen::Matrix4d::Identity();
     Edits edits;
     SizeRules sizes;
@@ -41,6 +42,7 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
         const auto& scene = dataset.card.at("scene");
         said.file = scene.at("file").get<std::string>();
         said.sha256 = scene.at("sha256").get<std::string>();
+        said.path = scene.value("path", "");
         const auto rows = scene.at("source_from_world").get<std::array<std::array<double, 4>, 4>>();
         for (Eigen::Index row = 0; row < 4; ++row) {
             for (Eigen::Index column = 0; column < 4; ++column) {
@@ -127,15 +129,18 @@ fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::error_code error;
     const fs::path name = fs::path(said.file).filename();
     if (name.empty()) return {};
+    const auto isIt = [&](const fs::path& path) {
+        if (!fs::is_regular_file(path, error)) return false;
+        const Result<std::string> is = io::sha256OfFile(path);
+        return is && *is == said.sha256;
+    };
     const auto first_in = [&](const std::vector<fs::path>& folders) -> fs::path {
         for (const fs::path& folder : folders) {
-            const fs::path path = folder / name;
-            if (!fs::is_regular_file(path, error)) continue;
-            const Result<std::string> is = io::sha256OfFile(path);
-            if (is && *is == said.sha256) return path;
+            if (isIt(folder / name)) return folder / name;
         }
         return {};
     };
+    if (fs::path(said.path).is_absolute() && isIt(said.path)) return said.path;
     const std::vector<fs::path> near = {
         dataset, fs::absolute(dataset, error).lexically_normal().parent_path(),
         fs::absolute(dataset / "..", error).lexically_normal(), fs::current_path(error)};
@@ -155,7 +160,7 @@ void asThen(const SaidOfScene& said, ImportOptions& options) {
     Eigen::Index axis = 2;
     up.cwiseAbs().maxCoeff(&axis);
     if (up.norm() > 0.0) options.unit_m = 1.0 / up.norm();
-    options.up_axis = "xyz"[axis];
+    options.up_axis = UpAxis("xyz"[axis], up[axis] < 0.0);
 }
 
 Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
@@ -205,7 +210,8 @@ Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidO
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments) {
     command
         .add_option("--scene", arguments.path,
-                    "The scene or project it was made of; else looked for beside the dataset")
+                    "The scene or project it was made of; else looked for where it was and "
+                    "beside the dataset")
         ->type_name("SCENE");
     command.add_flag(
         "--keep-meshes", arguments.keep_meshes,
@@ -237,7 +243,8 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
     DatasetScene opened;
     if (path.empty()) {
         opened.missing = "the scene " + said->file +
-                         " is not beside it, nor a project of it; name it with --scene";
+                         " is neither where it was, nor beside the dataset, nor is a project of "
+                         "it; name it with --scene";
         return opened;
     }
     Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);

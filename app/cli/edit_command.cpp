@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/metrics_table.h"
+#include "app/cli/output_file.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/scene_arguments.h"
 #include "app/project/read_project.h"
@@ -284,6 +285,13 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
     }
     const Result<nlohmann::json> operations = readOperations(arguments);
     if (!operations) return tl::unexpected<Error>(operations.error());
+    const std::string out = arguments.out.empty() ? arguments.scene.path : arguments.out;
+    for (const std::string& file :
+         {arguments.writesProject() ? out : std::string(), arguments.annotations}) {
+        if (Status status = checkWritable(file); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     const JobContext job = session.job();
     Result<OpenedScene> opened =
         openScene(arguments.scene, job.stage(0.0, arguments.plan ? 0.3 : 1.0, "loading"));
@@ -299,7 +307,6 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
         opened->stored_result = std::move(planned->result);
         metrics = std::move(planned->metrics);
     }
-    const std::string out = arguments.out.empty() ? arguments.scene.path : arguments.out;
     const io::ProjectFile project = projectOf(*opened);
     if (arguments.writesProject()) {
         if (Status status = io::saveProject(project, out); !status) {

@@ -30,6 +30,7 @@ namespace {
 struct ExportArguments {
     SceneArguments scene;
     std::string out;
+    std::string within;
     std::string range = "::";
     std::vector<std::string> modalities;
     std::vector<std::string> formats;
@@ -230,6 +231,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
     if (!range) return tl::unexpected<Error>(range.error());
     settings.folder = arguments.out;
+    settings.root = arguments.within;
     settings.range = *range;
     settings.modalities = arguments.modalities;
     settings.formats = arguments.formats;
@@ -309,6 +311,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         }
         return kDone;
     }
+    if (settings.root.empty()) settings.root = settings.folder;
+    checked.root = settings.root;
     for (const RoomExport& one : *exports) {
         checked.folder = settings.folder / one.room;
         if (!std::filesystem::exists(checked.folder)) continue;
@@ -316,7 +320,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
-    if (Status status = claimForRooms(arguments.out, *exports); !status) {
+    if (Status status = claimForRooms(arguments.out, settings.root, *exports); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     nlohmann::json rooms = nlohmann::json::array();
@@ -407,7 +411,12 @@ void addExportCommand(CLI::App& app, Session& session) {
     command->add_flag("--resume", arguments->resume,
                       "Continue what an interrupted export with the same arguments left");
     command->add_flag("--overwrite", arguments->overwrite,
-                      "Replace a complete dataset; write among other files, which stay");
+                      "Replace a complete dataset once the new one is complete; write among other "
+                      "files, which stay");
+    command
+        ->add_option("--within", arguments->within,
+                     "A folder around --out: no symbolic link below it is followed (as in --out)")
+        ->type_name("DIR");
     addBackendOption(*command, arguments->backend);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(

@@ -4,7 +4,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene_report.h"
 #include "planning/free_space/free_space.h"
-#include "planning/free_space/leak_report.h"
+#include "planning/free_space/leak_summary.h"
+#include "planning/free_space/surface_coverage.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -39,15 +40,17 @@ nlohmann::json roomsJson(const planning::FreeSpace& map) {
     return rooms;
 }
 
-void printRooms(const planning::FreeSpace& map) {
+void printRooms(const planning::FreeSpace& map, double coverage) {
     fmt::print("\nrooms (where the camera can be; joined by open doors they are one)\n");
     for (const planning::Room& room : map.rooms()) {
         const Eigen::Vector3d size = room.box.sizes();
         fmt::print("  {:2}  {:.1f} x {:.1f} x {:.1f} m, {:.1f} m2, {:.1f} m3\n", room.component + 1,
                    size.x(), size.y(), size.z(), room.floor_area_m2, room.volume_m3);
     }
-    for (const planning::Opening& opening : map.leaks().openings) {
-        fmt::print("  note: {}\n", planning::describe(opening));
+    fmt::print("  surfaces were modelled or scanned in {:.0f} % of the directions from inside\n",
+               100.0 * coverage);
+    for (const std::string& line : planning::describeAll(map.leaks())) {
+        fmt::print("  note: {}\n", line);
     }
 }
 
@@ -65,13 +68,16 @@ Result<ExitCode> runInfo(const SceneArguments& arguments, bool as_json, const Se
     if (as_json) {
         nlohmann::json report = toJson(*opened->scene);
         report["rooms"] = map ? roomsJson(*map) : nlohmann::json::array();
+        if (map) {
+            report["surface_coverage"] = planning::surfaceCoverage(*opened->scene, rays, *map);
+        }
         if (!map) report["warnings"].push_back(describe(map.error()));
         fmt::print("{}\n", jsonText(report));
         return kDone;
     }
     fmt::print("{}", describeScene(*opened->scene));
     if (map) {
-        printRooms(*map);
+        printRooms(*map, planning::surfaceCoverage(*opened->scene, rays, *map));
     } else {
         fmt::print("\nwarning: {}\n", describe(map.error()));
     }

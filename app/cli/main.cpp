@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/progress_lines.h"
+#include "app/cli/standard_streams.h"
 #include "app/cli/suggestion.h"
 #include "engine/core/log.h"
 #include "engine/jobs/parallel.h"
@@ -12,8 +13,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
+#include <new>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -42,28 +45,41 @@ int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& er
     if (session.lines) {
         dollytrack::cli::ProgressLines::fail(error, code);
     } else {
-        std::cerr << "dollytrack: " << describe(error) << "\n";
+        dollytrack::cli::printToStandardError("dollytrack: " + describe(error));
     }
     return code;
+}
+
+/// What is left to say of an exception that reached the end of the program.
+dollytrack::Error errorOf(const std::exception& exception) {
+    using dollytrack::ErrorCode;
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+        return {ErrorCode::Failed,
+                "out of memory; try a larger octree_resolution_m or a smaller image, or raise the "
+                "limit on memory.",
+                {}};
+    }
+    const auto* system = dynamic_cast<const std::system_error*>(&exception);
+    const bool no_thread = system != nullptr
+                               ? system->code() == std::errc::resource_unavailable_try_again
+                               // TBB's own way to say it.
+                               : std::string_view(exception.what()).starts_with("pthread_create");
+    if (no_thread) {
+        return {ErrorCode::Failed,
+                "no more threads can be started; give fewer with --threads, or raise the limits on "
+                "memory and processes.",
+                {}};
+    }
+    return {ErrorCode::Failed, std::string("unexpected failure: ") + exception.what(), {}};
 }
 
 /// The action, after which nothing printed is left in a buffer.
 dollytrack::Result<dollytrack::cli::ExitCode> act(const dollytrack::cli::Session& session) {
     using namespace dollytrack;
-    const auto cannot_print = [] {
-        return fail(ErrorCode::CannotWrite,
-                    "the results cannot be written to the standard output.");
-    };
-    try {
-        Result<cli::ExitCode> result = session.action();
-        const bool full = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-        if (result && full) return cannot_print();
-        return result;
-    } catch (const std::system_error&) {
-        // fmt throws where a long print meets a full disk.
-        if (std::ferror(stdout) == 0) throw;
-        return cannot_print();
-    }
+    Result<cli::ExitCode> result = session.action();
+    const Status printed = cli::finishStandardOutput();
+    if (result && !printed) return tl::unexpected<Error>(printed.error());
+    return result;
 }
 
 int runAction(const dollytrack::cli::Session& session) {
@@ -79,6 +95,17 @@ int runAction(const dollytrack::cli::Session& session) {
     return *result;
 }
 
+/// Help, the version and lists, which are asked for instead of an action.
+int printInstead(const dollytrack::cli::Session& session, const CLI::App& app,
+                 const CLI::ParseError& asked) {
+    using namespace dollytrack;
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    (void)std::fputs(text.str().c_str(), stdout);
+    const Status printed = cli::finishStandardOutput();
+    return printed ? cli::kDone : endWith(session, printed.error(), cli::kCannotWrite);
+}
+
 /// Before the arguments are parsed, so that what is wrong with them can be said that way, too.
 bool wantsLines(const std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -91,21 +118,13 @@ bool wantsLines(const std::vector<std::string>& arguments) {
     return false;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     using namespace dollytrack;
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
-    cli::Session session;
     if (wantsLines(arguments)) {
         session.lines = std::make_shared<cli::ProgressLines>();
         log::setSink(cli::ProgressLines::logSink());
     }
-    cancel_flag = session.cancelled.get();
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
-    std::signal(SIGALRM, onOverdueEnd);
-
     CLI::App app(
         "Plans where a camera should go inside an indoor 3D scene so that every object is "
         "seen well,\nand renders the trajectory as a labelled dataset.");
@@ -152,10 +171,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {  // asked for help, and the like
-            app.exit(error);
-            return cli::kDone;
-        }
+        if (error.get_exit_code() == 0) return printInstead(session, app, error);
         std::string message = cli::explainUnknownName(app, arguments);
         if (message.empty()) message = cli::explainRefusal(app, error);
         if (!session.lines) message += "\nRun with --help for more information.";
@@ -167,17 +183,27 @@ int main(int argc, char** argv) {
     setThreadCount(session.threads);
     // Programs that this one starts shall do the same.
     if (no_cache) setenv("DOLLYTRACK_NO_CACHE", "1", 1);
+    return runAction(session);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace dollytrack;
+    cli::Session session;
+    cancel_flag = session.cancelled.get();
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    std::signal(SIGALRM, onOverdueEnd);
+    // A file that grows beyond the limit of the process is a failed write, which is reported.
+    std::signal(SIGXFSZ, SIG_IGN);
+    cli::cleanStandardOutput();
     try {
-        return runAction(session);
-    } catch (const std::bad_alloc&) {
-        return endWith(session,
-                       {ErrorCode::Failed,
-                        "out of memory; try a larger octree_resolution_m or a smaller image.",
-                        {}},
-                       cli::kFailed);
-    } catch (const std::exception& error) {
-        return endWith(session,
-                       {ErrorCode::Failed, std::string("unexpected failure: ") + error.what(), {}},
-                       cli::kFailed);
+        return runProgram(session, argc, argv);
+    } catch (const std::exception& exception) {
+        // fmt throws where a long print meets a full disk.
+        const Status printed = cli::finishStandardOutput();
+        const Error error = printed ? errorOf(exception) : printed.error();
+        return endWith(session, error, cli::exitCodeFor(error.code));
     }
 }

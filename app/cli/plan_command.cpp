@@ -3,6 +3,7 @@
 #include "app/cli/coverage_output.h"
 #include "app/cli/ledger_table.h"
 #include "app/cli/metrics_table.h"
+#include "app/cli/output_file.h"
 #include "app/cli/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/rival_plan.h"
@@ -22,6 +23,7 @@
 #include "planning/metrics/remedies.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
+#include "render/look_inside.h"
 #include "render/overlays/plan_overlay.h"
 #include "render/overview.h"
 
@@ -39,6 +41,7 @@ struct PlanArguments {
     SceneArguments scene;
     std::string out;
     std::string picture;
+    int storey = 0;         // that the picture looks into; 0: the topmost
     BackendOption backend;  // of the picture
     std::vector<std::string> coverage;
     std::vector<std::string> requirements;
@@ -80,17 +83,26 @@ Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& 
 }
 
 Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
-                   const std::string& path, const BackendOption& backend) {
-    Result<std::unique_ptr<gl::Context>> context = backend.createContext();
+                   const PlanArguments& arguments) {
+    const std::size_t storeys = render::storeysOf(*opened.scene, plan.rooms).size();
+    if (arguments.storey > static_cast<int>(storeys)) {
+        return fail(
+            ErrorCode::Usage,
+            fmt::format("There is no storey {}; the building has {}.", arguments.storey, storeys),
+            "--storey");
+    }
+    render::OverviewSettings settings;
+    settings.storey = arguments.storey;
+    Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const auto picture = render::renderOverview(
         std::move(*context), *opened.scene, *pipeline.rays(),
-        render::planOverlay(*opened.scene, plan, opened.params.camera), {}, plan.rooms);
+        render::planOverlay(*opened.scene, plan, opened.params.camera), settings, plan.rooms);
     if (!picture) return tl::unexpected<Error>(picture.error());
     const auto png =
         io::encodePng(picture->width, picture->height, io::PngFormat::Rgb8, picture->rgb);
     if (!png) return tl::unexpected<Error>(png.error());
-    return io::writeWhole(path, *png);
+    return io::writeWhole(arguments.picture, *png);
 }
 
 Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, const Plan& plan,
@@ -178,6 +190,11 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
     }
+    for (const std::string& file : {arguments.out, arguments.picture}) {
+        if (Status status = checkWritable(file); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     if (Status status = checkCoverageFiles(arguments.coverage); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -214,9 +231,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         }
     }
     if (!arguments.picture.empty()) {
-        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments.picture,
-                                        arguments.backend);
-            !status) {
+        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
@@ -235,7 +250,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         fmt::print("{}", metricsTable(planned->metrics));
     }
     if (arguments.explain && !arguments.as_json) {
-        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth(stdout)));
+        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth()));
     }
     return areMet(*requirements, planned->metrics) ? kDone : kPartial;
 }
@@ -260,6 +275,12 @@ void addPlanCommand(CLI::App& app, Session& session) {
         ->add_option("--picture", arguments->picture,
                      "Write a picture of the planned room, seen from above")
         ->type_name("FILE.png");
+    command
+        ->add_option("--storey", arguments->storey,
+                     "Storey that the picture looks into, 1 the lowest; else the topmost")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000))
+        ->needs("--picture");
     addBackendOption(*command, arguments->backend);
     command
         ->add_option("--coverage", arguments->coverage,

@@ -54,17 +54,26 @@ void warnOfLoweredRate(const Plan& plan, const planning::TimingParams& timing) {
     if (!note.empty()) log::warn("planning", note);
 }
 
+/// Whether each path has a room of its own, so that rooms alone part them.
+bool roomsPartThem(const std::vector<CameraPath>& paths) {
+    std::set<int> components;
+    for (const CameraPath& path : paths) components.insert(path.component);
+    return components.size() == paths.size();
+}
+
 /// Who reads the poses as one motion would see the camera jump.
 void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& constraints) {
     if (constraints.rooms != planning::RoomTours::Joined) return;
     std::set<int> motions;
     for (const TrajectoryFrame& frame : plan.trajectory.frames) motions.insert(frame.path);
     if (motions.size() < 2) return;
-    log::warn("planning",
-              fmt::format("no free way joins all places: the trajectory has {} motions, and jumps "
-                          "from one to the next; 'path' in frames.csv tells them apart, and "
-                          "--set rooms=each exports rooms by themselves",
-                          motions.size()));
+    log::warn(
+        "planning",
+        fmt::format(
+            "no free way joins all places: the trajectory has {} motions, and jumps "
+            "from one to the next; 'path' in frames.csv tells them apart{}",
+            motions.size(),
+            roomsPartThem(plan.paths) ? ", and --set rooms=each exports rooms by themselves" : ""));
 }
 
 /// What keeps the camera from everywhere, of what a person may set; empty where something is free.
@@ -73,6 +82,12 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
     const auto region = pipeline.region();
     const auto free_space = pipeline.freeSpace();
     if (!region->restricts()) return {};
+    if (region->hasLevels()) {
+        const auto& cells = region->levels().cells();
+        if (std::ranges::any_of(cells, [](const auto& room) { return !room.empty(); })) return {};
+        return "no floor has room for the body at camera_height_m; lower body_radius_m, "
+               "body_height_m or camera_height_m";
+    }
     bool in_band = false;
     bool any = false;
     for (std::size_t room = 0; room < free_space->rooms().size(); ++room) {

@@ -1,5 +1,7 @@
 #include "app/cli/progress_bar.h"
 
+#include "engine/core/clean_text.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -66,7 +68,7 @@ struct ProgressBar::State {
 ProgressBar::ProgressBar() : state_(std::make_shared<State>()) {}
 
 void ProgressBar::show(double fraction, const std::string& note) const {
-    state_->show(fraction, note);
+    state_->show(fraction, cleanText(note));
 }
 
 void ProgressBar::finish() const {
@@ -75,7 +77,7 @@ void ProgressBar::finish() const {
 
 JobContext::Progress ProgressBar::callback() const {
     return [state = state_](double fraction, std::string_view stage) {
-        state->show(fraction, std::string(stage));
+        state->show(fraction, cleanText(stage));
     };
 }
 

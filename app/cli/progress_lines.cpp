@@ -1,5 +1,7 @@
 #include "app/cli/progress_lines.h"
 
+#include "engine/core/clean_lines.h"
+
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -21,7 +23,8 @@ constexpr double kLeastFractionToGuess = 0.02;
 
 /// In one call, so that lines of several threads do not mix.
 void writeLine(const Json& json) {
-    const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string line =
+        cleanLines(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
     std::fwrite(line.data(), 1, line.size(), stderr);
     std::fflush(stderr);
 }

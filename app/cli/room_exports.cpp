@@ -1,7 +1,7 @@
 #include "app/cli/room_exports.h"
 
 #include "engine/io/bounded_json.h"
-#include "engine/io/durable_file.h"
+#include "engine/io/guarded_folder.h"
 
 #include <fmt/format.h>
 
@@ -81,7 +81,8 @@ Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRan
     return {};
 }
 
-Status claimForRooms(const fs::path& folder, const std::vector<RoomExport>& exports) {
+Status claimForRooms(const fs::path& folder, const fs::path& root,
+                     const std::vector<RoomExport>& exports) {
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error)) {
         return fail(ErrorCode::CannotWrite,
@@ -89,11 +90,11 @@ Status claimForRooms(const fs::path& folder, const std::vector<RoomExport>& expo
                     "room, or plan with rooms=joined",
                     folder.string());
     }
-    fs::create_directories(folder, error);
-    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    const Result<io::GuardedFolder> own = io::GuardedFolder::makeBelow(folder, root);
+    if (!own) return tl::unexpected(own.error());
     nlohmann::json list = {{"rooms", nlohmann::json::array()}};
     for (const RoomExport& one : exports) list["rooms"].push_back(one.about);
-    return io::writeWhole(folder / kList, list.dump(2) + "\n");
+    return own->write(kList, list.dump(2) + "\n");
 }
 
 bool holdsRooms(const fs::path& folder) {

@@ -35,9 +35,10 @@ Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRan
                   const render::FoldSettings& folds);
 
 /// Makes the folder of the rooms' folders and writes rooms.json there, which lists them. Before the
-/// first frame, so that even what is interrupted can be told from other folders. Errors:
-/// CannotWrite, also when a dataset of all rooms is there.
-Status claimForRooms(const std::filesystem::path& folder, const std::vector<RoomExport>& exports);
+/// first frame, so that even what is interrupted can be told from other folders. No link below
+/// `root` is followed. Errors: CannotWrite, also when a dataset of all rooms is there.
+Status claimForRooms(const std::filesystem::path& folder, const std::filesystem::path& root,
+                     const std::vector<RoomExport>& exports);
 
 /// Whether claimForRooms() was there.
 bool holdsRooms(const std::filesystem::path& folder);

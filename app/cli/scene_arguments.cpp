@@ -3,6 +3,7 @@
 #include "app/cli/length_unit.h"
 #include "app/project/read_project.h"
 #include "engine/core/field_list.h"
+#include "engine/core/fold_repeats.h"
 #include "engine/core/log.h"
 #include "engine/core/name_hint.h"
 #include "engine/document/apply_scene_edits.h"
@@ -20,6 +21,18 @@
 
 namespace dollytrack::cli {
 namespace {
+
+/// Takes any spelling of an upward axis and hands on the usual one.
+CLI::Validator upAxisOption() {
+    return CLI::Validator(
+        [](std::string& text) {
+            const std::optional<UpAxis> axis = parseUpAxis(text);
+            if (!axis) return fmt::format("'{}' is no upward axis: give {}", text, kUpAxes);
+            text = axis->text();
+            return std::string();
+        },
+        "", "upward axis");
+}
 
 Status applyArguments(const SceneArguments& arguments, planning::PlanParams& params) {
     const FieldList fields = planning::listFields(params);
@@ -117,6 +130,25 @@ Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
     return {};
 }
 
+/// Lists that take each other's objects away leave nothing to plan for. A scene without targets, or
+/// `--ignore '*'` alone, is asked for as it is.
+Status checkSomeAreLeft(const SceneArguments& arguments, const SceneEdits& edits,
+                        const Scene& imported) {
+    if (arguments.only.empty() || edits.ignore.empty()) return {};
+    const auto hasTargets = [&](const SceneEdits& with) {
+        const Result<Scene> edited = applySceneEdits(imported, with);
+        return !edited || std::ranges::any_of(edited->objects, [](const Object& object) {
+            return object.role == Role::Target;
+        });
+    };
+    SceneEdits without = edits;
+    without.ignore.clear();
+    if (hasTargets(edits) || !hasTargets(without)) return {};
+    return fail(ErrorCode::Usage,
+                "No target is left: all that --only names is ignored; change one of the two.",
+                "--ignore");
+}
+
 void addNew(std::vector<std::string>& list, const std::vector<std::string>& more) {
     for (const std::string& one : more) {
         if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
@@ -135,6 +167,11 @@ Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const 
     }
     addNew(state.edits.scene.ignore, arguments.ignore);
     addNew(state.edits.scene.only, arguments.only);
+    if (!arguments.one_of_several) {
+        if (Status status = checkSomeAreLeft(arguments, state.edits.scene, imported); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
     for (const auto& [option, text] :
          {std::pair("--start", &arguments.start), std::pair("--end", &arguments.end)}) {
         if (text->empty()) continue;
@@ -187,6 +224,14 @@ nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json st
 
 }  // namespace
 
+namespace {
+
+void warnOfAll(std::string_view subsystem, const std::vector<std::string>& warnings) {
+    for (const std::string& one : foldRepeats(warnings)) log::warn(subsystem, one);
+}
+
+}  // namespace
+
 Status applyEdits(OpenedScene& opened, Edits edits) {
     opened.edits = std::move(edits);
     opened.scene = opened.imported;
@@ -197,14 +242,13 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
         if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
         opened.scene = std::make_shared<const Scene>(std::move(*edited));
         // Those of the import were said already.
-        const auto& warnings = opened.scene->report.warnings;
-        for (std::size_t i = opened.imported->report.warnings.size(); i < warnings.size(); ++i) {
-            log::warn("edits", warnings[i]);
-        }
+        const auto& all = opened.scene->report.warnings;
+        const auto said = static_cast<std::ptrdiff_t>(opened.imported->report.warnings.size());
+        warnOfAll("edits", {all.begin() + said, all.end()});
     }
     std::vector<std::string> lost;
     opened.plan_edits = findObjects(opened.edits.plan, *opened.scene, lost);
-    for (const std::string& warning : lost) log::warn("edits", warning);
+    warnOfAll("edits", lost);
     return {};
 }
 
@@ -237,8 +281,10 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
                     "Metres per unit of the scene, or m, cm, mm, inch, ft; else found out")
         ->transform(lengthUnit())
         ->type_name("METRES|UNIT");
-    command.add_option("--up", arguments.up_axis, "The scene's upward axis; else found out")
-        ->check(CLI::IsMember({"x", "y", "z"}))
+    command
+        .add_option("--up", arguments.up_axis,
+                    "The scene's upward axis: x, y, z, -x, -y or -z; else found out")
+        ->transform(upAxisOption())
         ->type_name("AXIS");
     command
         .add_option("--labels", arguments.labels,
@@ -326,10 +372,10 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
     if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
-    for (const std::string& warning : (*imported)->report.warnings) log::warn("import", warning);
+    warnOfAll("import", (*imported)->report.warnings);
     const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
     if (!lost) return tl::unexpected<Error>(lost.error());
-    for (const std::string& one : *lost) log::warn("annotations", one);
+    warnOfAll("annotations", *lost);
     OpenedScene opened;
     opened.imported = std::move(*imported);
     opened.params = read->params;

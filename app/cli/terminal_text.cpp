@@ -27,10 +27,9 @@ std::string_view head(std::string_view text, std::size_t width) {
 
 }  // namespace
 
-std::size_t terminalWidth(std::FILE* stream) {
-    const int file = fileno(stream);
+std::size_t terminalWidth() {
     winsize size = {};
-    if (isatty(file) == 0 || ioctl(file, TIOCGWINSZ, &size) != 0) return 0;
+    if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
     return size.ws_col;
 }
 

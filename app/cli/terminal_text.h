@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
 namespace dollytrack::cli {
 
-/// Columns of the terminal behind a stream; 0 when it is none, as for a file or a pipe.
-std::size_t terminalWidth(std::FILE* stream);
+/// Columns of the terminal behind standard output; 0 when it is none, as for a file or a pipe.
+std::size_t terminalWidth();
 
 /// The text in exactly `width` columns, UTF-8 characters counted as one each: filled up with
 /// blanks, or cut with an ellipsis.

@@ -111,7 +111,7 @@ std::string textOf(const Finding& finding) {
 
 void print(const Verified& verified, int show) {
     fmt::print("{}: {} frames, {} files\n\n", verified.folder, verified.frames, verified.files);
-    const std::size_t width = terminalWidth(stdout);
+    const std::size_t width = terminalWidth();
     int passed = 0, failed = 0, skipped = 0;
     for (const CheckResult& result : verified.results) {
         passed += result.passed() ? 1 : 0;
@@ -240,9 +240,9 @@ void addVerifyCommand(CLI::App& app, Session& session) {
         "Ends with 0 when every check that could be made has passed, with 4 when one has not.\n"
         "A check is skipped when the dataset lacks the files for it, or the scene is not at hand: "
         "it is\n"
-        "looked for beside the dataset, in the working folder, where a batch had it from, and "
-        "where\n"
-        "projects in those folders have it.\n"
+        "looked for where it was, beside the dataset, in the working folder, where a batch had it "
+        "from,\n"
+        "and where projects in those folders have it.\n"
         "Example: dollytrack verify dataset --scene room.glb");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runVerify(*arguments, session); };

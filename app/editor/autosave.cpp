@@ -1,13 +1,12 @@
 #include "app/editor/autosave.h"
 
 #include "app/editor/files_in.h"
+#include "app/editor/local_time.h"
 #include "app/editor/settings.h"
 #include "engine/core/log.h"
 #include "engine/document/history_json.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -19,17 +18,6 @@ constexpr const char* kSection = "autosave";
 
 std::filesystem::path folder() {
     return stateFolder() / "autosave";
-}
-
-std::string localTime(std::filesystem::file_time_type written) {
-    const auto age = std::filesystem::file_time_type::clock::now() - written;
-    const std::time_t when =
-        std::time(nullptr) - std::chrono::duration_cast<std::chrono::seconds>(age).count();
-    std::tm local{};
-    localtime_r(&when, &local);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &local);
-    return text.data();
 }
 
 std::vector<LostWork> findLost() {

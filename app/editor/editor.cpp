@@ -92,6 +92,7 @@ void Editor::refreshScene() {
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
         noted_file_.clear();
+        import_bar_dismissed_ = false;
         if (!workspace_.isOpen()) drawing_.setScene({});
     }
     const PlanOutcome& shown = workspace_.shown();

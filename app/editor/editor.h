@@ -23,6 +23,7 @@
 #include "app/editor/track_time.h"
 #include "app/editor/window.h"
 #include "app/editor/workspace.h"
+#include "render/look_inside.h"
 #include "ui/edit_request.h"
 #include "ui/layers.h"
 #include "ui/panels/export_panel.h"
@@ -99,6 +100,9 @@ class Editor {
     void makeExportQueue();
     void drawSheet();
     void queueExport(const ui::ExportView& view);
+    /// Where a finished dataset is: into another folder, or in its place.
+    void askToReplace(const ui::ExportRequest& request,
+                      const std::function<void(const ui::ExportRequest&)>& add);
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
     [[nodiscard]] std::filesystem::path exportFolder() const;
@@ -111,11 +115,14 @@ class Editor {
     void editWithGizmo();
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
+    void drawImportBar();
     void clickAt(const Eigen::Vector2d& pixel, bool add);
     void requestPicture();
     void requestPreview();
     void requestLayers();
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
+    /// Of the scene that is shown; only with one.
+    [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
     /// By what widths and sizes of overlays are multiplied on this screen, from this far.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
@@ -168,6 +175,7 @@ class Editor {
     ui::LogBook& log_;
     EditorSettings settings_;
     SettingsSaver settings_saver_;
+    bool import_bar_dismissed_ = false;
     std::filesystem::path noted_file_;  // the newest of the recent ones
     Workspace workspace_;
     Autosave autosave_;
@@ -192,6 +200,9 @@ class Editor {
     Selected selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
+    mutable std::vector<render::StoreyView> storeys_;  // of the two below
+    mutable std::shared_ptr<const Scene> storeys_of_scene_;
+    mutable std::shared_ptr<const Plan> storeys_of_plan_;
     Playback playback_;
     TrackTime track_time_;
     CommandStack::State followed_tracks_;  // from which the tracks' time was read

@@ -53,6 +53,19 @@ void Editor::addFileCommands() {
         {"file.save", "File", "Save", ctrl(GLFW_KEY_S), [this] { save(); }, needs_project});
     commands_.add({"file.save_as", "File", "Save as…", ctrlShift(GLFW_KEY_S),
                    [this] { askForFile("save"); }, needs_project});
+    for (const UpAxis axis : {UpAxis('x'), UpAxis('y'), UpAxis('z'), UpAxis('x', true),
+                              UpAxis('y', true), UpAxis('z', true)}) {
+        commands_.add({"file.up_axis." + axis.text(),
+                       "File",
+                       "Read the scene with " + axis.text() + " up",
+                       {},
+                       [this, axis] {
+                           nlohmann::json import = workspace_.importSettings();
+                           import["up_axis"] = axis.text();
+                           workspace_.readAgain(import);
+                       },
+                       needs_project});
+    }
     commands_.add({"file.write_annotations",
                    "File",
                    "Write annotations…",

@@ -149,9 +149,10 @@ void Editor::drawDialogs() {
     if (std::vector<LostWork> lost = autosave_.takeLostWork(); !lost.empty()) {
         questions_.offer(std::move(lost));
     }
-    if (std::vector<int> jobs = exports_ ? exports_->takeFound() : std::vector<int>();
-        !jobs.empty()) {
-        questions_.offerExports(std::move(jobs));
+    if (exports_) {
+        if (auto found = exports_->takeFound(); !found.empty()) {
+            questions_.offerExports(std::move(found));
+        }
     }
     if (const std::optional<ui::FileAnswer> answer = files_.draw()) answerFile(*answer);
     drawSheet();

@@ -1,7 +1,9 @@
 #include "app/editor/editor.h"
 #include "app/editor/export_places.h"
 #include "app/editor/export_program.h"
+#include "app/editor/local_time.h"
 #include "engine/core/log.h"
+#include "render/dataset_listing.h"
 #include "render/formats/formats.h"
 #include "render/frame_needs.h"
 #include "render/modalities.h"
@@ -10,8 +12,10 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
 
 namespace dollytrack::editor {
 namespace {
@@ -42,6 +46,32 @@ std::filesystem::path typedHere(const std::string& text) {
                         : ui::typedPath(text, std::filesystem::current_path(ignored));
 }
 
+/// Of a finished dataset: "40 frames, written 2024-05-31 17:04:09". Reads its dataset.json, or that
+/// of each room.
+std::string describeDataset(const std::filesystem::path& folder) {
+    std::error_code error;
+    const bool of_rooms = !std::filesystem::exists(folder / render::kCardFile, error);
+    std::vector<std::filesystem::path> datasets = {folder};
+    std::filesystem::path newest = folder / render::kCardFile;
+    if (of_rooms) {
+        newest = folder / "rooms.json";
+        datasets.clear();
+        const nlohmann::json rooms = io::readBoundedJson(newest).value_or(nlohmann::json());
+        for (const nlohmann::json& room : io::listIn(rooms, "rooms")) {
+            datasets.push_back(folder / io::textIn(room, "name"));
+        }
+    }
+    std::size_t frames = 0;
+    for (const std::filesystem::path& dataset : datasets) {
+        if (const auto opened = io::GuardedFolder::open(dataset)) {
+            frames += render::framesListed(*opened);
+        }
+    }
+    const std::filesystem::file_time_type written = std::filesystem::last_write_time(newest, error);
+    return fmt::format("{} frame{}, written {}", frames, frames == 1 ? "" : "s",
+                       error ? "at an unknown time" : localTime(written));
+}
+
 /// Tells the panel what was found.
 void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& view) {
     using Kind = FolderFinding::Kind;
@@ -59,7 +89,7 @@ void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& 
                                            found.around.string());
             break;
         case Kind::Dataset:
-            view.folder_says = "The dataset that is there will be replaced.";
+            view.folder_says = "A dataset is there: Export asks before it replaces it.";
             break;
         case Kind::Unfinished:
             view.folder_says = "The unfinished export that is there will be replaced.";
@@ -200,22 +230,36 @@ void Editor::queueExport(const ui::ExportView& view) {
     ui::ExportRequest request = ui::requestOf(view, panels_.export_draft);
     request.folder = exportFolder();
     request.rig = typedHere(panels_.export_draft.rig);
-    const FolderFinding& found = export_folder_.of(request.folder);
-    const bool made_here = std::ranges::any_of(view.jobs, [&](const ui::ExportJob& job) {
-        return job.state == ui::ExportState::Done && job.request.folder == request.folder;
-    });
-    // The panel says that it will be replaced.
-    if (made_here || found.kind == FolderFinding::Kind::Dataset) request.overwrite = true;
-    auto add = [this, request,
-                project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())] {
-        exports_->add(request, project);
-    };
-    if (found.kind != FolderFinding::Kind::NewInNew) return add();
+    auto add = [this, project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())](
+                   const ui::ExportRequest& wanted) { exports_->add(wanted, project); };
+    // As it is at this moment: an export may just have ended there.
+    const FolderFinding found = lookAtFolder(request.folder);
+    if (found.kind == FolderFinding::Kind::Dataset) return askToReplace(request, add);
+    if (found.kind != FolderFinding::Kind::NewInNew) return add(request);
     // More likely a slip of the finger than a wish.
     questions_.ask(
         {"Make the whole path?",
          fmt::format("Of {}\nonly {} is there.", request.folder.string(), found.around.string()),
-         "Make it and export", add});
+         {{"Make it and export", [add, request] { add(request); }}}});
+}
+
+void Editor::askToReplace(const ui::ExportRequest& request,
+                          const std::function<void(const ui::ExportRequest&)>& add) {
+    ui::ExportRequest beside = request;
+    beside.folder = freeFolderBeside(request.folder, exports_->jobs());
+    ui::ExportRequest replacing = request;
+    replacing.overwrite = true;
+    questions_.ask(
+        {"A dataset is there already",
+         fmt::format("{} holds {}.\nOverwriting replaces it when the new one is complete.",
+                     request.folder.string(), describeDataset(request.folder)),
+         {{"Export to " + beside.folder.filename().string(),
+           [this, add, beside] {
+               panels_.export_draft.folder = beside.folder.string();
+               add(beside);
+           }},
+          {"Overwrite", [add, replacing] { add(replacing); }}},
+         false});
 }
 
 void Editor::answerExportFile(const ui::FileAnswer& answer) {

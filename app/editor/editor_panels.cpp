@@ -71,6 +71,7 @@ void Editor::drawLayers() {
     const PlanOutcome& shown = workspace_.shown();
     ui::LayersView view;
     if (shown.scene) view.room = shown.scene->room_bounds;
+    if (shown.scene) view.storeys = static_cast<int>(storeys().size());
     view.has_map = shown.free_space != nullptr;
     if (shown.free_space) view.cell_m = shown.free_space->resolution_m();
     view.has_plan = shown.plan != nullptr;

@@ -69,6 +69,7 @@ nlohmann::json Editor::stateJson() {
         {"plan_error", workspace_.planError()},
         {"plan_outdated", shown.outdated},
         {"file_changed", workspace_.fileChanged()},
+        {"import", workspace_.isOpen() ? workspace_.importSettings() : nlohmann::json()},
         {"latency_ms", workspace_.lastLatency_ms()},
         {"selected", selected_.objects()},
         {"selection_kind", static_cast<int>(selected_.now().kind)},

@@ -28,7 +28,27 @@ namespace {
 constexpr double kFullSizeMetre_px = 80.0;
 constexpr double kSmallestMarks = 0.6;
 
+/// How the scene was read: "1 unit = 4.1 m, z up".
+std::string importText(const ImportReport& report) {
+    ImportProposal as_read;
+    as_read.unit_m = report.unit_m;
+    as_read.up_axis = parseUpAxis(report.up_axis);
+    return settingsText(as_read);
+}
+
 }  // namespace
+
+const std::vector<render::StoreyView>& Editor::storeys() const {
+    const PlanOutcome& shown = workspace_.shown();
+    if (storeys_of_scene_ != shown.scene || storeys_of_plan_ != shown.plan) {
+        storeys_of_scene_ = shown.scene;
+        storeys_of_plan_ = shown.plan;
+        storeys_ =
+            render::storeysOf(*shown.scene, shown.plan ? std::span(shown.plan->rooms)
+                                                       : std::span<const Eigen::AlignedBox3d>());
+    }
+    return storeys_;
+}
 
 render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     const PlanOutcome& shown = workspace_.shown();
@@ -53,7 +73,12 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
         shown.plan ? std::span(shown.plan->rooms) : std::span<const Eigen::AlignedBox3d>();
     const Eigen::AlignedBox3d building = render::buildingOf(*shown.scene, rooms);
     if (building.isEmpty() || building.contains(camera.pose().position)) return view;
-    const std::vector<bool> covers = render::hidesRooms(*shown.scene);
+    const std::vector<render::StoreyView>& all = storeys();
+    const bool is_there = layer_settings_.storey > 0 &&
+                          static_cast<std::size_t>(layer_settings_.storey) <= all.size();
+    const render::StoreyView& storey =
+        is_there ? all[static_cast<std::size_t>(layer_settings_.storey) - 1] : all.back();
+    const std::vector<bool> covers = render::hiddenFor(*shown.scene, storey);
     for (std::size_t i = 0; i < std::min(covers.size(), view.hidden.size()); ++i) {
         if (covers[i]) view.hidden[i] = true;
     }
@@ -61,9 +86,9 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     if (way.z() < -0.1) return view;
     // From straight above every wall stays; the lower one looks, the steeper the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
-    view.structure_cut = render::cutTowards(building, render::floorOf(*shown.scene, rooms),
-                                            render::ceilingOf(*shown.scene, rooms),
-                                            level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
+    view.structure_cut = render::cutTowards(
+        all.size() > 1 ? render::withinStorey(building, storey) : building, storey.floor_z,
+        storey.ceiling_z, level * std::min(1.0, 1.6 * (1.0 - way.z()) + 0.2));
     return view;
 }
 
@@ -344,7 +369,32 @@ void Editor::drawLegend() {
     if (panels_.legend.open != open) settings_.layout.show_legend = panels_.legend.open;
 }
 
+void Editor::drawImportBar() {
+    if (!workspace_.isOpen() || import_bar_dismissed_) return;
+    if (workspace_.importBefore()) {
+        const int pressed = ui::drawNoteBar(
+            "import_changed",
+            "The scene was read again with " + importText(workspace_.importReport()) + ".",
+            {{"Undo", "Read it as before"}, {"Keep", "Hide this line"}});
+        if (pressed == 0) workspace_.takeBackImport();
+        if (pressed == 1) import_bar_dismissed_ = true;
+        return;
+    }
+    const ImportProposal& proposal = workspace_.proposal();
+    if (!proposal.hasSettings()) return;
+    const std::string& up = proposal.up_doubt;
+    const std::string& unit = proposal.unit_doubt;
+    const int pressed =
+        ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
+                        {{"Read with " + settingsText(proposal),
+                          "Read the scene file again like that; can be undone"},
+                         {"Keep", "Hide this line"}});
+    if (pressed == 0) workspace_.applyProposal();
+    if (pressed == 1) import_bar_dismissed_ = true;
+}
+
 void Editor::drawBars() {
+    drawImportBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed = ui::drawNoteBar(
@@ -357,8 +407,8 @@ void Editor::drawBars() {
     if (pressed != 0) return;
     if (!workspace_.unsaved()) return workspace_.open(file);
     questions_.ask({"Reload " + file.filename().string() + "?",
-                    "What was changed here since it was opened or saved is lost.", "Reload",
-                    [this, file] { workspace_.open(file); }});
+                    "What was changed here since it was opened or saved is lost.",
+                    {{"Reload", [this, file] { workspace_.open(file); }}}});
 }
 
 void Editor::drawCentre() {

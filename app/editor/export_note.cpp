@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <regex>
 #include <utility>
 
@@ -18,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr std::array<const char*, 3> kEnds = {"editor_died", "editor_left", "settled"};
 
 /// The mark in the name of a file as exportFile() makes them; empty: it is not ours. What is half
 /// written has ".tmp.<process>" behind.
@@ -37,13 +41,14 @@ fs::path exportFile(const fs::path& folder, const std::string& mark, int job, co
 
 Status writeNote(const fs::path& file, const ExportNote& note) {
     const ui::ExportRequest& request = note.request;
-    const json text = {{"name", request.name},           {"folder", request.folder.string()},
-                       {"range", request.range},         {"modalities", request.modalities},
-                       {"formats", request.formats},     {"flow_distances", request.flow_distances},
-                       {"rig", request.rig.string()},    {"still", request.still},
-                       {"overwrite", request.overwrite}, {"project", note.project_file.string()},
-                       {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
-                       {"frames", note.frames}};
+    const json text = {
+        {"name", request.name},           {"folder", request.folder.string()},
+        {"range", request.range},         {"modalities", request.modalities},
+        {"formats", request.formats},     {"flow_distances", request.flow_distances},
+        {"rig", request.rig.string()},    {"still", request.still},
+        {"overwrite", request.overwrite}, {"project", note.project_file.string()},
+        {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
+        {"frames", note.frames},          {"end", kEnds[static_cast<std::size_t>(note.end)]}};
     try {
         return io::writeWhole(file, text.dump(1) + "\n");
     } catch (const json::exception&) {
@@ -71,6 +76,9 @@ Result<ExportNote> readNote(const fs::path& file) {
         note.snapshot = read.at("snapshot").get<bool>();
         note.frames_done = read.at("frames_done").get<int>();
         note.frames = read.at("frames").get<int>();
+        // Notes of earlier versions do not say it.
+        const auto* end = std::ranges::find(kEnds, read.value("end", std::string(kEnds[0])));
+        if (end != kEnds.end()) note.end = static_cast<ExportEnd>(end - kEnds.begin());
     } catch (const json::exception&) {
         return fail(ErrorCode::BadInput, "The note of an unfinished export cannot be read.",
                     file.string());

@@ -9,13 +9,21 @@
 
 namespace dollytrack::editor {
 
+/// Why an export that an editor left is not done.
+enum class ExportEnd {
+    EditorDied,  // while the export ran or waited
+    EditorLeft,  // likewise, and the editor stopped it
+    Settled,     // it was cancelled by the user or failed, who was told
+};
+
 /// What an editor leaves of an export on the disk, so that the next one can offer to go on with it.
 struct ExportNote {
     ui::ExportRequest request;
     std::filesystem::path project_file;
     bool snapshot = false;  // the project file is ours, and goes with the note
     int frames_done = 0;
-    int frames = 0;  // 0: not known yet
+    int frames = 0;                         // 0: not known yet
+    ExportEnd end = ExportEnd::EditorDied;  // as it is if the editor ends without another word
 
     bool operator==(const ExportNote&) const = default;
 };

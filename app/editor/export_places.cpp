@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -52,6 +53,34 @@ fs::path folderBeside(const fs::path& folder, const fs::path& project,
     };
     fs::path place = parent / stem;
     for (int i = 2; taken(place); ++i) place = parent / (stem + "_" + std::to_string(i));
+    return place;
+}
+
+fs::path freeFolderBeside(const fs::path& folder, const std::vector<ui::ExportJob>& jobs) {
+    const fs::path parent = plainly(folder).parent_path();
+    std::string name = plainly(folder).filename().string();
+    int number = 2;
+    const std::size_t bar = name.rfind('_');
+    int counted = 0;
+    if (bar != std::string::npos && bar > 0) {
+        const char* const end = name.data() + name.size();
+        const auto read = std::from_chars(name.data() + bar + 1, end, counted);
+        if (read.ec == std::errc() && read.ptr == end && counted >= 2 && counted < 1'000'000) {
+            name.resize(bar);
+            number = counted + 1;
+        }
+    }
+    const auto taken = [&](const fs::path& place) {
+        std::error_code error;
+        return fs::symlink_status(place, error).type() != fs::file_type::not_found ||
+               std::ranges::any_of(jobs, [&](const ui::ExportJob& job) {
+                   return plainly(job.request.folder) == place;
+               });
+    };
+    fs::path place;
+    do {
+        place = parent / (name + "_" + std::to_string(number++));
+    } while (taken(place));
     return place;
 }
 

@@ -18,6 +18,11 @@ namespace dollytrack::editor {
                                                  const std::filesystem::path& project,
                                                  const std::vector<ui::ExportJob>& jobs);
 
+/// A folder for one more dataset, beside `folder` and named after it ("dataset_2"), where there is
+/// none and no job of the queue writes.
+[[nodiscard]] std::filesystem::path freeFolderBeside(const std::filesystem::path& folder,
+                                                     const std::vector<ui::ExportJob>& jobs);
+
 /// The job that runs or waits to write into this folder; null: none does. What a second one wrote
 /// there would replace what the first did.
 [[nodiscard]] const ui::ExportJob* jobThatWillWrite(const std::filesystem::path& folder,

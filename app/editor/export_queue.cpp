@@ -1,10 +1,9 @@
 #include "app/editor/export_queue.h"
 
-#include "app/process/child_process.h"
-#include "app/editor/export_note.h"
 #include "app/editor/export_places.h"
 #include "app/editor/export_program.h"
 #include "app/editor/export_progress.h"
+#include "app/process/child_process.h"
 #include "engine/core/log.h"
 
 #include <algorithm>
@@ -45,8 +44,14 @@ ExportQueue::~ExportQueue() {
     something_to_do_.notify_all();
     thread_.join();
     // What is not done can be gone on with by the next editor.
-    for (const Entry& entry : entries_) {
-        if (entry.job.state == ui::ExportState::Done || !entry.stored) removeFiles(entry);
+    for (Entry& entry : entries_) {
+        if (entry.job.state == ui::ExportState::Done || !entry.stored) {
+            removeFiles(entry);
+            continue;
+        }
+        const bool waits = entry.job.state == ui::ExportState::Waiting;
+        if (waits) entry.end = ExportEnd::EditorLeft;
+        if (waits || entry.note_due) keepNote(entry.job.id);
     }
 }
 
@@ -57,7 +62,7 @@ void ExportQueue::removeFiles(const Entry& entry) const {
 }
 
 ExportNote ExportQueue::Entry::noteOf() const {
-    return {job.request, project_file, ownsSnapshot(), job.frames_done, job.frames};
+    return {job.request, project_file, ownsSnapshot(), job.frames_done, job.frames, end};
 }
 
 int ExportQueue::add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project) {
@@ -106,11 +111,14 @@ void ExportQueue::cancel(int id) {
     update(id, [](Entry& entry) {
         if (entry.job.state == ui::ExportState::Waiting) {
             entry.job.state = ui::ExportState::Cancelled;
+            entry.end = ExportEnd::Settled;
+            entry.note_due = true;
         } else if (entry.job.active()) {
             entry.cancel_asked = true;
             entry.job.state = ui::ExportState::Stopping;
         }
     });
+    something_to_do_.notify_all();
 }
 
 void ExportQueue::resume(int id) {
@@ -123,6 +131,8 @@ void ExportQueue::resume(int id) {
         job.error = {};
         job.last_words.clear();
         entry.cancel_asked = false;
+        entry.end = ExportEnd::EditorDied;
+        entry.note_due = true;
     });
     something_to_do_.notify_all();
 }
@@ -160,7 +170,7 @@ std::vector<ui::ExportJob> ExportQueue::jobs() const {
     return jobs;
 }
 
-std::vector<int> ExportQueue::takeFound() {
+std::vector<ExportQueue::Found> ExportQueue::takeFound() {
     const std::lock_guard lock(mutex_);
     return std::exchange(found_, {});
 }
@@ -217,7 +227,7 @@ void ExportQueue::loop() {
             std::unique_lock lock(mutex_);
             something_to_do_.wait(lock, [this] {
                 return stopping_ || nextWaiting() != nullptr ||
-                       std::ranges::any_of(entries_, std::logical_not(), &Entry::stored);
+                       std::ranges::any_of(entries_, &Entry::noteDue);
             });
             if (stopping_) return;
             if (nextWaiting() == nullptr) continue;
@@ -265,10 +275,13 @@ void ExportQueue::adoptLeftJobs() {
         entry.job.state = ui::ExportState::Cancelled;
         entry.job.frames_done = note->frames_done;
         entry.job.frames = note->frames;
-        const int id = entry.job.id;
+        entry.end = note->end;
         {
             const std::lock_guard lock(mutex_);
-            found_.push_back(id);
+            // What the user cancelled, or was told of, is in the queue and no news.
+            if (entry.end != ExportEnd::Settled) {
+                found_.push_back({entry.job, entry.end == ExportEnd::EditorDied});
+            }
             entries_.push_back(std::move(entry));
         }
     }
@@ -283,9 +296,10 @@ void ExportQueue::storeNewJobs() {
         int id = 0;
         {
             const std::lock_guard lock(mutex_);
-            const auto at = std::ranges::find(entries_, false, &Entry::stored);
+            const auto at = std::ranges::find_if(entries_, &Entry::noteDue);
             if (at == entries_.end()) return;
             at->stored = true;
+            at->note_due = false;
             id = at->job.id;
         }
         // Another job may be running: it has no part in what goes wrong here.
@@ -358,6 +372,7 @@ Status ExportQueue::writeSnapshot(int id) {
 
 void ExportQueue::failEntry(int id, const Error& error) {
     update(id, [&](Entry& entry) {
+        entry.end = ExportEnd::Settled;
         entry.job.state = ui::ExportState::Failed;
         entry.job.error = error;
     });
@@ -426,6 +441,8 @@ void ExportQueue::follow(int id, ChildProcess& process) {
     update(id, [&](Entry& entry) {
         readProgressLine(lines.rest(), entry.job);
         concludeJob({*process.end(), asked_at.has_value(), dataset}, entry.job);
+        const bool by_leaving = closing && !entry.cancel_asked;
+        entry.end = by_leaving ? ExportEnd::EditorLeft : ExportEnd::Settled;
         if (entry.job.state == ui::ExportState::Done && !sheet.empty()) {
             entry.job.contact_sheet = sheet;
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/export_note.h"
 #include "app/editor/owner_mark.h"
 #include "engine/core/result.h"
 #include "engine/io/project_file.h"
@@ -21,8 +22,6 @@ class ChildProcess;
 }
 
 namespace dollytrack::editor {
-
-struct ExportNote;
 
 /// Exports one dataset after another, each by a `dollytrack export` of its own on a snapshot of the
 /// project, so that the bytes are those of the command line and a crash costs no more than that
@@ -57,8 +56,13 @@ class ExportQueue {
     void move(int id, int by);
 
     [[nodiscard]] std::vector<ui::ExportJob> jobs() const;
-    /// Numbers of the jobs that another editor left; once.
-    [[nodiscard]] std::vector<int> takeFound();
+    /// A job that another editor left because that editor ended.
+    struct Found {
+        ui::ExportJob job;
+        bool editor_died = false;  // else it was stopped when that editor was left
+    };
+    /// These; once.
+    [[nodiscard]] std::vector<Found> takeFound();
     [[nodiscard]] bool busy() const;
     /// How many run or wait.
     [[nodiscard]] int unfinished() const;
@@ -69,9 +73,12 @@ class ExportQueue {
         std::shared_ptr<const io::ProjectFile> project;  // null: it is a file already
         std::filesystem::path project_file;
         bool snapshot_written = false;
-        bool stored = false;            // its note was written, or could not be
-        bool adopted_snapshot = false;  // another editor wrote it
+        bool stored = false;                    // its note was written, or could not be
+        bool note_due = false;                  // the note says what is no longer so
+        bool adopted_snapshot = false;          // another editor wrote it
+        ExportEnd end = ExportEnd::EditorDied;  // what its note says
 
+        [[nodiscard]] bool noteDue() const { return !stored || note_due; }
         [[nodiscard]] bool ownsSnapshot() const { return project != nullptr || adopted_snapshot; }
         [[nodiscard]] ExportNote noteOf() const;
         bool cancel_asked = false;
@@ -105,7 +112,7 @@ class ExportQueue {
     OwnerMark mark_;
     std::chrono::steady_clock::time_point noted_at_;
     std::list<Entry> entries_;
-    std::vector<int> found_;
+    std::vector<Found> found_;
     int last_id_ = 0;
     bool held_ = false;
     bool stopping_ = false;

@@ -11,6 +11,13 @@
 
 namespace dollytrack::editor {
 
+namespace {
+
+// Longer, and the plan of the value that a drag ends with would come late.
+constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
+
+}  // namespace
+
 /// Belongs to the worker's thread.
 struct LivePlanner::Desk {
     std::shared_ptr<const Scene> imported;
@@ -62,16 +69,16 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     return {};
 }
 
-LivePlanner::LivePlanner(std::function<void()> wake)
+LivePlanner::LivePlanner(std::function<void()> wake, BackgroundWorker::Clock clock)
     : outcomes_(std::make_shared<Outbox<PlanOutcome>>()),
       desk_(std::make_shared<Desk>()),
       wake_(std::move(wake)),
-      worker_(wake_) {}
+      worker_(wake_, kPatience, std::move(clock)) {}
 
 LivePlanner::~LivePlanner() = default;
 
 void LivePlanner::start(PlanRequest request) {
-    worker_.start([request = std::move(request), desk = desk_, outbox = outcomes_,
+    worker_.start([this, request = std::move(request), desk = desk_, outbox = outcomes_,
                    wake = wake_](const JobContext& job) {
         const auto begin = std::chrono::steady_clock::now();
         PlanOutcome outcome;
@@ -110,9 +117,11 @@ void LivePlanner::start(PlanRequest request) {
                 outcome.measured = measured;
                 publish();
             };
-            auto plan = desk->pipeline->run(
-                outcome.params, outcome.edits, job,
-                [&](std::shared_ptr<const Plan> moving) { collect(std::move(moving), false); });
+            auto plan = desk->pipeline->run(outcome.params, outcome.edits, job,
+                                            [&](std::shared_ptr<const Plan> moving) {
+                                                collect(std::move(moving), false);
+                                                worker_.cancelOutdated();
+                                            });
             if (plan) return collect(std::move(*plan), true);
             if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
             outcome.error = std::move(plan.error());

@@ -7,6 +7,7 @@
 #include "engine/plan/plan.h"
 #include "planning/plan_params.h"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -56,10 +57,12 @@ struct PlanOutcome {
 };
 
 /// Plans in the background, keeping what earlier plans of the same scene made, so that a change
-/// costs only what depends on it. An outdated run is cancelled.
+/// costs only what depends on it. While requests keep coming, a run that is outdated goes on until
+/// its trajectory is there, but for about a second at the most: so a drag shows plans on its way.
 class LivePlanner {
   public:
-    explicit LivePlanner(std::function<void()> wake);
+    explicit LivePlanner(std::function<void()> wake,
+                         BackgroundWorker::Clock clock = std::chrono::steady_clock::now);
     ~LivePlanner();
 
     void start(PlanRequest request);

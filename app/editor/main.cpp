@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -71,6 +72,8 @@ int run(const std::string& path, const std::string& socket,
 
 int main(int argc, char** argv) {
     using namespace dollytrack;
+    // A file that grows beyond the limit of the process is a failed write, which is reported.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Plan a camera's way through an indoor scene, see why, and tune it by hand.");
     app.name("dollytrack-editor");
     app.set_version_flag("--version", std::string("dollytrack-editor ") + DOLLYTRACK_VERSION);

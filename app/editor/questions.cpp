@@ -9,6 +9,39 @@
 #include <utility>
 
 namespace dollytrack::editor {
+namespace {
+
+std::string datasetName(const ui::ExportJob& job) {
+    const std::filesystem::path& folder = job.request.folder;
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+std::string titleOf(const std::vector<ExportQueue::Found>& found) {
+    return found.size() == 1
+               ? fmt::format("The dataset {} is not finished", datasetName(found.front().job))
+               : fmt::format("{} datasets are not finished", found.size());
+}
+
+/// How each of them ended, and how far it was.
+std::string textOf(const std::vector<ExportQueue::Found>& found) {
+    constexpr std::size_t kMostNamed = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i) {
+        const auto& [job, editor_died] = found[i];
+        text += fmt::format(
+            "{}: {}{}.\n", job.request.folder.string(),
+            editor_died ? "the editor ended while it was being exported"
+                        : "leaving the editor stopped its export",
+            job.frames > 0 ? fmt::format(", {} of {} frames are done", job.frames_done, job.frames)
+                           : std::string());
+    }
+    if (found.size() > kMostNamed) {
+        text += fmt::format("{} more are in the queue.\n", found.size() - kMostNamed);
+    }
+    return text + "What is finished stays, and the queue under Export has the rest.";
+}
+
+}  // namespace
 
 Questions::Questions(Workspace& workspace, Doors doors)
     : workspace_(workspace), doors_(std::move(doors)) {}
@@ -25,8 +58,8 @@ void Questions::offer(std::vector<LostWork> lost) {
     lost_ = std::move(lost);
 }
 
-void Questions::offerExports(std::vector<int> jobs) {
-    found_exports_ = std::move(jobs);
+void Questions::offerExports(std::vector<ExportQueue::Found> found) {
+    found_exports_ = std::move(found);
 }
 
 void Questions::afterUnsaved(std::function<void()> then, const std::string& what_next) {
@@ -184,18 +217,16 @@ void Questions::drawExports() {
 }
 
 void Questions::drawFoundExports() {
-    const std::size_t count = found_exports_.size();
     ui::MessageBox box;
-    box.title = count == 1 ? "An export was not finished"
-                           : fmt::format("{} exports were not finished", count);
-    box.text =
-        "The editor ended before. What is finished stays, and the queue under Export has the "
-        "rest.";
+    box.title = titleOf(found_exports_);
+    box.text = textOf(found_exports_);
     box.buttons = {"Continue", "Later", "Take out of the queue"};
     box.escape = 1;
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
-    const std::vector<int> jobs = std::exchange(found_exports_, {});
+    std::vector<int> jobs;
+    for (const ExportQueue::Found& found : found_exports_) jobs.push_back(found.job.id);
+    found_exports_.clear();
     if (pressed == 0) doors_.continue_exports(jobs);
     if (pressed == 2) doors_.forget_exports(jobs);
 }
@@ -204,13 +235,19 @@ void Questions::drawDoubt() {
     ui::MessageBox box;
     box.title = doubt_->title;
     box.text = doubt_->text;
-    // Enter does what can be undone.
-    box.buttons = {"Cancel", doubt_->yes};
-    box.escape = 0;
+    // Enter presses the first button.
+    if (doubt_->enter_cancels) box.buttons = {"Cancel"};
+    for (const Doubt::Answer& answer : doubt_->answers) box.buttons.push_back(answer.label);
+    if (!doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
+    const int first = doubt_->enter_cancels ? 1 : 0;
+    const int last = first + static_cast<int>(doubt_->answers.size());
+    box.escape = doubt_->enter_cancels ? 0 : last;
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     const Doubt answered = *std::exchange(doubt_, std::nullopt);
-    if (pressed == 1) answered.then();
+    if (pressed >= first && pressed < last) {
+        answered.answers[static_cast<std::size_t>(pressed - first)].then();
+    }
 }
 
 void Questions::drawNotice() {
@@ -239,6 +276,10 @@ void Questions::addTo(nlohmann::json& state) const {
     dialogs["exports"] = pending(Kind::Exports);
     dialogs["found_exports"] = pending(Kind::FoundExports);
     dialogs["doubt"] = pending(Kind::Doubt);
+    state["asked"] = pending(Kind::Doubt) ? doubt_->title + ": " + doubt_->text
+                     : pending(Kind::FoundExports)
+                         ? titleOf(found_exports_) + ": " + textOf(found_exports_)
+                         : std::string();
 }
 
 }  // namespace dollytrack::editor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/autosave.h"
+#include "app/editor/export_queue.h"
 #include "app/editor/workspace.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -39,14 +40,18 @@ class Questions {
     void afterUnsaved(std::function<void()> then, const std::string& what_next);
     /// The same for exports that would be stopped.
     void afterExports(std::function<void()> then);
-    /// Asks whether to go on with exports that an earlier editor left.
-    void offerExports(std::vector<int> jobs);
-    /// Asks before something that may not be what was meant; `then` when the answer is `yes`.
+    /// Asks whether to go on with exports that ended with an earlier editor.
+    void offerExports(std::vector<ExportQueue::Found> found);
+    /// Asks before something that may not be what was meant, or leaves a choice.
     struct Doubt {
+        struct Answer {
+            std::string label;
+            std::function<void()> then;
+        };
         std::string title;
         std::string text;
-        std::string yes;
-        std::function<void()> then;
+        std::vector<Answer> answers;  // beside cancelling
+        bool enter_cancels = true;    // else it takes the first answer, which must harm nothing
     };
     void ask(Doubt doubt) { doubt_ = std::move(doubt); }
     /// Another project is open: what was asked about the one before no longer matters.
@@ -81,7 +86,7 @@ class Questions {
     std::string what_next_;
     bool saving_ = false;  // as answer to the question after_unsaved_ waits for
     std::function<void()> after_exports_;
-    std::vector<int> found_exports_;
+    std::vector<ExportQueue::Found> found_exports_;
     std::optional<Doubt> doubt_;
     int stopped_exports_ = 0;  // of which after_exports_ is asked
 };

@@ -48,20 +48,53 @@ void Workspace::load(const std::filesystem::path& path,
     state_when_asked_ = stack_.state();
     std::error_code ignored;
     const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
-    loader_.start([absolute, scene_instead, restored, outbox = loaded_](const JobContext& job) {
-        LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
-        outcome.relocated = scene_instead.has_value();
+    LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
+    outcome.relocated = scene_instead.has_value();
+    startLoading(std::move(outcome), [absolute, scene_instead] {
+        Result<ProjectContent> content = readProject(absolute);
+        if (content && scene_instead) content->scene_file = *scene_instead;
+        return content;
+    });
+}
+
+void Workspace::readAgain(const nlohmann::json& import) {
+    if (!isOpen()) return;
+    state_when_asked_ = stack_.state();
+    LoadOutcome outcome{path().empty() ? sceneFile() : path(), fail(ErrorCode::Failed, "")};
+    outcome.history = stack_.history();
+    outcome.import_before = opened_->import;
+    io::ProjectFile file = snapshot(false);
+    file.import = import;
+    file.file_sha256 = fileContent();
+    startLoading(std::move(outcome), [file, project = path()] { return contentOf(file, project); });
+}
+
+void Workspace::applyProposal() {
+    nlohmann::json import = opened_->import;
+    const ImportProposal& proposal = opened_->proposal;
+    if (proposal.unit_m) import["unit_m"] = *proposal.unit_m;
+    if (proposal.up_axis) import["up_axis"] = proposal.up_axis->text();
+    readAgain(import);
+}
+
+void Workspace::takeBackImport() {
+    if (import_before_) readAgain(*import_before_);
+}
+
+void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read) {
+    loader_.start([outcome = std::move(outcome), read = std::move(read),
+                   outbox = loaded_](const JobContext& job) mutable {
         try {
-            Result<ProjectContent> content = readProject(absolute);
-            if (content && scene_instead) content->scene_file = *scene_instead;
+            Result<ProjectContent> content = read();
             if (content && sceneIsGone(*content)) outcome.missing_scene = content->scene_file;
-            outcome.opened = std::move(content).and_then(
-                [&](ProjectContent&& read) { return openProject(std::move(read), job); });
-            if (outcome.opened && restored) takeHistory(outcome);
+            outcome.opened = std::move(content).and_then([&](ProjectContent&& content_read) {
+                return openProject(std::move(content_read), job);
+            });
+            if (outcome.opened && outcome.restored) takeHistory(outcome);
         } catch (const std::exception& error) {
             outcome.opened = fail(ErrorCode::Failed,
                                   std::string("The scene cannot be loaded: ") + error.what() + ".",
-                                  absolute.string());
+                                  outcome.path.string());
         }
         outbox->put(std::move(outcome));
     });
@@ -74,9 +107,10 @@ void Workspace::close() {
     shown_ = {};
     light_.reset();
     lit_rooms_.clear();
-    ++serial_;
+    first_serial_ = ++serial_;
     ++document_;
     restored_from_.clear();
+    import_before_.reset();
     changed_file_.reset();
     file_watch_.beginAnew();
     stack_.reset({});
@@ -130,6 +164,7 @@ void Workspace::finishOpening(LoadOutcome outcome) {
                                 name + " again."});
         return;
     }
+    if (outcome.opened && outcome.import_before) return finishReadingAgain(std::move(outcome));
     if (outcome.opened) {
         if (outcome.restored) {
             // The file may have been saved since by somebody else: known is what the work is of.
@@ -154,6 +189,16 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     }
     log::error("project", describe(error));
     notices_.push_back(std::move(notice));
+}
+
+void Workspace::finishReadingAgain(LoadOutcome outcome) {
+    const std::filesystem::path restored_from = restored_from_;
+    const bool back = import_before_ && *import_before_ == outcome.opened->import;
+    install(std::move(*outcome.opened), std::move(outcome.history));
+    restored_from_ = restored_from;
+    if (!back) import_before_ = std::move(outcome.import_before);
+    // The project's file does not know yet how its scene is read now.
+    stack_.markUnsaved();
 }
 
 io::ProjectFile Workspace::snapshot(bool with_plan) const {
@@ -338,7 +383,7 @@ void Workspace::take(PlanOutcome outcome) {
         log::warn("planning", describe(*outcome.error));
     }
     for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
-    if (shown_.serial != outcome.serial) {
+    if (shown_.serial != outcome.serial && outcome.serial == serial_) {
         latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
     }
     const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
@@ -354,10 +399,16 @@ void Workspace::take(PlanOutcome outcome) {
     shown_ = std::move(outcome);
 }
 
+/// Of a value that has changed since, a plan is better than an older one; an error is of no use.
+bool Workspace::isWanted(const PlanOutcome& outcome) const {
+    if (outcome.serial == serial_) return true;
+    return outcome.serial >= first_serial_ && outcome.plan != nullptr;
+}
+
 void Workspace::poll() {
     if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
     if (std::optional<PlanOutcome> outcome = planner_.poll();
-        outcome && isOpen() && outcome->serial == serial_) {
+        outcome && isOpen() && isWanted(*outcome)) {
         take(std::move(*outcome));
     }
     if (std::optional<Lit> lit = lit_->take();

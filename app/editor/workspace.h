@@ -38,6 +38,12 @@ class Workspace {
     /// Opens a copy that Autosave kept, as unsaved work of the project it came from.
     void restore(const std::filesystem::path& copy,
                  const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
+    /// Reads the scene of the open project again with these import settings (a project's section
+    /// `import`). Parameters, edits and steps of undo stay; what is open stays until it is read.
+    void readAgain(const nlohmann::json& import);
+    /// The same as the scene's own proposal has it, and back.
+    void applyProposal();
+    void takeBackImport();
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// Where another program has written the file since it was read or written here.
@@ -75,6 +81,14 @@ class Workspace {
         const;  // of the project; empty: not saved yet
     [[nodiscard]] std::string title() const;
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
+    /// How the scene should likely be read instead, as the command line says it.
+    [[nodiscard]] const ImportProposal& proposal() const { return opened_->proposal; }
+    /// The import settings before readAgain(); none where the scene was not read again.
+    [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
+        return import_before_;
+    }
+    [[nodiscard]] const nlohmann::json& importSettings() const { return opened_->import; }
+    [[nodiscard]] const ImportReport& importReport() const { return opened_->imported->report; }
     [[nodiscard]] const CommandStack& history() const { return stack_; }
     [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
     [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }
@@ -123,6 +137,7 @@ class Workspace {
         std::filesystem::path missing_scene = {};  // where it should be; empty: it is there
         Autosave::Origin origin = {};              // of what is restored
         std::optional<CommandStack::History> history = {};  // the same; none: it was not kept
+        std::optional<nlohmann::json> import_before = {};   // of a scene that is read again
     };
     struct SaveOutcome {
         std::uint64_t serial = 0;
@@ -152,9 +167,12 @@ class Workspace {
     void replan();
     void install(OpenedProject opened, std::optional<CommandStack::History> history);
     static void takeHistory(LoadOutcome& outcome);
+    void startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read);
+    void finishReadingAgain(LoadOutcome outcome);
     void finishOpening(LoadOutcome outcome);
     void finishSaving(SaveOutcome outcome);
     void updateLight();
+    [[nodiscard]] bool isWanted(const PlanOutcome& outcome) const;
     void take(PlanOutcome outcome);
 
     std::function<void()> wake_;
@@ -164,6 +182,7 @@ class Workspace {
     std::uint64_t save_serial_ = 0;
     std::uint64_t saves_answered_ = 0;
     std::filesystem::path restored_from_;
+    std::optional<nlohmann::json> import_before_;
     bool file_has_plan_ = false;
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
@@ -171,6 +190,7 @@ class Workspace {
     CommandStack::State state_when_asked_;  // to open another
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
+    std::uint64_t first_serial_ = 0;  // of this document: earlier plans are of another
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
     std::shared_ptr<const render::LightVolume> light_;

@@ -1,7 +1,5 @@
 #include "app/process/child_process.h"
 
-#include "engine/io/durable_file.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -41,21 +39,6 @@ struct Pipe {
     }
 };
 
-/// A file for what a program says; nothing where no name is given.
-struct OutputFile {
-    int descriptor = -1;
-
-    Status open(const std::filesystem::path& path) {
-        if (path.empty()) return {};
-        descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (descriptor < 0) return tl::unexpected<Error>(io::writeError(errno, path));
-        return {};
-    }
-    ~OutputFile() {
-        if (descriptor >= 0) close(descriptor);
-    }
-};
-
 /// What the child is to become, ready before it is made.
 struct Becoming {
     char* const* arguments = nullptr;
@@ -86,7 +69,8 @@ struct Becoming {
     dup2(wanted.messages >= 0 ? wanted.messages : nothing, STDERR_FILENO);
     if (wanted.memory != RLIM_INFINITY) {
         const rlimit limit{wanted.memory, wanted.memory};
-        setrlimit(RLIMIT_AS, &limit);
+        // Not RLIMIT_AS: libraries and threads reserve many times the addresses that they use.
+        setrlimit(RLIMIT_DATA, &limit);
     }
     if (wanted.expendable) {
         const int score = open("/proc/self/oom_score_adj", O_WRONLY);
@@ -132,14 +116,9 @@ tl::unexpected<Error> cannotStart(const std::string& program, int error) {
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command,
                                          const ProcessSetup& setup) {
-    OutputFile output;
-    OutputFile messages;
-    Status opened = output.open(setup.output);
-    if (opened) opened = messages.open(setup.messages);
-    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
     Pipe words;
     Pipe failure;
-    const bool heard = setup.messages.empty();
+    const bool heard = setup.messages < 0;
     if ((heard && !words.open()) || !failure.open()) return cannotStart(command[0], errno);
     std::vector<char*> arguments;
     for (const std::string& argument : command) {
@@ -148,7 +127,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     arguments.push_back(nullptr);
     const Becoming wanted{
         arguments.data(),  getpid(),
-        output.descriptor, heard ? words.write_end : messages.descriptor,
+        setup.output,      heard ? words.write_end : setup.messages,
         failure.write_end, setup.memory_bytes > 0 ? setup.memory_bytes : RLIM_INFINITY,
         setup.expendable};
     const pid_t child = fork();

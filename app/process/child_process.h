@@ -20,9 +20,9 @@ struct ProcessEnd {
 
 /// How a program runs, and who hears it.
 struct ProcessSetup {
-    std::filesystem::path output;    // a file for its standard output; empty: nobody
-    std::filesystem::path messages;  // a file for its standard error; empty: read() hears it
-    std::uint64_t memory_bytes = 0;  // of address space, at most; 0: without limit
+    int output = -1;                 // descriptor of a file for its standard output; -1: nobody
+    int messages = -1;               // likewise for its standard error; -1: read() hears it
+    std::uint64_t memory_bytes = 0;  // of its own data (RLIMIT_DATA), at most; 0: without limit
     bool expendable = false;         // the first one that the system ends when memory is short
 };
 
@@ -31,8 +31,7 @@ struct ProcessSetup {
 /// then the system ends it, however that thread came to its end. For one thread.
 class ChildProcess {
   public:
-    /// `command[0]` is the program's path. The setup's files begin anew. Errors: Failed when it
-    /// cannot be run, CannotWrite for the files.
+    /// `command[0]` is the program's path. Error: Failed when it cannot be run.
     [[nodiscard]] static Result<ChildProcess> start(const std::vector<std::string>& command,
                                                     const ProcessSetup& setup = {});
     /// Kills it if it still runs.

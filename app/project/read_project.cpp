@@ -40,19 +40,26 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     }
     Result<io::ProjectFile> file = io::loadProject(path);
     if (!file) return tl::unexpected<Error>(std::move(file.error()));
-    Status fits = setFromJson(planning::listFields(content.params), file->parameters);
+    return contentOf(std::move(*file), path);
+}
+
+Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::path& path) {
+    ProjectContent content;
+    Status fits = setFromJson(planning::listFields(content.params), file.parameters);
     if (!fits) return in(path, std::move(fits.error()));
-    Result<Edits> edits = editsFromJson(file->edits);
+    Result<Edits> edits = editsFromJson(file.edits);
     if (!edits) return in(path, std::move(edits.error()));
+    const Result<ImportOptions> options = io::importOptionsFromJson(file->import);
+    if (!options) return in(path, options.error());
     content.project = path;
-    content.scene_file = std::move(file->scene);
-    content.import = std::move(file->import);
+    content.scene_file = std::move(file.scene);
+    content.import = std::move(file.import);
     content.edits = std::move(*edits);
-    content.result = std::move(file->result);
-    content.planned_sha256 = std::move(file->scene_sha256);
-    content.file_sha256 = std::move(file->file_sha256);
-    content.edits_section = std::move(file->edits);
-    content.others = std::move(file->others);
+    content.result = std::move(file.result);
+    content.planned_sha256 = std::move(file.scene_sha256);
+    content.file_sha256 = std::move(file.file_sha256);
+    content.edits_section = std::move(file.edits);
+    content.others = std::move(file.others);
     return content;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/document/edits.h"
+#include "engine/io/project_file.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "planning/plan_params.h"
@@ -40,6 +41,9 @@ struct ProjectContent {
 /// and edits that do not fit, with the file and the place in it.
 Result<ProjectContent> readProject(const std::filesystem::path& path,
                                    const std::optional<std::filesystem::path>& annotations = {});
+
+/// What a project file holds, checked; `path` may be empty where it was never saved.
+Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::path& path);
 
 [[nodiscard]] bool sceneIsGone(const ProjectContent& content);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,6 +18,15 @@ constexpr std::size_t kMostCameras = 64;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
 constexpr double kWidestPinhole = 150.0;  // deg, as the planned camera's
+constexpr double kMostSide_px = 6144.0;   // of the flat pictures that a lens's picture is made of
+
+/// How large a flat picture is that shows the finest details of a lens with one centre.
+double sidePx(const LensModel& lens) {
+    // Wide lenses are drawn as the sides of a cube, whose borders overlap.
+    constexpr double kMostReach = 1.2;
+    return 2.0 * lens.mostPxPerRadian() *
+           std::min(std::tan(std::min(lens.widest(), 1.0)), kMostReach);
+}
 
 bool isFolderName(const std::string& name) {
     if (name.empty() || name.size() > kLongestName || name.front() == '-') return false;
@@ -58,6 +68,15 @@ Status validateLens(const RigCamera& camera) {
         return refuse(camera,
                       "With these k1 .. k4 two directions fall on one pixel within "
                       "fov_deg; lower fov_deg, or check their signs.");
+    }
+    if (camera.lens == Lens::Fisheye) {
+        const double side_px = sidePx(LensModel(camera));
+        if (side_px > kMostSide_px) {
+            return refuse(camera, fmt::format("k1 .. k4 stretch its picture so far that {:.0f} px "
+                                              "a side would be drawn, more than {:g}; lower them, "
+                                              "or width_px.",
+                                              side_px, kMostSide_px));
+        }
     }
     return {};
 }

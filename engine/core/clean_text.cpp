@@ -1,5 +1,7 @@
 #include "engine/core/clean_text.h"
 
+#include "engine/core/clean_lines.h"
+
 #include <cstddef>
 
 namespace dollytrack {
@@ -9,6 +11,7 @@ struct Sequence {
     std::size_t length = 1;  // bytes it takes up, at least one
     bool valid = false;
     bool control = false;
+    bool cut_off = false;  // valid as far as the text goes
 };
 
 /// The UTF-8 sequence that `text`, which is not empty, begins with (Unicode 15, table 3-7).
@@ -23,28 +26,50 @@ Sequence firstSequence(std::string_view text) {
     const unsigned high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
     for (std::size_t i = 1; i < length; ++i) {
         const bool second = i == 1;
-        if (i >= text.size() || byte(i) < (second ? low : 0x80U) ||
-            byte(i) > (second ? high : 0xBFU)) {
+        if (i >= text.size()) return {i, false, false, true};
+        if (byte(i) < (second ? low : 0x80U) || byte(i) > (second ? high : 0xBFU)) {
             return {i, false, false};
         }
     }
     return {length, true, lead == 0xC2 && byte(1) < 0xA0};
 }
 
-}  // namespace
+enum class Breaks { Drop, Keep };  // line breaks and tabs
 
-std::string cleanText(std::string_view text) {
+/// Takes from `text` what it cleans: all of it, or all but a cut-off character at its end.
+std::string cleaned(std::string_view& text, Breaks breaks, bool more_comes) {
     std::string clean;
     clean.reserve(text.size());
     while (!text.empty()) {
         const Sequence sequence = firstSequence(text);
+        if (sequence.cut_off && more_comes) break;
+        const char first = text.front();
+        const bool is_break = breaks == Breaks::Keep && (first == '\n' || first == '\t');
         if (!sequence.valid) {
             clean += "\xEF\xBF\xBD";
-        } else if (!sequence.control) {
+        } else if (!sequence.control || is_break) {
             clean += text.substr(0, sequence.length);
         }
         text.remove_prefix(sequence.length);
     }
+    return clean;
+}
+
+}  // namespace
+
+std::string cleanText(std::string_view text) {
+    return cleaned(text, Breaks::Drop, false);
+}
+
+std::string cleanLines(std::string_view text) {
+    return cleaned(text, Breaks::Keep, false);
+}
+
+std::string LineCleaner::add(std::string_view piece) {
+    const std::string all = pending_ + std::string(piece);
+    std::string_view rest = all;
+    std::string clean = cleaned(rest, Breaks::Keep, true);
+    pending_ = rest;
     return clean;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/core/log.h"
 
+#include "engine/core/clean_text.h"
+
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -57,17 +59,19 @@ void flushLocked(State& s) {
     s.last.reset();
 }
 
-void write(Level level, std::string_view subsystem, std::string_view message) {
+void write(Level level, std::string_view subsystem, std::string_view said) {
     State& s = state();
     const std::scoped_lock lock(s.mutex);
     if (level < s.level) return;
+    // Messages quote names and values from outside, and every sink shows or stores them.
+    std::string message = cleanText(said);
     if (s.last && s.last->level == level && s.last->subsystem == subsystem &&
         s.last->message == message) {
         ++s.last->repeats;
         return;
     }
     flushLocked(s);
-    s.last = Record{level, std::string(subsystem), std::string(message), 1};
+    s.last = Record{level, std::string(subsystem), std::move(message), 1};
     s.sink(*s.last);
 }
 

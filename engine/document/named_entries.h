@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,8 +50,13 @@ std::string freeName(const std::vector<Entry>& entries, const OperationReader& f
         }
         return name;
     }
+    // Asking all entries for each number would take hours for a script of thousands of additions.
+    std::set<std::string_view> taken;
+    for (const Entry& entry : entries) {
+        if (entry.name.starts_with(base)) taken.insert(entry.name);
+    }
     std::string name = base;
-    for (int number = 2; isTaken(entries, name); ++number) {
+    for (int number = 2; taken.contains(name); ++number) {
         name = fmt::format("{} {}", base, number);
     }
     return name;

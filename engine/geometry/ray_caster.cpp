@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
 namespace dollytrack {
@@ -128,6 +129,19 @@ ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& obje
     return search.best;
 }
 
+/// Embree goes on without the memory that it did not get: nothing may be asked of it any more.
+void throwIfOutOfMemory(RTCDevice device) {
+    if (rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
+/// A geometry's buffer of `count` elements, of which none may be there.
+void* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t size,
+                std::size_t count) {
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, size, count);
+    if (buffer == nullptr && count > 0) throw std::bad_alloc();
+    return buffer;
+}
+
 }  // namespace
 
 struct RayCaster::Impl {
@@ -155,6 +169,7 @@ struct RayCaster::Impl {
             rtcAttachGeometryByID(scene, objects[i].geometry, static_cast<unsigned>(i));
         }
         rtcCommitScene(scene);
+        throwIfOutOfMemory(device);
     }
 
     ~Impl() {
@@ -174,16 +189,16 @@ struct RayCaster::Impl {
         ObjectGeometry& made = objects[index];
         made.geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         made.first_triangle = object.first_triangle;
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(made.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    3 * sizeof(float), std::max(1U, object.vertex_count)));
+        auto* vertices =
+            static_cast<float*>(newBuffer(made.geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                                          3 * sizeof(float), std::max(1U, object.vertex_count)));
         for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
             const Eigen::Vector3f& position = source.positions[object.first_vertex + v];
             std::copy_n(position.data(), 3, vertices + 3UL * v);
         }
-        auto* indices = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(made.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(unsigned), object.triangle_count));
+        auto* indices =
+            static_cast<unsigned*>(newBuffer(made.geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                             3 * sizeof(unsigned), object.triangle_count));
         for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
             for (unsigned k = 0; k < 3; ++k) {
                 indices[3UL * t + k] =
@@ -200,6 +215,7 @@ struct RayCaster::Impl {
         rtcSetSceneBuildQuality(made.alone, RTC_BUILD_QUALITY_LOW);
         rtcAttachGeometryByID(made.alone, made.geometry, static_cast<unsigned>(index));
         rtcCommitScene(made.alone);
+        throwIfOutOfMemory(device);
     }
 
     [[nodiscard]] RayHit trace(RTCScene target, const RTCRay& ray) const {

@@ -150,15 +150,23 @@ class Taker {
     }
 
     void missing(const io::AnnotatedObject& object, const char* kind, const std::string& name) {
-        std::vector<std::string> names;
-        for (const MeshPart& part : raw_.parts) names.push_back(part.name);
-        for (const SourceNode& node : raw_.nodes) names.push_back(node.name);
+        std::string hint;
+        // Each hint compares the name with all of the scene's; repeats are folded anyway.
+        if (++missing_ <= kMostHints) {
+            std::vector<std::string> names;
+            for (const MeshPart& part : raw_.parts) names.push_back(part.name);
+            for (const SourceNode& node : raw_.nodes) names.push_back(node.name);
+            hint = nameHint(name, names);
+        }
         result_.warnings.push_back(std::string("annotations: there is no ") + kind + " \"" + name +
-                                   "\" for \"" + object.name + "\"" + nameHint(name, names));
+                                   "\" for \"" + object.name + "\"" + hint);
     }
+
+    static constexpr std::size_t kMostHints = 10;
 
     RawScene& raw_;
     AnnotatedDrafts& result_;
+    std::size_t missing_ = 0;
     std::set<std::string> meshes_;                   // that ranges are cut out of
     std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles that nobody has asked for
 };

@@ -8,6 +8,8 @@
 #include "engine/io/durable_file.h"
 #include "engine/scene/labels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -99,9 +101,8 @@ void readAll(const JsonReader& from, Annotations& into) {
         into.unit_m = unit.number(1e-9, 1e6 - 1.0);
     }
     if (const JsonReader up = from.at("up_axis"); !up.absent()) {
-        const std::string axis = up.text();
-        if (axis != "x" && axis != "y" && axis != "z") up.refuse("This must be x, y or z.");
-        if (from.good()) into.up_axis = axis.front();
+        into.up_axis = parseUpAxis(up.text());
+        if (!into.up_axis) up.refuse(fmt::format("This must be {}.", kUpAxes));
     }
     const JsonReader objects = from.at("objects");
     std::set<std::string> names;

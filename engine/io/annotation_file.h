@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/math/up_axis.h"
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ struct AnnotatedRelation {
 struct Annotations {
     std::filesystem::path file;  // empty: there is none
     std::optional<double> unit_m;
-    std::optional<char> up_axis;  // 'x', 'y' or 'z'
+    std::optional<UpAxis> up_axis;
     std::vector<AnnotatedObject> objects;
     std::vector<AnnotatedRelation> relations;
     std::vector<std::string> doubts;                    // keys that look like slips, in words

@@ -129,7 +129,9 @@ void readFbxFrame(const aiScene& scene, RawScene& raw) {
     }
     if (unit_cm > 0.0 && unit_cm < 1e9) raw.file_unit_m = unit_cm * 0.01;
     if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis < 3) {
-        raw.file_up_axis = "xyz"[axis];
+        std::int32_t sign = 1;
+        static_cast<void>(scene.mMetaData->Get("UpAxisSign", sign));
+        raw.file_up_axis = UpAxis("xyz"[axis], sign < 0);
     }
 }
 

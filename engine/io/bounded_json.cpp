@@ -1,6 +1,7 @@
 #include "engine/io/bounded_json.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/io/text_file.h"
 
 #include <fmt/format.h>
@@ -95,6 +96,20 @@ Result<Json> readBoundedJson(const std::filesystem::path& path, const JsonFilter
     return parseBoundedJson<Json>(*text, path.string(), keep);
 }
 
+template <class Json>
+Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& name,
+                             const JsonFilter<Json>& keep) {
+    const Result<InputFile> file = folder.openInput(name);
+    if (!file) return tl::unexpected(file.error());
+    const Result<std::string> text = file->readAll(kMostTextBytes);
+    if (!text) return tl::unexpected(text.error());
+    return parseBoundedJson<Json>(*text, (folder.path() / name).string(), keep);
+}
+
+template Result<nlohmann::json> readBoundedJson(const GuardedFolder&, const std::string&,
+                                                const JsonFilter<nlohmann::json>&);
+template Result<nlohmann::ordered_json> readBoundedJson(const GuardedFolder&, const std::string&,
+                                                        const JsonFilter<nlohmann::ordered_json>&);
 template Result<nlohmann::json> readBoundedJson(const std::filesystem::path&,
                                                 const JsonFilter<nlohmann::json>&);
 template Result<nlohmann::json> parseBoundedJson(std::string_view, const std::string&,

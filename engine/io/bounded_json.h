@@ -11,6 +11,8 @@
 
 namespace dollytrack::io {
 
+class GuardedFolder;
+
 /// The deepest nesting that is read. Our own files and those of data sets stay far below it.
 /// Copies, writers and visitors of JSON recurse, so deeper files would overflow the stack.
 inline constexpr int kDeepestJson = 64;
@@ -25,6 +27,11 @@ using JsonFilter = typename Json::parser_callback_t;
 /// nlohmann::ordered_json. Error: BadInput, with file, line and column.
 template <class Json = nlohmann::json>
 Result<Json> readBoundedJson(const std::filesystem::path& path,
+                             const JsonFilter<Json>& keep = nullptr);
+
+/// The same, of a file in a guarded folder.
+template <class Json = nlohmann::json>
+Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& name,
                              const JsonFilter<Json>& keep = nullptr);
 
 /// Parses a text within the same limits. `where` names the text in errors.

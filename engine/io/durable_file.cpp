@@ -1,6 +1,6 @@
 #include "engine/io/durable_file.h"
 
-#include "engine/io/file_descriptor.h"
+#include "engine/io/guarded_folder.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -24,9 +24,14 @@ int writeAll(int fd, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
-int writeTemporary(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
                    Durability durability) {
-    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    // A new file: what has the name may be a link, or a second name of somebody's file.
+    constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    FileDescriptor file(::openat(folder, name.c_str(), kNew, 0666));
+    if (!file.valid() && errno == EEXIST && ::unlinkat(folder, name.c_str(), 0) == 0) {
+        file = FileDescriptor(::openat(folder, name.c_str(), kNew, 0666));
+    }
     if (!file.valid()) return errno;
     if (const int error = writeAll(file.get(), bytes)) return error;
     if (durability == Durability::Synced && ::fsync(file.get()) != 0) return errno;
@@ -34,8 +39,8 @@ int writeTemporary(const std::filesystem::path& path, std::span<const std::uint8
 }
 
 /// A rename is on the disk only when its folder is. File systems without that notion say EINVAL.
-int syncDirectory(const std::filesystem::path& folder) {
-    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+int syncDirectory(int folder) {
+    const FileDescriptor directory(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!directory.valid()) return errno;
     return ::fsync(directory.get()) == 0 || errno == EINVAL ? 0 : errno;
 }
@@ -75,21 +80,27 @@ Error writeError(int error_number, const std::filesystem::path& path) {
     return {ErrorCode::CannotWrite, sentence, path.string()};
 }
 
+int writeWholeAt(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
+                 Durability durability) {
+    const std::string temporary = name + ".tmp." + std::to_string(::getpid());
+    int error = writeTemporary(folder, temporary, bytes, durability);
+    if (error == 0 && ::renameat(folder, temporary.c_str(), folder, name.c_str()) != 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        ::unlinkat(folder, temporary.c_str(), 0);
+        return error;
+    }
+    return durability == Durability::Synced ? syncDirectory(folder) : 0;
+}
+
 Status writeWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                   Durability durability) {
-    std::filesystem::path temporary = path;
-    temporary += ".tmp." + std::to_string(::getpid());
-    int error = writeTemporary(temporary, bytes, durability);
-    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        return tl::unexpected<Error>(writeError(error, path));
-    }
-    if (durability == Durability::Synced) {
-        if (const int sync_error = syncDirectory(folderOf(path))) {
-            return tl::unexpected<Error>(writeError(sync_error, path));
-        }
-    }
+    const FileDescriptor folder(::open(folderOf(path).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    const int error = folder.valid()
+                          ? writeWholeAt(folder.get(), path.filename().string(), bytes, durability)
+                          : errno;
+    if (error != 0) return tl::unexpected<Error>(writeError(error, path));
     return {};
 }
 

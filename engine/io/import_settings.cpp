@@ -1,7 +1,9 @@
 #include "engine/io/import_settings.h"
 
 #include "engine/core/field_list.h"
+#include "engine/document/json_reader.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -10,33 +12,38 @@ namespace dollytrack::io {
 
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
     ImportOptions options;
-    try {
-        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
-        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
-        if (settings.contains("model_folders")) {
-            for (const nlohmann::json& folder : settings["model_folders"]) {
-                options.model_folders.emplace_back(folder.get<std::string>());
-            }
-        }
-        if (settings.contains("annotations")) {
-            options.annotations = settings["annotations"].get<std::string>();
-        }
-        if (settings.contains("regroup")) options.regroup = settings["regroup"].get<bool>();
-        if (settings.contains("up_axis")) {
-            const auto axis = settings["up_axis"].get<std::string>();
-            options.up_axis = axis.empty() ? 'y' : axis.front();
-        }
-        if (settings.contains("cloud")) {
-            FieldCollector fields;
-            visitCloudParams(options.cloud, fields);
-            Status set = setFromJson(fields.take(), {{"cloud", settings["cloud"]}});
-            if (!set) return tl::unexpected<Error>(std::move(set.error()));
-        }
-    } catch (const nlohmann::json::exception& e) {
-        return fail(
-            ErrorCode::BadInput,
-            std::string("The project's import settings are of the wrong type (") + e.what() + ").");
+    Status status;
+    const JsonReader from(settings, "scene.import", status);
+    if (const JsonReader unit = from.at("unit_m"); !unit.absent()) {
+        options.unit_m = unit.number(1e-9, 1e9);
     }
+    if (const JsonReader up = from.at("up_axis"); !up.absent()) {
+        options.up_axis = parseUpAxis(up.text());
+        if (!options.up_axis) up.refuse(fmt::format("This must be {}.", kUpAxes));
+    }
+    if (const JsonReader labels = from.at("labels"); !labels.absent()) {
+        options.labels = labels.text();
+    }
+    const JsonReader folders = from.at("model_folders");
+    for (std::size_t i = 0; i < folders.size() && from.good(); ++i) {
+        options.model_folders.emplace_back(folders.at(i).text());
+    }
+    if (const JsonReader annotations = from.at("annotations"); !annotations.absent()) {
+        options.annotations = annotations.text();
+    }
+    if (const JsonReader regroup = from.at("regroup"); !regroup.absent()) {
+        if (!regroup.json().is_boolean()) regroup.refuse("This must be true or false.");
+        if (from.good()) options.regroup = regroup.json().get<bool>();
+    }
+    if (const JsonReader cloud = from.at("cloud"); !cloud.absent() && from.good()) {
+        FieldCollector fields;
+        visitCloudParams(options.cloud, fields);
+        Status set = setFromJson(fields.take(), {{"cloud", cloud.json()}});
+        if (!set)
+            status =
+                fail(set.error().code, set.error().message, "scene.import." + set.error().where);
+    }
+    if (!status) return tl::unexpected<Error>(std::move(status.error()));
     return options;
 }
 
@@ -47,7 +54,7 @@ nlohmann::json importOptionsToJson(const ImportOptions& options) {
     (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;
     nlohmann::json settings = nlohmann::json::object();
     if (unit_m) settings["unit_m"] = *unit_m;
-    if (up_axis) settings["up_axis"] = std::string(1, *up_axis);
+    if (up_axis) settings["up_axis"] = up_axis->text();
     if (labels) settings["labels"] = labels->string();
     for (const std::filesystem::path& folder : model_folders) {
         settings["model_folders"].push_back(folder.string());

@@ -3,6 +3,7 @@
 #include "engine/io/import_notes.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/mirror.h"
+#include "engine/scene/storeys.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,10 +20,6 @@ namespace dollytrack {
 namespace {
 
 constexpr int kMirror = 19;              // NYU40
-constexpr double kStorey_m = 1.9;        // between floors that people walk on one above the other
-constexpr double kStep_m = 0.05;         // floors of one storey are this even
-constexpr double kFloorShare = 0.1;      // of the largest floor, for a landing to be a storey
-constexpr float kLevel = 0.98F;          // cosine of 11 degrees
 constexpr double kInsideOut = -0.05;     // share of its box that a thing turned inside out encloses
 constexpr double kClosed = 1e-3;         // share of its area that a closed thing may face one way
 constexpr double kTwoSided = 0.9;        // share of a thing's faces that are there twice
@@ -31,33 +28,6 @@ constexpr std::uint32_t kLarge = 4096;   // faces
 
 Eigen::Vector3d corner(const Scene& scene, const Triangle& t, std::size_t i) {
     return scene.positions[t[i]].cast<double>();
-}
-
-/// Heights of the storeys' floors, m, rising.
-std::vector<double> storeysOf(const Scene& scene) {
-    std::map<long, double> area_at;  // of level surfaces of floors, by height in steps
-    for (const Object& object : scene.objects) {
-        if (!object.structure || object.nyu40 != kNyuFloor) continue;
-        for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
-            const Triangle& t = scene.triangles[object.first_triangle + i];
-            const Eigen::Vector3d a = corner(scene, t, 0);
-            const Eigen::Vector3d across = (corner(scene, t, 1) - a).cross(corner(scene, t, 2) - a);
-            if (std::abs(across.z()) < kLevel * across.norm()) continue;
-            area_at[std::lround(a.z() / kStep_m)] += 0.5 * std::abs(across.z());
-        }
-    }
-    double largest = 0.0;
-    for (const auto& [step, area] : area_at) largest = std::max(largest, area);
-    std::vector<double> storeys;
-    double last = -1e300;
-    for (const auto& [step, area] : area_at) {
-        const double height = kStep_m * static_cast<double>(step);
-        if (area < kFloorShare * largest) continue;
-        if (height - last >= kStorey_m) storeys.push_back(height);
-        storeys.back() = height;  // of a slab the upper side
-        last = height;
-    }
-    return storeys;
 }
 
 /// Spreads every input bit over all output bits (Steele, Lea and Flood 2014: SplitMix64's end).
@@ -118,7 +88,8 @@ bool isInsideOut(const Scene& scene, const Object& object) {
 }  // namespace
 
 void noteOddities(const Scene& scene, ImportReport& report) {
-    const std::vector<double> storeys = storeysOf(scene);
+    std::vector<double> storeys;
+    for (const FloorLevel& floor : labelledFloors(scene)) storeys.push_back(floor.top_m);
     if (storeys.size() > 1) {
         report.notes.push_back(fmt::format("{} storeys, their floors at {:.2f} m", storeys.size(),
                                            fmt::join(storeys, ", ")));

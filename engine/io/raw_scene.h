@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/math/up_axis.h"
 #include "engine/scene/material.h"
 #include "engine/scene/scene.h"
 
@@ -86,7 +87,7 @@ struct RawScene {
     std::vector<TextureRequest> textures;
     RepairCounts repairs;
     std::optional<double> file_unit_m;  // from metadata
-    char file_up_axis = 0;              // 'x', 'y', 'z'; 0: the format does not say
+    UpAxis file_up_axis;                // not known: the format does not say
     /// Where the reader turned or moved what the file says: back to the file's own axes and unit.
     Eigen::Affine3d file_from_parts = Eigen::Affine3d::Identity();
     std::vector<std::string> notes;

@@ -1,11 +1,13 @@
 #include "engine/io/scene_import.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/fold_repeats.h"
 #include "engine/io/annotated_objects.h"
 #include "engine/io/annotation_file.h"
 #include "engine/io/frame_guess.h"
 #include "engine/io/import_labels.h"
 #include "engine/io/import_notes.h"
+#include "engine/io/import_proposal.h"
 #include "engine/io/input_check.h"
 #include "engine/io/material_meshes.h"
 #include "engine/io/object_grouping.h"
@@ -22,6 +24,7 @@
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
+#include "engine/scene/outside_objects.h"
 #include "engine/scene/room_bounds.h"
 
 #include <fmt/format.h>
@@ -96,6 +99,13 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     noteMerges(merges, drafts, report);
 }
 
+/// Says what is doubtful about unit and axis, and what is likelier.
+void doubtFrame(const FrameChoice& frame, Scene& scene) {
+    ImportProposal proposal = proposeImport(scene);
+    if (proposal.unit_doubt.empty()) proposal.unit_doubt = frame.unit_doubt;
+    for (std::string& line : describe(proposal)) scene.report.warnings.push_back(std::move(line));
+}
+
 /// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
 void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportReport& report) {
     constexpr double kFar_m = 1000.0;
@@ -116,13 +126,25 @@ void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportRep
                     center.norm(), moved.x(), moved.y(), moved.z()));
 }
 
+/// What lies outside is no target, unless an edit says so; nor is it a part of the building, which
+/// would tell what is inside.
+void setOutsideRoles(Scene& scene) {
+    const std::vector<int> outside = findOutsideObjects(scene);
+    for (const int id : outside) {
+        scene.objects[static_cast<std::size_t>(id) - 1].role = Role::Structure;
+    }
+    if (outside.empty()) return;
+    scene.report.notes.push_back(
+        counted(outside.size(), "object outside the building is no target; edit its role if it is",
+                "objects outside the building are no targets; edit their roles if they are"));
+}
+
 Status checkOptions(const ImportOptions& options) {
     if (options.unit_m && !(*options.unit_m > 0.0 && *options.unit_m < 1e6)) {
         return fail(ErrorCode::Usage, "metres per unit must be above 0 and below 1e6", "unit_m");
     }
-    if (options.up_axis && *options.up_axis != 'x' && *options.up_axis != 'y' &&
-        *options.up_axis != 'z') {
-        return fail(ErrorCode::Usage, "the upward axis is x, y or z", "up_axis");
+    if (options.up_axis && !options.up_axis->isAxis()) {
+        return fail(ErrorCode::Usage, fmt::format("the upward axis is {}", kUpAxes), "up_axis");
     }
     return {};
 }
@@ -173,7 +195,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                  raw.warnings.end());
     scene.report.unit_m = frame.unit_m;
     scene.report.unit_source = frame.unit_source;
-    scene.report.up_axis = std::string(1, frame.up_axis);
+    scene.report.up_axis = frame.up_axis.text();
     scene.report.up_source = frame.up_source;
     scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
                                  frame.warnings.end());
@@ -208,11 +230,15 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
+    doubtFrame(frame, scene);
+    setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     noteSizeDoubts(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
 
+    scene.report.notes = foldRepeats(scene.report.notes);
+    scene.report.warnings = foldRepeats(scene.report.warnings);
     scene.source_sha256 = std::move(read->sha256);
     job.report(1.0);
     return scene;

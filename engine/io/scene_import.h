@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/io/pointcloud/cloud_params.h"
 #include "engine/jobs/job.h"
+#include "engine/math/up_axis.h"
 #include "engine/scene/scene.h"
 
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace dollytrack {
 /// What a user can say about a scene file that the file does not say itself.
 struct ImportOptions {
     std::optional<double> unit_m = std::nullopt;  // metres per source unit; else found out
-    std::optional<char> up_axis = std::nullopt;   // 'x', 'y' or 'z'; else found out
+    std::optional<UpAxis> up_axis = std::nullopt;  // else found out
     std::optional<std::filesystem::path> labels =
         std::nullopt;  // a label table added to the built-in one
     /// Where the models of scenes made of models are: 3D-FUTURE-model, ShapeNetCore and the

@@ -13,13 +13,13 @@ using nlohmann::json;
 /// The form of a stored plan. A text is the type of a value; "?" lets it be null. A list has
 /// entries of one form. Members of an object may be absent, but for those whose name ends in "!".
 json planForm() {
-    const json tally = {{"frames", "count"}, {"low", "count"}, {"mean_score", "number"}};
+    const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
     const json remedy = {{"text", "text"},
                          {"well", "flag"},
                          {"set", {"text"}},
                          {"pin", {{"position!", "point"}, {"quaternion_xyzw!", "quaternion"}}},
-                         {"remove_no_go", {"text"}},
-                         {"unpin", {"text"}},
+                         {"remove_no_go", "text"},
+                         {"unpin", "text"},
                          {"restore_point", "flag"},
                          {"move", "text"},
                          {"operations", {json::object()}}};
@@ -94,8 +94,8 @@ json planForm() {
             {"position_points", {position_point}},
             {"key_frames", {"integer"}},
             {"paths",
-             {{{"component", "integer"},
-               {"vertices", {{{"position", "point"}, {"position_point", "integer"}}}}}}}};
+             {{{"component!", "integer"},
+               {"vertices!", {{{"position!", "point"}, {"position_point!", "integer"}}}}}}}};
 }
 
 void checkValue(const JsonReader& from, std::string_view type) {

@@ -21,7 +21,9 @@ struct Shape {
     double area = 0.0;
     double level_area = 0.0;     // faces up or down
     double upright_area = 0.0;   // faces sideways
+    double sloped_area = 0.0;    // faces neither up, down nor sideways
     double largest_plane = 0.0;  // upright area that faces along the box's thin side
+    double above = 0.0;          // share of the other objects whose middle is higher than its foot
     double inside = 0.0;         // share of the other objects whose middle is inside its bounds
 };
 
@@ -56,7 +58,11 @@ Shape measureShape(const RawScene& raw, const ObjectDraft& draft) {
             const double length = normal.norm();
             shape.area += 0.5 * length;
             if (std::abs(normal.z()) > 0.97 * length) shape.level_area += 0.5 * length;
-            if (std::abs(normal.z()) < 0.2 * length) shape.upright_area += 0.5 * length;
+            if (std::abs(normal.z()) < 0.2 * length) {
+                shape.upright_area += 0.5 * length;
+            } else if (std::abs(normal.z()) < 0.97 * length) {
+                shape.sloped_area += 0.5 * length;
+            }
             if (std::abs(normal.dot(thin)) > 0.97 * length) shape.largest_plane += 0.5 * length;
         }
     }
@@ -67,6 +73,27 @@ struct Verdict {
     bool is_structure = false;
     int nyu40 = 0;
 };
+
+/// A side of a roof: large and sloped, above nearly all else.
+bool isRoof(const Shape& shape, const Eigen::AlignedBox3d& building) {
+    const Eigen::Vector3d size = shape.bounds.sizes();
+    return size.x() * size.y() > 2.0 && std::max(size.x(), size.y()) > 2.0 &&
+           shape.sloped_area > 0.6 * shape.area && shape.above < 0.1 &&
+           shape.bounds.min().z() - building.min().z() > 1.8;
+}
+
+/// Share of the objects that have their middle higher than the shape's foot. Large things as high
+/// as it are other sides of the same roof.
+double shareAbove(const Shape& shape, const std::vector<Object>& boxes) {
+    double above = 0.0;
+    for (const Object& other : boxes) {
+        const double middle = other.box.center.z();
+        const bool is_beside = other.box.half_size.head<2>().prod() > 0.5 &&
+                               middle - other.box.half_size.z() > shape.bounds.min().z() - 0.3;
+        above += !is_beside && middle > shape.bounds.min().z();
+    }
+    return above / static_cast<double>(boxes.size());
+}
 
 Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     const Eigen::Vector3d size = shape.bounds.sizes();
@@ -155,10 +182,11 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
         boxes[i].box.center = bounds.center();
         boxes[i].box.half_size = 0.5 * bounds.sizes();
     }
-    const Eigen::AlignedBox3d room = findRoomBounds(boxes);
+    Eigen::AlignedBox3d room = findRoomBounds(boxes);
 
     std::vector<Shape> shapes(drafts.size());
     std::vector<Verdict> verdicts(drafts.size());
+    std::vector<char> by_shape(drafts.size(), 0);
     parallelFor(drafts.size(), [&](std::size_t i) {
         const Label& label = drafts[i].label;
         // "House_12" is structure by its name, but its shape tells a wall from a floor.
@@ -170,8 +198,23 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
         shape = measureShape(raw, drafts[i]);
         double inside = 0.0;
         for (const Object& other : boxes) inside += shape.bounds.contains(other.box.center);
+        shape.above = shareAbove(shape, boxes);
         shape.inside = boxes.size() < 6 ? 0.0 : inside / static_cast<double>(boxes.size());
-        verdicts[i] = judge(shape, room);
+        by_shape[i] = 1;
+    });
+    // As a ceiling a roof is left away where one looks in from above. Storeys are as high as what
+    // is below it.
+    std::vector<Object> below;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (by_shape[i] != 0 && isRoof(shapes[i], room)) {
+            verdicts[i] = {true, kNyuCeiling};
+        } else {
+            below.push_back(boxes[i]);
+        }
+    }
+    if (below.size() < boxes.size() && !below.empty()) room = findRoomBounds(below);
+    parallelFor(drafts.size(), [&](std::size_t i) {
+        if (by_shape[i] != 0 && !verdicts[i].is_structure) verdicts[i] = judge(shapes[i], room);
     });
     addCladding(raw, drafts, shapes, verdicts);
     std::vector<bool> structure(drafts.size());

@@ -14,7 +14,13 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 }  // namespace
 
 BackgroundWorker::BackgroundWorker(std::function<void()> on_change)
-    : on_change_(std::move(on_change)), thread_([this] { loop(); }) {}
+    : BackgroundWorker(std::move(on_change), Patience{}) {}
+
+BackgroundWorker::BackgroundWorker(std::function<void()> on_change, Patience patience, Clock clock)
+    : patience_(patience),
+      clock_(std::move(clock)),
+      on_change_(std::move(on_change)),
+      thread_([this] { loop(); }) {}
 
 BackgroundWorker::~BackgroundWorker() {
     {
@@ -30,11 +36,24 @@ BackgroundWorker::~BackgroundWorker() {
 void BackgroundWorker::start(Work work) {
     {
         const std::lock_guard lock(mutex_);
-        if (cancel_running_) cancel_running_->store(true);
         next_ = std::move(work);
+        cancelImpatiently();
         state_.busy = true;
     }
     work_arrived_.notify_one();
+}
+
+/// With the mutex held: cancels an outdated piece that has had its time.
+void BackgroundWorker::cancelImpatiently() {
+    if (!cancel_running_ || !next_) return;
+    const auto run_for = clock_() - begun_;
+    const bool is_near_end = state_.fraction >= patience_.near_end;
+    if (run_for >= (is_near_end ? 2 : 1) * patience_.grace) cancel_running_->store(true);
+}
+
+void BackgroundWorker::cancelOutdated() {
+    const std::lock_guard lock(mutex_);
+    if (cancel_running_ && next_) cancel_running_->store(true);
 }
 
 void BackgroundWorker::cancel() {
@@ -63,6 +82,7 @@ void BackgroundWorker::loop() {
         next_.reset();
         const auto cancelled = std::make_shared<std::atomic<bool>>(false);
         cancel_running_ = cancelled;
+        begun_ = clock_();
         state_ = {true, 0.0, {}};
         lock.unlock();
         std::chrono::steady_clock::time_point told;  // the first news is told at once
@@ -70,6 +90,7 @@ void BackgroundWorker::loop() {
             {
                 const std::lock_guard guard(mutex_);
                 if (cancel_running_ == cancelled) state_ = {true, fraction, std::string(stage)};
+                cancelImpatiently();
             }
             const auto now = std::chrono::steady_clock::now();
             if (now - told < kProgressEvery) return;

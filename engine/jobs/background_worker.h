@@ -2,6 +2,7 @@
 
 #include "engine/jobs/job.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -19,6 +20,15 @@ namespace dollytrack {
 class BackgroundWorker {
   public:
     using Work = std::function<void(const JobContext&)>;
+    using Clock = std::function<std::chrono::steady_clock::time_point()>;
+
+    /// How long a piece may go on after a newer one has arrived: until it has run for `grace` in
+    /// all, or for twice as long where it is near its end by then. Without grace it is cancelled at
+    /// once. With it, a value that changes all the time still gets results.
+    struct Patience {
+        std::chrono::milliseconds grace{0};
+        double near_end = 0.7;  // fraction of its progress
+    };
 
     struct State {
         bool busy = false;
@@ -30,6 +40,8 @@ class BackgroundWorker {
     /// a second for its progress: to wake a window. Work that puts out a part of its result before
     /// it ends tells so itself.
     explicit BackgroundWorker(std::function<void()> on_change = {});
+    BackgroundWorker(std::function<void()> on_change, Patience patience,
+                     Clock clock = std::chrono::steady_clock::now);
     /// Cancels and waits.
     ~BackgroundWorker();
     BackgroundWorker(const BackgroundWorker&) = delete;
@@ -37,12 +49,19 @@ class BackgroundWorker {
 
     void start(Work work);
     void cancel();
+    /// Cancels the piece that runs if a newer one waits: for work that has put out what matters.
+    void cancelOutdated();
     /// Returns when nothing runs or waits.
     void finish();
     [[nodiscard]] State state() const;
 
   private:
     void loop();
+    void cancelImpatiently();
+
+    Patience patience_;
+    Clock clock_;
+    std::chrono::steady_clock::time_point begun_;  // the piece that runs
 
     std::function<void()> on_change_;
     mutable std::mutex mutex_;

@@ -4,6 +4,8 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+#include <exception>
 #include <memory>
 
 namespace dollytrack {
@@ -16,8 +18,19 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
 
 void parallelRanges(std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&](const auto& range) { body(range.begin(), range.end()); });
+    // An exception must not pass through TBB: it crashes while it cancels the other tasks if memory
+    // ran out before all of its threads were there.
+    std::atomic<bool> failed = false;
+    std::exception_ptr first;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+        if (failed.load(std::memory_order_relaxed)) return;
+        try {
+            body(range.begin(), range.end());
+        } catch (...) {
+            if (!failed.exchange(true)) first = std::current_exception();
+        }
+    });
+    if (first) std::rethrow_exception(first);
 }
 
 void setThreadCount(int count) {

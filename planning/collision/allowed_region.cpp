@@ -1,10 +1,12 @@
 #include "planning/collision/allowed_region.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
 #include "planning/free_space/floor_heights.h"
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace dollytrack::planning {
@@ -16,11 +18,20 @@ constexpr double kShortest_m = 0.001;
 
 AllowedRegion::AllowedRegion(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
                              const std::vector<NoGoBox>& no_go, const FreeSpaceParams& params,
-                             double camera_radius_m)
-    : no_go_(no_go), min_height_m_(params.min_height_m), max_height_m_(params.max_height_m) {
+                             const BodyParams& body, double camera_radius_m)
+    : no_go_(no_go),
+      min_height_m_(params.min_height_m),
+      max_height_m_(params.max_height_m),
+      index_(no_go) {
     const FreeSpaceParams all;
-    if (min_height_m_ > all.min_height_m || max_height_m_ < all.max_height_m) {
+    const bool has_height = body.camera_height_m > 0.0;
+    if (has_height || min_height_m_ > all.min_height_m || max_height_m_ < all.max_height_m) {
         floors_ = std::make_unique<const FloorHeights>(scene, rays, free_space, camera_radius_m);
+    }
+    if (has_height) {
+        levels_ = std::make_unique<const FloorLevels>(scene, rays, free_space, *floors_, no_go,
+                                                      body, camera_radius_m);
+        return;
     }
     if (!restricts()) return;
     cells_.resize(free_space.rooms().size());
@@ -38,33 +49,36 @@ AllowedRegion::AllowedRegion(AllowedRegion&&) noexcept = default;
 AllowedRegion& AllowedRegion::operator=(AllowedRegion&&) noexcept = default;
 
 Verdict AllowedRegion::verdict(const Eigen::Vector3d& center, double radius_m) const {
-    if (noGoDistance(center) < radius_m) return Verdict::NoGo;
+    if (index_.nearest(center, radius_m).box != NoGoIndex::kNone) return Verdict::NoGo;
     if (!floors_) return Verdict::Legal;
+    if (levels_) {
+        if (!levels_->isOnLevel(center)) return Verdict::HeightBand;
+        if (levels_->gap(center).free_m < SweptSphere::kMargin) return Verdict::InObstacle;
+        return levels_->isReached(center) ? Verdict::Legal : Verdict::OutsideRoom;
+    }
     const double height = heightOf(center);
     return height >= min_height_m_ && height <= max_height_m_ ? Verdict::Legal
                                                               : Verdict::HeightBand;
 }
 
 double AllowedRegion::noGoDistance(const Eigen::Vector3d& point) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const NoGoBox& box : no_go_) nearest = std::min(nearest, box.box.distance(point));
-    return nearest;
+    return index_.nearest(point, std::numeric_limits<double>::infinity()).distance_m;
 }
 
 const NoGoBox* AllowedRegion::boxAt(const Eigen::Vector3d& center, double radius_m) const {
-    const NoGoBox* entered = nullptr;
-    double nearest = radius_m;
-    for (const NoGoBox& box : no_go_) {
-        const double distance = box.box.distance(center);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        entered = &box;
-    }
-    return entered;
+    const std::size_t entered = index_.nearest(center, radius_m).box;
+    return entered == NoGoIndex::kNone ? nullptr : &no_go_[entered];
 }
 
 bool AllowedRegion::bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                               const Eigen::Vector3d& end, Eigen::Vector3d& where) const {
+    if (levels_) {
+        // The levels are apart: with its control points on one height the curve stays there.
+        constexpr double kSame_m = 1e-5;
+        where = start;
+        return levels_->isOnLevel(start) && std::abs(control.z() - start.z()) <= kSame_m &&
+               std::abs(end.z() - start.z()) <= kSame_m;
+    }
     return !floors_ || pieceHolds(start, control, end, where);
 }
 
@@ -91,6 +105,7 @@ bool AllowedRegion::pieceHolds(const Eigen::Vector3d& start, const Eigen::Vector
 
 Eigen::Vector3d AllowedRegion::inBand(const Eigen::Vector3d& place) const {
     if (!floors_) return place;
+    if (levels_) return levels_->onLevel(place);
     const double floor = floors_->below(place);
     Eigen::Vector3d moved = place;
     // A hair inside: the height is the difference of two roundings.

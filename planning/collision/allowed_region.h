@@ -2,6 +2,8 @@
 
 #include "engine/document/edits.h"
 #include "engine/plan/viewpoint.h"
+#include "planning/collision/floor_levels.h"
+#include "planning/collision/no_go_index.h"
 
 #include <Eigen/Core>
 
@@ -17,15 +19,17 @@ namespace dollytrack::planning {
 
 class FloorHeights;
 class FreeSpace;
+struct BodyParams;
 struct FreeSpaceParams;
 
 /// Where a person lets the camera be, beside what the room's surfaces allow: outside all no-go
-/// boxes with the whole sphere, and with its centre in a band of heights above the floor. Const.
+/// boxes with the whole sphere, and with its centre in a band of heights above the floor. A camera
+/// of exact height drives on levels of the floor instead, with its body (see FloorLevels). Const.
 class AllowedRegion {
   public:
     AllowedRegion(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
                   const std::vector<NoGoBox>& no_go, const FreeSpaceParams& params,
-                  double camera_radius_m);
+                  const BodyParams& body, double camera_radius_m);
     ~AllowedRegion();
     AllowedRegion(AllowedRegion&&) noexcept;
     AllowedRegion& operator=(AllowedRegion&&) noexcept;
@@ -36,7 +40,19 @@ class AllowedRegion {
     /// Whether it keeps the camera in a band of heights.
     [[nodiscard]] bool hasBand() const { return floors_ != nullptr; }
 
-    /// Legal, NoGo or HeightBand, for a sphere of this radius.
+    /// Whether the camera drives at an exact height.
+    [[nodiscard]] bool hasLevels() const { return levels_ != nullptr; }
+
+    /// Only where it does.
+    [[nodiscard]] const FloorLevels& levels() const { return *levels_; }
+
+    /// Around the body of a camera that drives; endless for others.
+    [[nodiscard]] BodyGap bodyGap(const Eigen::Vector3d& center) const {
+        return levels_ ? levels_->gap(center) : BodyGap{};
+    }
+
+    /// Legal, NoGo, HeightBand, InObstacle for the body, or OutsideRoom where that cannot drive,
+    /// for a sphere of this radius.
     [[nodiscard]] Verdict verdict(const Eigen::Vector3d& center, double radius_m) const;
 
     /// Distance from a point to the nearest no-go box; 0 inside one, infinite without any.
@@ -51,7 +67,7 @@ class AllowedRegion {
     [[nodiscard]] bool bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                                  const Eigen::Vector3d& end, Eigen::Vector3d& where) const;
 
-    /// The place, moved up or down into the band.
+    /// The place, moved up or down into the band, or onto a level.
     [[nodiscard]] Eigen::Vector3d inBand(const Eigen::Vector3d& place) const;
 
     /// Height above the floor, m. Only with a band.
@@ -59,7 +75,7 @@ class AllowedRegion {
 
     /// Those of the room's cells (see FreeSpace::cells) that are allowed. Only where restricts().
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const {
-        return cells_[static_cast<std::size_t>(component)];
+        return (levels_ ? levels_->cells() : cells_)[static_cast<std::size_t>(component)];
     }
 
   private:
@@ -70,7 +86,9 @@ class AllowedRegion {
     double min_height_m_;
     double max_height_m_;
     std::unique_ptr<const FloorHeights> floors_;  // null without a band
-    std::vector<std::vector<Eigen::Vector3f>> cells_;
+    std::unique_ptr<const FloorLevels> levels_;   // null where the camera's height is not exact
+    std::vector<std::vector<Eigen::Vector3f>> cells_;  // empty with levels
+    NoGoIndex index_;                                  // of no_go_
 };
 
 }  // namespace dollytrack::planning

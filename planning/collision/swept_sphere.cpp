@@ -49,6 +49,9 @@ Verdict SweptSphere::verdict(const Eigen::Vector3d& position, int& object_id) co
     const Verdict allowed = region_ ? region_->verdict(position, reach) : Verdict::Legal;
     if (allowed == Verdict::NoGo) return allowed;
     object_id = rays_->closest(position, reach).object_id;
+    if (object_id == 0 && allowed == Verdict::InObstacle) {
+        object_id = region_->bodyGap(position).object_id;
+    }
     if (object_id != 0 || free_space_->stateAt(position) == CellState::Occupied) {
         return Verdict::InObstacle;
     }
@@ -58,6 +61,10 @@ Verdict SweptSphere::verdict(const Eigen::Vector3d& position, int& object_id) co
 
 Eigen::Vector3d SweptSphere::inBand(const Eigen::Vector3d& place) const {
     return region_ ? region_->inBand(place) : place;
+}
+
+Eigen::Vector3d SweptSphere::onHeight(const Eigen::Vector3d& place) const {
+    return region_ && region_->hasLevels() ? region_->inBand(place) : place;
 }
 
 const std::vector<Eigen::Vector3f>& SweptSphere::cells(int component) const {
@@ -114,9 +121,17 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
             sweep.reason = Verdict::NoGo;
             return sweep;
         }
+        const BodyGap body = region_ ? region_->bodyGap(position) : BodyGap{};
+        if (body.free_m < kContact) {
+            sweep.collision = position;
+            sweep.object_id = body.object_id;
+            sweep.reason = Verdict::InObstacle;
+            return sweep;
+        }
         sweep.min_clearance_m = std::min(sweep.min_clearance_m, distance);
         if (t >= 1.0) break;
-        const double step = std::min(std::min(distance, to_no_go) - radius_m_, kLongestStep);
+        const double step =
+            std::min({std::min(distance, to_no_go) - radius_m_, body.free_m, kLongestStep});
         t = speed > 0.0 ? std::min(1.0, t + step / speed) : 1.0;
     }
     sweep.free = true;

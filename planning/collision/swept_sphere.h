@@ -30,7 +30,8 @@ struct Sweep {
 /// Proves moves of the camera sphere free, or finds where they collide. Conservative advancement:
 /// from a point whose surface distance is d, all within d - radius is free, so the proof steps
 /// from ball to ball and cannot miss a thin thing. No-go boxes count as things; a height band is
-/// proven on its own. Keeps references. Const, many threads.
+/// proven on its own. The body below a camera that drives is proven with the sphere, step by step.
+/// Keeps references. Const, many threads.
 class SweptSphere {
   public:
     /// Without a region everything is allowed that surfaces allow. With a plan of rooms no move
@@ -60,6 +61,9 @@ class SweptSphere {
 
     /// The place, moved up or down into the height band.
     [[nodiscard]] Eigen::Vector3d inBand(const Eigen::Vector3d& place) const;
+
+    /// The place, moved up or down where the camera's height is exact.
+    [[nodiscard]] Eigen::Vector3d onHeight(const Eigen::Vector3d& place) const;
 
     /// Cells of a room to sample from, those only that the region allows.
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const;

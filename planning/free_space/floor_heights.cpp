@@ -77,6 +77,10 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
     });
 }
 
+bool FloorHeights::hasAny() const {
+    return std::ranges::any_of(floors_, [](const auto& column) { return !column.empty(); });
+}
+
 double FloorHeights::roomFloor(const Eigen::Vector3d& place) const {
     double height = std::numeric_limits<double>::lowest();
     for (const RoomFloor& room : rooms_) {

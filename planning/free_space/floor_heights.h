@@ -36,6 +36,19 @@ class FloorHeights {
         return below(Eigen::AlignedBox3d(place)).highest;
     }
 
+    // The grid of columns, row by row from the lowest x and y.
+    [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
+    [[nodiscard]] double cellSize() const { return cell_m_; }
+    [[nodiscard]] int columnsX() const { return columns_x_; }
+    [[nodiscard]] int columnsY() const { return columns_y_; }
+    [[nodiscard]] std::size_t columnCount() const { return floors_.size(); }
+    /// Heights of the floors in a column, rising.
+    [[nodiscard]] const std::vector<float>& at(std::size_t column) const { return floors_[column]; }
+    /// Whether any column has a floor.
+    [[nodiscard]] bool hasAny() const;
+    /// Where the free space of a room begins, by component.
+    [[nodiscard]] double roomFloor(std::size_t room) const { return rooms_[room].height; }
+
   private:
     [[nodiscard]] double roomFloor(const Eigen::Vector3d& place) const;
 

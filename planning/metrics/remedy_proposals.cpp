@@ -42,7 +42,8 @@ std::vector<Proposal> proposePins(const WhatIf& what) {
 std::vector<Proposal> proposeRegions(const WhatIf& what) {
     const AllowedRegion* region = what.around.sphere.region();
     std::vector<Proposal> proposals;
-    if (region == nullptr) return proposals;
+    // An exact height is no band that could be a little wider.
+    if (region == nullptr || region->hasLevels()) return proposals;
     const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
     const FreeSpaceParams& band = what.params.free_space;
     const auto beyond = [&](const WhatIfPlace& p) {

@@ -79,7 +79,7 @@ Result<Flight> smoothAsThePaper(const RivalScene& scene, const Plan& plan,
         paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, around));
     }
     return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing,
-                          pitch)
+                          pitch, headingLimit(params.body))
         .map([&](Trajectory&& trajectory) {
             Flight flight = flightAlong(paths, std::move(trajectory));
             flight.plan_ms = plan.plan_ms;

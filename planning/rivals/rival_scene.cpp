@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 
 Result<RivalScene> mapRivalScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                  const PlanParams& params, const JobContext& job) {
-    if (Status status = validate(params.camera); !status) {
+    if (Status status = validate(params); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     RivalScene made;
@@ -24,8 +24,9 @@ Result<RivalScene> mapRivalScene(std::shared_ptr<const Scene> scene, const PlanE
     if (!map) return tl::unexpected<Error>(std::move(map.error()));
     made.free_space = std::make_shared<const FreeSpace>(std::move(*map));
     const double radius = params.camera.camera_radius_m;
-    made.region = std::make_shared<const AllowedRegion>(*made.scene, *made.rays, *made.free_space,
-                                                        edits.no_go, params.free_space, radius);
+    made.region =
+        std::make_shared<const AllowedRegion>(*made.scene, *made.rays, *made.free_space,
+                                              edits.no_go, params.free_space, params.body, radius);
     made.sphere = std::make_shared<const SweptSphere>(*made.rays, *made.free_space, radius,
                                                       made.region.get());
     made.views = std::make_shared<const ViewEstimator>(*made.scene, *made.rays, params.camera);

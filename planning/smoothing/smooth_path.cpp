@@ -54,6 +54,10 @@ class Smoother {
         double wish = std::min({set_back_, 0.5 * in.norm(), 0.5 * out.norm()});
         corner.shortened = wish < set_back_;
         if (turn > kReversal) return corner;
+        if (turnsOnTheSpot(i, in, out)) {
+            corner.shortened = true;
+            return corner;
+        }
         wish = furthest(i, wish);
         // What only just keeps its captures is looked at by every pixel, but not each set-back.
         while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
@@ -114,6 +118,20 @@ class Smoother {
     [[nodiscard]] bool isFixed(std::size_t i) const {
         const int key = path_.vertices[i].position_point;
         return key >= 0 && points_[static_cast<std::size_t>(key)].fixed;
+    }
+
+    /// Whether a camera that looks along its motion has to stop there: to turn a sharp corner, or
+    /// aside to its target.
+    [[nodiscard]] bool turnsOnTheSpot(std::size_t i, const Eigen::Vector3d& in,
+                                      const Eigen::Vector3d& out) const {
+        const HeadingLimit& limit = around_.heading;
+        if (!limit.restricts()) return false;
+        if (!limit.allows(in, out)) return true;
+        const int key = path_.vertices[i].position_point;
+        if (key < 0) return false;
+        const int target = points_[static_cast<std::size_t>(key)].observation_point;
+        const Eigen::Vector3d view = targets_[static_cast<std::size_t>(target)].position - at(i);
+        return !limit.allows(view, in) || !limit.allows(view, out);
     }
 
     [[nodiscard]] Curve curveAt(std::size_t i, double set_back) const {

@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
 #include "planning/timing/clip.h"
+#include "planning/timing/heading_keys.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/speed_track.h"
 #include "planning/timing/turn.h"
@@ -191,14 +192,36 @@ void standStill(Trajectory& trajectory, std::size_t frames) {
     while (trajectory.frames.size() < frames) trajectory.frames.push_back(last);
 }
 
+std::vector<SmoothPath> turnedAlong(const std::vector<SmoothPath>& paths, const Gaze& gaze,
+                                    const HeadingLimit& heading) {
+    std::vector<SmoothPath> turned;
+    for (const SmoothPath& path : paths) {
+        turned.push_back(withHeadingKeys(
+            path, [&](const SmoothPath::Key& key) { return gaze.poseAt(key); }, heading));
+    }
+    return turned;
+}
+
 }  // namespace
 
-Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
+std::size_t leastFrames(const std::vector<SmoothPath>& paths,
+                        const std::vector<PositionPoint>& position_points,
+                        const std::vector<ObservationPoint>& observation_points,
+                        const PitchBand& pitch, const HeadingLimit& heading) {
+    const Gaze gaze(position_points, observation_points, pitch);
+    std::size_t least = 0;
+    for (const SmoothPath& path : turnedAlong(paths, gaze, heading)) least += path.keys.size();
+    return least;
+}
+
+Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,
-                                  const TimingParams& params, const PitchBand& pitch) {
+                                  const TimingParams& params, const PitchBand& pitch,
+                                  const HeadingLimit& heading) {
     const MotionLimits limits = motionLimits(params);
     const Gaze gaze(position_points, observation_points, pitch);
+    const std::vector<SmoothPath> paths = turnedAlong(smooth_paths, gaze, heading);
     std::vector<Motion> motions;
     std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: motion and key
     for (std::size_t p = 0; p < paths.size(); ++p) {
@@ -211,7 +234,11 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
     }
     if (params.max_frames > 0 && !keepsFrameRate(params) &&
         begins.size() + motions.size() > static_cast<std::size_t>(params.max_frames)) {
-        return fail(ErrorCode::Failed, "There are more key frames than max_frames allows.",
+        return fail(ErrorCode::Failed,
+                    heading.restricts()
+                        ? "There are more key frames and turns on the spot than max_frames allows; "
+                          "raise it."
+                        : "There are more key frames than max_frames allows.",
                     "max_frames");
     }
     std::vector<Stretch> stretches(begins.size());

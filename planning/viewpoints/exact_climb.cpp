@@ -40,7 +40,7 @@ class Climb {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
             const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
             const double distance = (parent - judge_.subject().center).norm();
-            places.push_back(parent + spread * distance * offset);
+            places.push_back(around_.sphere.onHeight(parent + spread * distance * offset));
         }
         std::vector<Judged> glances(places.size());
         std::vector<Looked> looked(places.size());

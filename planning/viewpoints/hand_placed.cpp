@@ -94,8 +94,9 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
             break;
         }
         case Verdict::HeightBand:
-            refused.reason =
-                "outside the height band, " + metres(region->heightOf(place)) + " above the floor";
+            refused.reason = std::string(region->hasLevels() ? "not at the camera's exact height, "
+                                                             : "outside the height band, ") +
+                             metres(region->heightOf(place)) + " above the floor";
             break;
         case Verdict::OutsideRoom:
             refused.reason = "outside the free space of the rooms";

@@ -231,8 +231,8 @@ class Search {
             for (std::size_t i = 0; i < kChildren; ++i) {
                 const Judged& parent = promising_[i % promising_.size()];
                 const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
-                children.push_back(parent.candidate.position +
-                                   spread * distanceOf(parent) * offset);
+                children.push_back(around_.sphere.onHeight(parent.candidate.position +
+                                                           spread * distanceOf(parent) * offset));
             }
             for (Judged& child : judgeAll(children, Look::Closer)) {
                 note(child);

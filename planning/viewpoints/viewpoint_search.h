@@ -5,6 +5,7 @@
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
 #include "planning/viewpoints/moved_things.h"
+#include "planning/visibility/heading_limit.h"
 #include "planning/visibility/pitch_band.h"
 
 #include <map>
@@ -25,6 +26,7 @@ struct Surroundings {
     const FreeSpace& free_space;
     const SweptSphere& sphere;
     PitchBand pitch = {};
+    HeadingLimit heading = {};
 };
 
 struct Viewpoints {

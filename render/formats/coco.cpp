@@ -45,7 +45,7 @@ Json segmentation(const ObjectMask& mask, int width, int height, Segmentation ki
     return polygons;
 }
 
-/// How much of the object is in sight, where that was measured.
+/// How much of the object is in sight.
 void addAttributes(const DatasetFrame& frame, int object_id, Json& annotation) {
     for (const InstanceInFrame& seen : frame.instances) {
         if (seen.object_id != object_id) continue;
@@ -90,7 +90,11 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
                  {"bbox", mask.bbox},
                  {"segmentation", segmentation(mask, width, height, kind)},
                  {"object_id", object.id}});
-            addAttributes(frame, object.id, annotations.back());
+            // Whole masks are measured for the outlines alone: what annotations.json holds must not
+            // depend on which other formats are written.
+            if (kind == Segmentation::Polygons) {
+                addAttributes(frame, object.id, annotations.back());
+            }
         }
     }
     root["categories"] = std::move(categories);

@@ -169,6 +169,11 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
                      {"geometry_sha256", card.geometry_sha256},
                      {"appearance_sha256", card.appearance_sha256},
                      {"source_from_world", toJson(scene.source_from_world)}};
+    // Where 'verify' looks for it. Scenes that were made in memory have no file.
+    if (!scene.source.empty()) {
+        const auto path = std::filesystem::absolute(scene.source).lexically_normal();
+        root["scene"]["path"] = cleanText(path.string());
+    }
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
     root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
     root["light"] = toJson(resolved(contents.light));

@@ -1,6 +1,7 @@
 #include "render/formats/euroc.h"
 
 #include "engine/camera/intrinsics.h"
+#include "engine/io/guarded_folder.h"
 #include "render/formats/imu_csv.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <system_error>
 
 namespace dollytrack::render {
 namespace {
@@ -109,10 +109,8 @@ std::string groundTruth(const DatasetContents& contents) {
 
 /// The folders of the right camera were made before it was known whether there is one.
 void removeEmptyFolders(const DatasetContents& contents) {
-    std::error_code stays;
-    for (const char* folder : {kFolders[1], "mav0/cam1"}) {
-        std::filesystem::remove(contents.folder / folder, stays);
-    }
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
+    if (folder) folder->removeEmpty(kFolders[1]);
 }
 
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {

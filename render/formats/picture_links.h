@@ -15,8 +15,4 @@ using PictureLinks = std::map<std::string, std::string>;
 /// Those of all these formats.
 [[nodiscard]] PictureLinks pictureLinks(const DatasetContents& contents, const FormatSet& formats);
 
-/// Makes one of them, in the place of what is there; a copy where the file system has no links.
-[[nodiscard]] Status linkPicture(const std::filesystem::path& folder, const std::string& name,
-                                 const std::string& picture);
-
 }  // namespace dollytrack::render

@@ -1,5 +1,6 @@
 #include "render/formats/video.h"
 
+#include "engine/io/guarded_folder.h"
 #include "render/formats/video_encoder.h"
 #include "render/picture_file.h"
 
@@ -32,11 +33,11 @@ double rateOf(const std::vector<DatasetFrame>& frames) {
     return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
 }
 
-Result<cv::Mat> readPicture(const std::filesystem::path& path) {
-    cv::Mat picture = readPictureFile(path, cv::IMREAD_COLOR);
+Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
+    cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
     if (picture.empty()) {
         return fail(ErrorCode::Failed, "the picture cannot be read again for the video",
-                    path.string());
+                    (folder.path() / file).string());
     }
     cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
     return picture;
@@ -46,9 +47,10 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     Result<VideoEncoder> video = VideoEncoder::begin(
         contents.camera.width_px, contents.camera.height_px, rateOf(contents.frames));
     if (!video) return tl::unexpected(video.error());
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
+    if (!folder) return tl::unexpected(folder.error());
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        const Result<cv::Mat> picture =
-            readPicture(contents.folder / frameFile("rgb", static_cast<int>(i)));
+        const Result<cv::Mat> picture = readPicture(*folder, frameFile("rgb", static_cast<int>(i)));
         if (!picture) return tl::unexpected(picture.error());
         const Status status = video->add({picture->data, picture->total() * picture->elemSize()});
         if (!status) return tl::unexpected(status.error());

@@ -59,8 +59,20 @@ void compareRunLengths(const CocoAnnotation& one, const Image16& ids, int frame,
         findings);
 }
 
+/// Every outline tells how much of the object is in sight.
+void checkAttributes(const CocoAnnotation& one, int frame, Findings& findings) {
+    for (const char* name : {"visible_fraction", "truncation", "occluder_fraction"}) {
+        const nlohmann::json share =
+            one.attributes.is_object() ? one.attributes.value(name, nlohmann::json()) : nullptr;
+        if (share.is_number() && share >= 0.0 && share <= 1.0) continue;
+        wrongMask(kPolygons, one, frame, fmt::format("attributes.{} {}", name, share.dump()),
+                  "0 to 1", findings);
+    }
+}
+
 /// Polygons cannot have holes: they hold what the object encloses.
 void comparePolygons(const CocoAnnotation& one, const Image16& ids, int frame, Findings& findings) {
+    checkAttributes(one, frame, findings);
     Mask mask(ids.values.size());
     for (const nlohmann::json& polygon : one.segmentation) {
         const auto corners = polygon.get<std::vector<double>>();

@@ -21,6 +21,7 @@ CocoAnnotation annotationFrom(const PlainJson& one) {
     read.area = one.at("area").get<double>();
     read.box = one.at("bbox").get<std::array<double, 4>>();
     read.segmentation = one.at("segmentation");
+    read.attributes = one.value("attributes", PlainJson());
     return read;
 }
 

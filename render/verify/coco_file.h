@@ -21,6 +21,7 @@ struct CocoAnnotation {
     double area = 0.0;
     std::array<double, 4> box = {};  // x, y, width, height, px
     nlohmann::json segmentation;
+    nlohmann::json attributes;  // null where there are none
 };
 
 /// The annotations of each frame of the dataset.

@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLargestImageSide = 1 << 14;  // px: what a dataset may have
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26U;
 
 tl::unexpected<Error> unreadableImage(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
@@ -37,6 +38,7 @@ Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
     if (!bytes.starts_with(kBegin)) return unreadableImage("it is no PNG");
     // Sides, most significant byte first, before anything is made of that size.
+    std::uint64_t pixels = 1;
     for (const std::size_t at : {16U, 20U}) {
         std::uint64_t side = 0;
         for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
@@ -44,7 +46,9 @@ Status endsAsPng(const std::string& bytes) {
         }
         if (side > kLargestImageSide)
             return unreadableImage(fmt::format("it says it is {} px", side));
+        pixels *= side;
     }
+    if (pixels > kMostPixels) return unreadableImage(fmt::format("it says it has {} px", pixels));
     if (!bytes.ends_with(kEnd))
         return unreadableImage("its end is missing, or something follows it");
     return {};

@@ -31,7 +31,7 @@ std::vector<std::string> found(const std::string& pattern, const std::filesystem
 std::vector<std::string> namesOf(const std::vector<std::string>& paths) {
     std::vector<SceneFile> scenes;
     for (const std::string& path : paths) {
-        scenes.push_back({path, std::filesystem::path(path).filename(), {}});
+        scenes.push_back({path, {}});
     }
     nameScenes(scenes);
     std::vector<std::string> names;
@@ -147,7 +147,9 @@ TEST(SceneFiles, NamesAreDifferentAndStay) {
     EXPECT_EQ(namesOf({"x/bath.obj", "kitchen 2.glb"}), (Names{"bath", "kitchen_2"}));
     EXPECT_EQ(namesOf({"x/bath.obj", "x/bath.glb", "hall.obj"}),
               (Names{"bath_obj", "bath_glb", "hall"}));
-    EXPECT_EQ(namesOf({"x/bath.obj", "y/bath.obj"}), (Names{"x_bath_obj", "y_bath_obj"}));
+    EXPECT_EQ(namesOf({"x/bath.obj", "y/bath.obj"}), (Names{"x_bath", "y_bath"}));
+    EXPECT_EQ(namesOf({"/data/a/x/bath.obj", "/data/b/x/bath.obj", "hall.obj"}),
+              (Names{"a_x_bath", "b_x_bath", "hall"}));
     const Names hard = namesOf({"a b.obj", "a_b.obj", "a-b.obj", "a/b.obj", "..obj", "ä.obj"});
     EXPECT_EQ(std::set<std::string>(hard.begin(), hard.end()).size(), hard.size());
     for (const std::string& name : hard) {
@@ -156,11 +158,25 @@ TEST(SceneFiles, NamesAreDifferentAndStay) {
     }
 }
 
+// Data sets keep each scene in a folder of its own, in a file that is always called the same.
+TEST(SceneFiles, FoldersNameScenesWhoseFilesAreAllCalledScene) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(namesOf({"/data/sets/kitchen/scene.glb", "/data/sets/bath/scene.glb"}),
+              (Names{"kitchen", "bath"}));
+    EXPECT_EQ(namesOf({"rooms/kitchen/scene.glb"}), (Names{"kitchen"}));
+    EXPECT_EQ(namesOf({"rooms/kitchen/Scene.glb", "rooms/kitchen/scene.obj", "scene.glb"}),
+              (Names{"kitchen_glb", "kitchen_obj", "scene"}));
+    EXPECT_EQ(namesOf({"a/kitchen/scene.glb", "b/kitchen/scene.glb"}),
+              (Names{"a_kitchen", "b_kitchen"}));
+    const std::string longest = namesOf({"a/" + std::string(200, 'x') + "ä.glb"})[0];
+    EXPECT_EQ(longest, std::string(64, 'x'));
+}
+
 TEST(Shard, SharesAllJobsOutEvenly) {
     BatchOrder order;
     order.file = "jobs.toml";
     order.seeds = {1, 2, 3, 4, 5, 6, 7};
-    order.scenes = {{"a.obj", "a.obj", "a"}, {"b.obj", "b.obj", "b"}};
+    order.scenes = {{"a.obj", "a"}, {"b.obj", "b"}};
     const std::vector<Job> jobs = jobsOf(order);
     ASSERT_EQ(jobs.size(), 14U);
     for (const int parts : {1, 3, 14, 20}) {

@@ -73,6 +73,27 @@ class Batch(FolderCase):
         file.write_text(f'out = "out"\n{head}\n{text}\n[[set]]\nname = "small"\n{sets}\n{export}')
         return file
 
+    def test_links_in_its_folders_are_not_followed(self):
+        self.rooms("a.obj")
+        file = self.jobs('scenes = ["rooms/*.obj"]')
+        mine = self.place / "mine"
+        mine.mkdir()
+        (mine / "text").write_text("mine")
+        job = self.out / "a.small"
+        for name in ["", "log.txt", "metrics.json", "result.json", ".lock", "dataset"]:
+            with self.subTest(name):
+                shutil.rmtree(self.out, ignore_errors=True)
+                (job if name else self.out).mkdir(parents=True)
+                link = job / name if name else job
+                link.symlink_to(mine if name in ("", "dataset") else mine / "text")
+                result = run("-q", "batch", file)
+                self.assertEqual(result.returncode, 3, result.stderr)
+                message = self.summary()["a.small"]["message"]
+                self.assertIn(str(link), message)
+                self.assertIn("link", message)
+                self.assertEqual(hashes(mine), {"text": hashes(mine)["text"]})
+                self.assertEqual((mine / "text").read_text(), "mine")
+
     def summary(self, folder=None):
         jobs = json.loads(((folder or self.out) / "summary.json").read_text())["jobs"]
         return {job["name"]: job for job in jobs}
@@ -113,13 +134,16 @@ class Batch(FolderCase):
             "--max-frames", 6, "--set", "width_px=64", "--set", "height_px=48", "--out", by_hand)
         self.assertEqual(hashes(self.out / "kitchen.small.uniform.seed2/dataset"),
                          hashes(by_hand))
-        # Its scene is found where the batch had it from; elsewhere, what is not proven is said.
+        # Its scene is found where it was; without it, what is not proven is said.
         dataset = self.out / "kitchen.small.dollytrack.seed2/dataset"
         elsewhere = self.place / "elsewhere"
         shutil.copytree(dataset, elsewhere)
         verified = run("-q", "verify", dataset)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         self.assertTrue(verified.stdout.strip().endswith(": sound"), verified.stdout)
+        card = json.loads((elsewhere / "dataset.json").read_text())
+        card["scene"]["path"] = str(self.place / "moved.obj")
+        (elsewhere / "dataset.json").write_text(json.dumps(card))
         verified = run("-q", "verify", elsewhere)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         last = verified.stdout.strip().splitlines()[-1]
@@ -431,7 +455,7 @@ class Batch(FolderCase):
             ('[export]\narguments = ["--out=x"]\n', 4, "--out"),
             ('[export]\nmax_frame = 3\n', 4, "max_frames"),
             ('export = 3\n', 3, "[export]"),
-            ('[import]\nup = "w"\n', 4, "up"),
+            ('[import]\nup = "w"\n', 4, "-y"),
             ('exclude = "rooms/*"\n', 3, "no scene"),
             ('x = = 3\n', 3, ""),
         ]:

@@ -164,10 +164,14 @@ class CommandLine(FolderCase):
             self.assertFails(run(*arguments), 4, "no such file", "nowhere.txt")
 
     def test_lists_that_leave_no_target_are_warned_of(self):
-        for arguments in (["--only", "floor"], ["--only", "sofa", "--ignore", "sofa"]):
-            result = run("plan", self.room, "-q", *arguments)
-            self.assertEqual(result.returncode, 0)
-            self.assertEqual(result.stderr.count("warning: edits: "), 1, result.stderr)
+        result = run("plan", self.room, "-q", "--only", "floor")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count("warning: edits: "), 1, result.stderr)
+        # Lists that contradict each other are a slip.
+        both = ("--only", "sofa", "--ignore", "sofa")
+        self.assertFails(run("plan", self.room, "-q", *both), 2, "--ignore: No target is left")
+        result = run("plan", self.room, "-q", *both, "--only", "table", "--max-frames", 4)
+        self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_nothing_has_no_rates(self):
         result = run("plan", self.room, "-q", "--ignore", "*", "--json")
@@ -223,6 +227,9 @@ class CommandLine(FolderCase):
     def test_names_that_could_not_be_opened_again_are_refused(self):
         self.assertFails(run("plan", self.room, "-o", "room.txt"), 2, ".dolly")
         self.assertFails(run("plan", self.room, "--picture", "room.jpg"), 2, ".png")
+        self.assertFails(run("plan", self.room, "--storey", "1"), 2, "--picture")
+        self.assertFails(run("plan", self.room, "--picture", self.folder / "room.png", "--storey",
+                             "2"), 2, "There is no storey 2")
 
     def test_a_project_without_its_scene_says_so(self):
         project = json.loads(self.project.read_text())

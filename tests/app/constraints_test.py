@@ -54,6 +54,17 @@ class Constraints(FolderCase):
         for have, wanted in zip(forward, way):
             self.assertAlmostEqual(have, wanted / length, 6)
 
+    def test_a_robot_keeps_its_height_and_looks_level(self):
+        rooms = self.folder / "rooms.obj"
+        write_two_rooms(rooms)
+        _, frames, _ = self.plan("--set", "camera_preset=robot", "--set", "camera_height_m=0.5",
+                                 scene=rooms)
+        self.assertGreater(len(frames), 10)
+        for frame in frames:
+            self.assertAlmostEqual(frame["position"][2], 0.5, 4)
+            x, y, z, w = frame["quaternion_xyzw"]
+            self.assertAlmostEqual(1 - 2 * (x * x + y * y), 0.0, 6)
+
     def test_ignored_classes_and_names_are_no_targets(self):
         everything, _, _ = self.plan()
         metrics, _, project = self.plan("--ignore", "m?g", "--ignore", "sofa")
@@ -114,6 +125,20 @@ class Constraints(FolderCase):
             pitch = math.degrees(math.asin(1 - 2 * (x * x + y * y)))
             self.assertGreaterEqual(pitch, -20 - 1e-6)
             self.assertLessEqual(pitch, 5 + 1e-6)
+
+    def test_rooms_are_proposed_only_where_they_part_the_motions(self):
+        apart = self.folder / "apart.obj"
+        tiny_room.write_two(apart)
+        result = run("plan", apart, "--max-frames", 12)
+        self.assertIn("no free way joins all places", result.stderr)
+        self.assertIn("--set rooms=each", result.stderr)
+        # Across the one room, from wall to wall and from floor to ceiling.
+        cut = self.folder / "cut.dolly"
+        wall = {"op": "add_no_go", "center": [2, -1.5, 1.3], "size": [0.6, 4, 4]}
+        self.assertEqual(run("edit", self.room, "-o", cut, "--op", json.dumps(wall)).returncode, 0)
+        result = run("plan", cut, "--max-frames", 12)
+        self.assertIn("no free way joins all places", result.stderr)
+        self.assertNotIn("rooms=each", result.stderr)
 
     def test_rooms_become_datasets_of_their_own(self):
         scene = self.folder / "two_rooms.obj"

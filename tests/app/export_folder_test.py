@@ -97,6 +97,98 @@ class ExportFolder(FolderCase):
                 if arguments or scene != self.project:
                     self.assertNotIn("--overwrite", result.stderr)
 
+    # --- files that are not the dataset's
+
+    def pictures(self, out):
+        """A folder of somebody's numbered pictures beside an output folder, and its hashes."""
+        pictures = out.parent / "pictures"
+        pictures.mkdir(parents=True)
+        for i in range(12):
+            (pictures / f"{i:06}.png").write_bytes(b"mine %d" % i)
+        out.mkdir()
+        return pictures, hashes(pictures)
+
+    def test_no_link_in_the_folder_is_followed(self):
+        for mode in [[], ["--resume"], ["--overwrite"]]:
+            for place in [".dollytrack-export", "rgb", "annotations.json",
+                          ".dollytrack-new"]:
+                with self.subTest(mode=mode, place=place):
+                    out = self.new_folder()
+                    pictures, before = self.pictures(out)
+                    (out / ".dollytrack-export").touch()
+                    link = out / place
+                    link.unlink(missing_ok=True)
+                    file = place in (".dollytrack-export", "annotations.json")
+                    link.symlink_to("../pictures/000000.png" if file else "../pictures")
+                    refused = run("-q", "export", self.project, "--out", out, "--range", "0:2",
+                                  "--modalities", "rgb,instance", "--formats", "coco", *mode)
+                    self.assertFails(refused, 6, str(link), "link")
+                    self.assertEqual(hashes(pictures), before)
+
+    def test_a_journal_with_a_second_name_is_not_written(self):
+        out = self.new_folder()
+        pictures, before = self.pictures(out)
+        (out / ".dollytrack-export").hardlink_to(pictures / "000003.png")
+        self.assertFails(run("-q", "export", self.project, "--out", out, "--range", "0:2"), 6,
+                         ".dollytrack-export", "second name")
+        self.assertEqual(hashes(pictures), before)
+
+    def test_overwriting_removes_only_what_the_old_dataset_lists(self):
+        out = self.new_folder()
+        pictures, before = self.pictures(out)
+        (out / "albedo").symlink_to("../pictures")
+        (out / "dataset.json").write_text('{"format": "dollytrack dataset"}')
+        made = ["--range", "0:2", "--overwrite", "--formats", "camera_json", "--modalities"]
+        self.export(out, *made, "depth")
+        self.assertEqual(hashes(pictures), before)
+        self.assertFails(run("-q", "export", self.project, "--out", out, *made, "albedo"), 6,
+                         str(out / "albedo"), "link")
+        (out / "depth" / "000007.png").write_text("mine")
+        (out / "notes.txt").write_text("mine")
+        listed = json.loads((out / "dataset.json").read_text())
+        for name in ["../pictures/000001.png", str(pictures / "000002.png"), "albedo/000003.png"]:
+            listed["files"][name] = ""
+        (out / "dataset.json").write_text(json.dumps(listed))
+        self.assertFails(run("-q", "export", self.project, "--out", out, *made, "instance"), 6,
+                         str(out / "albedo"), "link")
+        (out / "albedo").unlink()
+        self.export(out, *made, "instance")
+        self.assertEqual(hashes(pictures), before)
+        self.assertEqual(sorted(hashes(out)),
+                         ["camera.json", "contact_sheet.jpg", "dataset.json", "depth/000007.png",
+                          "instance/000000.png", "instance/000001.png", "notes.txt"])
+
+    # --- a dataset that is replaced
+
+    def test_an_export_that_does_not_end_leaves_the_old_dataset_whole(self):
+        out = self.new_folder()
+        self.export(out, "--modalities", "depth", "--range", "0:3")
+        before = hashes(out)
+        again = ["export", self.room, "--out", out, "--max-frames", 60, "--modalities",
+                 "rgb,albedo", *SIZE]
+        for end in [signal.SIGINT, signal.SIGKILL]:
+            process = start("-q", *again, "--overwrite",
+                            *(["--resume"] if end == signal.SIGKILL else []))
+            self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                     lines_in(out / ".dollytrack-export") > 3))
+            process.send_signal(end)
+            process.communicate()
+            self.assertNotEqual(process.returncode, 0)
+            left = hashes(out)
+            self.assertEqual({name: left.get(name) for name in before}, before)
+            verified = run("-q", "verify", out, "--scene", self.project)
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+        refused = run("-q", *again)
+        self.assertFails(refused, 2, "complete dataset of 3 frames")
+        resumed = run(*again, "--resume")
+        self.assertEqual(resumed.returncode, 0, resumed.stderr)
+        self.assertIn("continuing", resumed.stderr)
+        fresh = self.new_folder()
+        made = run("-q", "export", self.room, "--out", fresh, *again[4:])
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(hashes(out), hashes(fresh))
+        self.assertEqual(list(out.glob(".*")), [])
+
     # --- what is allowed, and was hardly meant
 
     def test_light_by_frame_that_does_not_vary_or_is_not_recorded_is_warned_of(self):
@@ -184,6 +276,18 @@ class ExportFolder(FolderCase):
             self.assertFails(run("-q", "export", project, "--out", out, *arguments), 2,
                              fewest["name"], word)
             self.assertFalse(out.exists())
+
+    def test_a_rooms_folder_that_is_a_link_is_not_followed(self):
+        project, rooms = self.two_rooms()
+        out = self.new_folder()
+        pictures, before = self.pictures(out)
+        for name in ["rooms.json", rooms[-1]["name"]]:
+            (out / name).symlink_to("../pictures/000000.png" if name == "rooms.json"
+                                    else "../pictures")
+            self.assertFails(run("-q", "export", project, "--out", out, "--modalities", "instance",
+                                 "--overwrite"), 6, str(out / name), "link")
+            self.assertEqual(hashes(pictures), before)
+            (out / name).unlink()
 
     def test_rooms_that_were_not_come_to_are_missed(self):
         project, rooms = self.two_rooms()

@@ -1,5 +1,6 @@
 #include "app/editor/export_places.h"
 #include "app/editor/export_program.h"
+#include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,19 @@ TEST(ExportPlaces, GivesEveryProjectAFolderOfItsOwn) {
     EXPECT_EQ(folderBeside("/data/room/", "/else/flat.dolly", {}), "/data/flat");
     EXPECT_EQ(folderBeside("/data/room", "/else/flat.dolly", {job}), "/data/flat_2");
     EXPECT_EQ(folderBeside("/data/room", "/else/room.dolly", {job}), "/data/room_2");
+}
+
+TEST(ExportPlaces, FindsAFreeFolderForOneMoreDataset) {
+    const dollytrack::test::TempFolder temporary;
+    const std::filesystem::path folder = temporary.path() / "dataset";
+    ui::ExportJob job;
+    job.request.folder = temporary.path() / "dataset_3";
+    EXPECT_EQ(freeFolderBeside(folder, {}), temporary.path() / "dataset_2");
+    EXPECT_EQ(freeFolderBeside(folder / "", {job}), temporary.path() / "dataset_2");
+    (void)temporary.write("dataset_2/dataset.json", "{}");
+    EXPECT_EQ(freeFolderBeside(folder, {job}), temporary.path() / "dataset_4");
+    EXPECT_EQ(freeFolderBeside(temporary.path() / "dataset_2", {}), temporary.path() / "dataset_3");
+    EXPECT_EQ(freeFolderBeside(temporary.path() / "v1.5", {}), temporary.path() / "v1.5_2");
 }
 
 TEST(ExportProgram, IsAskedForWhatWasChosen) {

@@ -101,7 +101,10 @@ TEST(ExportRecovery, OffersWhatAKilledEditorLeft) {
     ASSERT_TRUE(eventually([&] { return queue.jobs().size() == 2; }));
     std::vector<int> found;
     eventually([&] {
-        for (const int id : queue.takeFound()) found.push_back(id);
+        for (const ExportQueue::Found& one : queue.takeFound()) {
+            found.push_back(one.job.id);
+            EXPECT_TRUE(one.editor_died);
+        }
         return found.size() == 2;
     });
     ASSERT_EQ(found.size(), 2U);
@@ -129,6 +132,36 @@ TEST(ExportRecovery, OffersWhatAKilledEditorLeft) {
     for (const auto& entry : fs::directory_iterator(program.file("snapshots"))) {
         EXPECT_NE(entry.path().extension(), ".json") << entry.path();
         EXPECT_NE(entry.path().extension(), ".dolly") << entry.path();
+    }
+}
+
+// What the user cancelled is still in the queue, and nobody asks about it again.
+TEST(ExportRecovery, DoesNotAskAboutWhatTheUserCancelled) {
+    const FakeProgram program(
+        "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
+        "exec sleep 600\n");
+    {
+        ExportQueue queue(program.file("snapshots"), program.path());
+        const int running = queue.addFile(program.request("cancelled"), "/some/a.dolly");
+        const int waiting = queue.addFile(program.request("waiting"), "/some/b.dolly");
+        ASSERT_TRUE(eventually([&] { return queue.jobs().front().frames_done == 2; }));
+        queue.cancel(waiting);
+        queue.cancel(running);
+        EXPECT_EQ(endOf(queue, running), ExportState::Cancelled);
+        queue.addFile(program.request("stopped"), "/some/c.dolly");
+        ASSERT_TRUE(eventually([&] { return queue.jobs().back().frames_done == 2; }));
+    }
+    for (int i = 0; i < 2; ++i) {
+        ExportQueue queue(program.file("snapshots"), program.path());
+        ASSERT_TRUE(eventually([&] { return queue.jobs().size() == 3; }));
+        std::vector<ExportQueue::Found> found;
+        ASSERT_TRUE(eventually([&] {
+            for (ExportQueue::Found& one : queue.takeFound()) found.push_back(std::move(one));
+            return !found.empty();
+        }));
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found.front().job.request.name, "stopped");
+        EXPECT_FALSE(found.front().editor_died);
     }
 }
 

@@ -133,6 +133,76 @@ class Faults(FolderCase):
         self.assertIn(False, ended)
 
 
+class Replacing(FolderCase):
+    """A complete dataset that another one replaces, and system calls that fail, or the program
+    killed before them: one of both is whole, or --resume makes the new one whole."""
+    keeps_cache = True
+    SMALL = ["--modalities", "instance", "--formats", "coco,tum,colmap"]
+    OLD = ["--modalities", "depth,instance", "--formats", "coco,frames"]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.project = small_export.plan(cls.folder, 3)
+        counts = cls.folder / "counts"
+        cls.old = cls.folder / "old"
+        for out, arguments, environment in [
+                (cls.old, [*cls.OLD, "--range", "0:2"], {}),
+                (cls.folder / "new", cls.SMALL, {}),
+                (cls.folder / "counted", [*cls.OLD, "--range", "0:2"], {}),
+                (cls.folder / "counted", [*cls.SMALL, "--overwrite"], {"FAIL_COUNTS": counts})]:
+            made = cls.export(out, *arguments, **environment)
+            assert made.returncode == 0, made.stderr
+        cls.expected = hashes(cls.folder / "new")
+        cls.before = hashes(cls.old)
+        cls.counts = {kind: int(count) for kind, count in
+                      (line.split() for line in counts.read_text().splitlines())}
+
+    @classmethod
+    def export(cls, out, *arguments, **environment):
+        return subprocess.run(
+            [PROGRAM, "export", cls.project, "--out", out, *arguments],
+            capture_output=True, text=True, timeout=300,
+            env={**os.environ, "LD_PRELOAD": SHIM, "FAIL_BELOW": str(out),
+                 **{name: str(value) for name, value in environment.items()}})
+
+    def complaint(self, kind, nth, error):
+        out = pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "out"
+        shutil.copytree(self.old, out)
+        fault = dict(FAIL_CALL=kind, FAIL_NTH=nth, FAIL_ERRNO=error)
+        result = self.export(out, *self.SMALL, "--overwrite", **fault)
+        left = hashes(out)
+        if result.returncode not in ([0, 6] if error else [0, -9]):
+            return f"{fault}: it ended with {result.returncode}: {result.stderr}"
+        if result.returncode == 0 and {name: left.get(name) for name in self.expected} != self.expected:
+            return f"{fault}: it says that all is done"
+        if "dataset.json" in left:
+            whole = self.before if left["dataset.json"] == self.before["dataset.json"] else self.expected
+            if {name: left.get(name) for name in whole} != whole:
+                return f"{fault}: the dataset is not whole"
+        result = run("export", self.project, "--out", out, *self.SMALL, "--overwrite", "--resume")
+        if result.returncode != 0:
+            # An export that failed before it began leaves nothing to continue but the old dataset.
+            result = run("export", self.project, "--out", out, *self.SMALL, "--overwrite")
+            if {name: left.get(name) for name in self.before} != self.before:
+                return f"{fault}: it cannot be continued: {result.stderr}"
+        if hashes(out) != self.expected:
+            return f"{fault}: continued, it has other files: " + str(
+                set(hashes(out).items()) ^ set(self.expected.items()))
+        shutil.rmtree(out.parent)
+        return ""
+
+    def test_the_old_dataset_or_the_new_one_is_whole(self):
+        faults = [(kind, nth, error) for kind in ["rename", "unlink", "mkdir", "sync"]
+                  for nth in range(1, self.counts[kind] + 1) for error in [errno.EIO, 0]
+                  if LONG or (nth + (error > 0)) % 2 == 0]
+        with concurrent.futures.ThreadPoolExecutor(2) as threads:
+            complaints = [one for one in threads.map(lambda fault: self.complaint(*fault), faults)
+                          if one]
+        self.assertEqual(complaints, [])
+        print(f"replacing: {len(faults)} faults", file=sys.stderr)
+
+
 class Places(FolderCase):
     """Folders that cannot be written: exit code 6, and a sentence that names them."""
     keeps_cache = True

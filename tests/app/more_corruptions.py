@@ -96,6 +96,12 @@ def kitti_thing_without_a_line(copy):
 
 
 @found_by("coco_polygons")
+def outline_that_says_nothing_of_what_is_in_sight(copy):
+    copy.edit_json("annotations_polygons.json",
+                   lambda root: root["annotations"][0].pop("attributes"))
+
+
+@found_by("coco_polygons")
 def polygon_a_pixel_off(copy):
     def shift(root):
         corners = root["annotations"][0]["segmentation"][0]

@@ -16,6 +16,14 @@ from dataset_copy import Copy
 from program import FolderCase, run
 
 
+def forget_path(dataset, path=None):
+    """As if the scene had been moved away since, or been somewhere else."""
+    file = dataset / "dataset.json"
+    card = json.loads(file.read_text())
+    card["scene"]["path"] = path or str(dataset / "nowhere" / "room.obj")
+    file.write_text(json.dumps(card))
+
+
 class VerifyTest(FolderCase):
     @classmethod
     def setUpClass(cls):
@@ -74,12 +82,28 @@ class VerifyTest(FolderCase):
             (folder / "rooms").mkdir(parents=True)
             shutil.copy(self.folder / "room.obj", folder / "rooms")
             shutil.copytree(self.dataset, folder / "dataset")
+            forget_path(folder / "dataset")
             if with_project:
                 planned = run("plan", folder / "rooms" / "room.obj", "-o", folder / "a.dolly",
                               "--max-frames", 2)
                 self.assertEqual(planned.returncode, 0, planned.stderr)
             code, checks = self.verify(folder / "dataset")
             self.assertEqual((code, checks["scene"]["status"]), (0, status))
+
+    def test_the_scene_is_found_where_it_was(self):
+        away = self.folder / "far" / "from" / "the_scene"
+        shutil.copytree(self.dataset, away)
+        self.assertEqual(json.loads((away / "dataset.json").read_text())["scene"]["path"],
+                         str(self.folder / "room.obj"))
+        code, checks = self.verify(away)
+        self.assertEqual((code, checks["scene"]["status"]), (0, "passed"))
+        forget_path(away)
+        self.assertEqual(self.verify(away)[1]["scene"]["status"], "skipped")
+        # A path that leads to something else is passed over.
+        for path in ("/dev/zero", str(self.folder), str(away / "dataset.json"), "room.obj", ""):
+            forget_path(away, path)
+            code, checks = self.verify(away)
+            self.assertEqual((code, checks["scene"]["status"]), (0, "skipped"), path)
 
     def test_mended_hashes_alone_damage_nothing(self):
         code, checks = self.verify(self.damaged(lambda copy: None))
@@ -104,6 +128,7 @@ class VerifyTest(FolderCase):
             with self.subTest(name):
                 shutil.rmtree(away, ignore_errors=True)
                 shutil.copytree(self.damaged(function), away)
+                forget_path(away)
                 code, checks = self.verify(away)
                 self.assertEqual(checks["surface"]["status"], "skipped")
                 self.assertIn("--scene", checks["surface"]["reason"])
@@ -197,6 +222,7 @@ class VerifyTest(FolderCase):
         self.assertGreater(skipped, 5)
         self.assertIn(f"{skipped} skipped ({skipped} look at what was not exported): sound", near)
         # 'scene' alone is about the scene where neither ids nor surfaces were written.
+        forget_path(out)
         away = run("-q", "verify", out).stdout
         self.assertIn(f"{skipped + 1} skipped ({skipped} look at what was not exported; 1 needs the "
                       "scene: name it with --scene): sound as far as it goes", away)

@@ -1,3 +1,4 @@
+#include "engine/document/apply_scene_edits.h"
 #include "engine/io/oddity_notes.h"
 #include "engine/io/scene_import.h"
 #include "tests/support/imported_scene.h"
@@ -15,6 +16,7 @@
 namespace dollytrack {
 namespace {
 
+using test::find;
 using test::furnished;
 using test::importedText;
 using test::ObjWriter;
@@ -185,6 +187,64 @@ TEST(AwkwardHouse, StoreysAreCounted) {
     EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
     EXPECT_NEAR(scene.room_bounds.max().z(), 5.55, 1e-3);
     EXPECT_TRUE(says(scene.report.notes, "2 storeys, their floors at 0.00, 2.85 m"));
+}
+
+/// A bungalow with a hipped roof, none of it named, and things in the garden.
+Scene houseWithRoof() {
+    ObjWriter obj(1.0, false);
+    obj.object("Object_1").box({0, 0, -0.1}, {8, 6, 0});
+    obj.object("Object_2").box({0, -0.1, 0}, {8, 0, 2.6});
+    obj.object("Object_3").box({0, 6, 0}, {8, 6.1, 2.6});
+    obj.object("Object_4").box({-0.1, 0, 0}, {0, 6, 2.6});
+    obj.object("Object_5").box({8, 0, 0}, {8.1, 6, 2.6});
+    obj.object("Object_6").box({0, 0, 2.6}, {8, 6, 2.65});
+    // Its eaves hang over; each side is an object of its own.
+    const Eigen::Vector3d a(-0.4, -0.4, 2.5), b(8.4, -0.4, 2.5), c(8.4, 6.4, 2.5),
+        d(-0.4, 6.4, 2.5);
+    const Eigen::Vector3d e(2.6, 3.0, 4.6), f(5.4, 3.0, 4.6);
+    obj.object("Object_7").quad(a, b, f, e);
+    obj.object("Object_8").quad(c, d, e, f);
+    obj.object("Object_9").quad(b, c, f, f);
+    obj.object("Object_10").quad(d, a, e, e);
+    obj.object("sofa").box({2.5, 4.8, 0.0}, {4.5, 5.6, 0.8});
+    obj.object("table").box({2.0, 3.2, 0.0}, {3.2, 4.0, 0.75});
+    obj.object("lamp").box({0.3, 5.3, 0.0}, {0.6, 5.6, 1.5});
+    obj.object("chair").box({6.8, 2.2, 0.0}, {7.25, 2.65, 0.9});
+    obj.object("garden_chair").box({9.5, 2.2, 0.0}, {10.0, 2.7, 0.9});
+    obj.object("car").box({3.0, -3.4, 0.0}, {6.9, -1.7, 1.5});
+    return importedText(obj.text());
+}
+
+TEST(AwkwardHouse, ARoofAndWhatLiesOutsideAreNoTargets) {
+    const Scene scene = houseWithRoof();
+    for (const char* side : {"Object_7", "Object_8", "Object_9", "Object_10"}) {
+        const Object* roof = find(scene, side);
+        ASSERT_NE(roof, nullptr);
+        EXPECT_TRUE(roof->structure) << side;
+        EXPECT_EQ(roof->role, Role::Structure) << side;
+        EXPECT_EQ(roof->nyu40, kNyuCeiling) << side << " is left away from above";
+    }
+    for (const char* outside : {"garden_chair", "car"}) {
+        ASSERT_NE(find(scene, outside), nullptr);
+        EXPECT_EQ(find(scene, outside)->role, Role::Structure) << outside;
+        EXPECT_FALSE(find(scene, outside)->structure) << outside << " is no part of the building";
+    }
+    for (const char* inside : {"sofa", "table", "lamp", "chair"}) {
+        EXPECT_EQ(find(scene, inside)->role, Role::Target) << inside;
+    }
+    EXPECT_TRUE(says(scene.report.notes, "2 objects outside the building are no targets"));
+}
+
+TEST(AwkwardHouse, WhatLiesOutsideIsATargetWhereAnEditSaysSo) {
+    const Scene scene = houseWithRoof();
+    SceneEdits edits;
+    edits.changes.push_back({});
+    edits.changes.back().object.name = "car";
+    edits.changes.back().role = Role::Target;
+    const Result<Scene> edited = applySceneEdits(scene, edits);
+    ASSERT_TRUE(edited);
+    EXPECT_EQ(find(*edited, "car")->role, Role::Target);
+    EXPECT_EQ(find(*edited, "garden_chair")->role, Role::Structure);
 }
 
 }  // namespace

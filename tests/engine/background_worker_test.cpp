@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <thread>
 
@@ -49,6 +50,97 @@ TEST(BackgroundWorker, NewestRequestWins) {
     EXPECT_EQ(last, 99);
     EXPECT_EQ(cancelled, 1);
     EXPECT_LT(started, 100);
+}
+
+/// A clock that only the test turns, and work that goes on step by step.
+struct FakeTime {
+    std::atomic<std::int64_t> now_ms = 0;
+
+    BackgroundWorker::Clock clock() {
+        return [this] {
+            return std::chrono::steady_clock::time_point(std::chrono::milliseconds(now_ms.load()));
+        };
+    }
+};
+
+/// Work of ten steps, each of which the test lets go.
+struct SteppedWork {
+    std::atomic<int> steps_allowed = 0;
+    std::atomic<int> steps_done = 0;  // of the piece that runs
+    std::atomic<int> finished = 0;
+    std::atomic<int> dropped = 0;
+    std::atomic<int> last_value = -1;
+    static constexpr int kSteps = 10;
+
+    BackgroundWorker::Work of(int value) {
+        return [this, value](const JobContext& job) {
+            steps_done = 0;
+            for (int step = 1; step <= kSteps; ++step) {
+                while (steps_allowed.load() == 0 && !job.cancelled()) std::this_thread::yield();
+                if (job.cancelled()) {
+                    ++dropped;
+                    return;
+                }
+                --steps_allowed;
+                job.report(static_cast<double>(step) / kSteps);
+                steps_done = step;
+            }
+            last_value = value;
+            ++finished;
+        };
+    }
+};
+
+/// Changes a value every 20 ms for five seconds, while each piece of work takes `piece_ms`.
+int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
+    FakeTime time;
+    SteppedWork work;
+    BackgroundWorker worker({}, patience, time.clock());
+    const int step_ms = piece_ms / SteppedWork::kSteps;
+    for (int now = 0; now <= 5000; now += 20) {
+        time.now_ms = now;
+        worker.start(work.of(now));
+        if (now % step_ms != 0) continue;
+        const int ended = work.finished + work.dropped;
+        const int before = work.steps_done;
+        ++work.steps_allowed;
+        waitUntil([&] {
+            return work.steps_allowed == 0 &&
+                   (work.steps_done != before || work.finished + work.dropped != ended);
+        });
+    }
+    const int finished = work.finished;
+    work.steps_allowed = 100;
+    worker.finish();
+    EXPECT_EQ(work.last_value, 5000) << "the last value is what remains";
+    return finished;
+}
+
+// A slider that is dragged for five seconds gets a result at least once a second, where work takes
+// less than that; and it does not where every change cancels.
+TEST(BackgroundWorker, OutdatedWorkFinishesWithinItsGrace) {
+    const BackgroundWorker::Patience patient{std::chrono::milliseconds(900), 0.6};
+    EXPECT_GE(finishedWhileDragging(600, patient), 5);
+    EXPECT_GE(finishedWhileDragging(1000, patient), 4) << "near its end after the grace";
+    EXPECT_EQ(finishedWhileDragging(600, {}), 0);
+    EXPECT_EQ(finishedWhileDragging(4000, patient), 0) << "too slow: the newest value comes first";
+}
+
+TEST(BackgroundWorker, OutdatedWorkThatHasPutOutItsResultMakesWay) {
+    FakeTime time;
+    SteppedWork work;
+    BackgroundWorker worker({}, {std::chrono::milliseconds(900), 0.6}, time.clock());
+    worker.start(work.of(1));
+    work.steps_allowed = 5;
+    waitUntil([&] { return work.steps_done == 5; });
+    worker.cancelOutdated();
+    EXPECT_EQ(work.dropped, 0) << "nothing newer waits";
+    worker.start(work.of(2));
+    worker.cancelOutdated();
+    waitUntil([&] { return work.dropped == 1; });
+    work.steps_allowed = 10;
+    worker.finish();
+    EXPECT_EQ(work.last_value, 2);
 }
 
 TEST(BackgroundWorker, CancelsAndWaitsAtItsEnd) {

@@ -1,4 +1,5 @@
 #include "engine/core/clean_text.h"
+#include "engine/core/clean_lines.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,25 @@ TEST(CleanText, ReplacesBadBytes) {
 TEST(CleanText, DropsControlCharacters) {
     EXPECT_EQ(cleanText("a\x1B[31m\tb\r\n\x7F\xC2\x85"), "a[31mb");
     EXPECT_EQ(cleanText(std::string_view("a\0b", 3)), "ab");
+}
+
+TEST(CleanLines, KeepsLineBreaksAndTabsAlone) {
+    EXPECT_EQ(cleanLines("a\x1B[31m\tb\r\n\x7F\xC2\x85\xFC"), "a[31m\tb\n\xEF\xBF\xBD");
+}
+
+// As a stream hands text over, cut anywhere.
+TEST(CleanLines, PiecesGiveWhatTheWholeGives) {
+    const std::string text =
+        "B\xC3\xBCro \xE6\xA4\x85\xE5\xAD\x90\n\x1B\xF0\x9F\x9B\x8B \xFC \xE6x.";
+    for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+        for (std::size_t second = cut; second <= text.size(); ++second) {
+            LineCleaner cleaner;
+            std::string clean = cleaner.add(text.substr(0, cut));
+            clean += cleaner.add(text.substr(cut, second - cut));
+            clean += cleaner.add(text.substr(second));
+            EXPECT_EQ(clean, cleanLines(text)) << cut << ", " << second;
+        }
+    }
 }
 
 TEST(CleanText, AnyTwoBytesMakeJson) {

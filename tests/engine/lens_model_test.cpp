@@ -134,6 +134,15 @@ TEST(Rig, RefusesLensesThatCannotBe) {
     EXPECT_NE(falls.error().where.find("wide"), std::string::npos);
     camera.fov_deg = 100.0;  // which ends before
     EXPECT_TRUE(validate(Rig{camera}));
+    // Its edge would have thousands of pixels a radian.
+    RigCamera stretched = standardCamera(Lens::Fisheye);
+    stretched.name = "stretched";
+    stretched.width_px = stretched.height_px = 4096;
+    EXPECT_TRUE(validate(Rig{stretched}));
+    stretched.k1 = stretched.k2 = 10.0;
+    EXPECT_FALSE(validate(Rig{stretched}));
+    stretched.width_px = stretched.height_px = 640;
+    EXPECT_TRUE(validate(Rig{stretched}));
     RigCamera pinhole;
     pinhole.name = "wide";
     pinhole.fov_deg = 170.0;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 
 namespace dollytrack::planning {
@@ -141,6 +142,33 @@ TEST(Edits, ANoGoBoxFromWallToWallPartsTheRoom) {
     visitPlaces(*plan, [&](const Eigen::Vector3d& place) {
         ASSERT_GE(distanceToBox(edits.no_go[0].box, place), 0.1 - 1e-4);
     });
+}
+
+// As if every box were asked, to the last bit, and of several as near the first.
+TEST(Edits, TheNearestOfManyNoGoBoxesIsFoundInTheIndex) {
+    Random random(11);
+    const auto within = [&](double most) { return random.uniform(-most, most); };
+    for (const std::size_t count : {0U, 1U, 5U, 300U}) {
+        std::vector<NoGoBox> boxes;
+        while (boxes.size() < count) {
+            boxes.push_back(boxAt({within(3), within(3), within(2)},
+                                  {0.1 + 0.1 * random.uniform(0, 1), 0.3, 0.2}, within(3)));
+            if (boxes.size() % 10 == 0) boxes.push_back(boxes.back());
+        }
+        const NoGoIndex index(boxes);
+        for (int i = 0; i < 2000; ++i) {
+            const Eigen::Vector3d point(within(4), within(4), within(3));
+            const double limit = i % 2 == 0 ? std::numeric_limits<double>::infinity() : 0.3;
+            NoGoIndex::Nearest expected{NoGoIndex::kNone, limit};
+            for (std::size_t box = 0; box < boxes.size(); ++box) {
+                const double distance = boxes[box].box.distance(point);
+                if (distance < expected.distance_m) expected = {box, distance};
+            }
+            const NoGoIndex::Nearest found = index.nearest(point, limit);
+            ASSERT_EQ(found.box, expected.box);
+            if (found.box != NoGoIndex::kNone) ASSERT_EQ(found.distance_m, expected.distance_m);
+        }
+    }
 }
 
 TEST(Edits, ProofsAgainstNoGoBoxesHoldOnEveryCurve) {

@@ -265,6 +265,7 @@ TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
 
 TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
     const nlohmann::json result = resultWithEveryField();
+    ASSERT_TRUE(io::checkStoredPlan(result, "result"));
     for (const char* path : {"/metrics", "/metrics/ledger", "/metrics/ledger/0", "/metrics/rooms/0",
                              "/metrics/repair/after", "/metrics/min_clearance_at", "/trajectory",
                              "/trajectory/frames", "/trajectory/frames/0/position", "/rooms",

@@ -1,11 +1,14 @@
 #include "render/dataset_folder.h"
 
+#include "render/dataset_journal.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/statvfs.h>
 
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 
 namespace dollytrack::render {
@@ -17,8 +20,23 @@ constexpr const char* kMark = ".dollytrack-export";
 constexpr const char* kOurCard =
     R"({"format": "dollytrack dataset", "files": {"rgb/000007.png": ""}})";
 
-ModalitySet allModalities() {
-    return *chooseModalities({});
+/// What an export of the standard modalities, or of these, may write.
+DatasetNames namesFor(const std::vector<std::string>& modalities = {}, int frames = 10) {
+    return namesOf(*chooseModalities(modalities), {}, frames, {});
+}
+
+std::set<std::string> treeOf(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        names.insert(fs::relative(entry.path(), folder).string());
+    }
+    return names;
+}
+
+/// The journal of an export that was cut off.
+void writeJournal(const fs::path& folder, const DatasetNames& names) {
+    ASSERT_TRUE(DatasetJournal::begin(*io::GuardedFolder::open(folder), {{"the scene", "1"}},
+                                      "a driver", names));
 }
 
 // dataset.json is a common name: what others put in theirs must not cost them their pictures.
@@ -41,50 +59,76 @@ TEST(DatasetFolder, RefusesADatasetOfSomebodyElse) {
     EXPECT_FALSE(DatasetFolder::claim(folder.path(), false));
 }
 
-TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneBegins) {
+TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneIsComplete) {
     const test::TempFolder folder;
     const fs::path picture = folder.write("rgb/000007.png", "old");
     const fs::path card = folder.write("dataset.json", kOurCard);
     const fs::path notes = folder.write("notes.txt", "mine");
+    const fs::path mine = folder.write("rgb/000008.png", "mine");  // not listed
     {
         auto claimed = DatasetFolder::claim(folder.path(), false);
         ASSERT_TRUE(claimed);
         EXPECT_TRUE(claimed->isComplete());
         EXPECT_FALSE(claimed->checkSpace(std::numeric_limits<std::uint64_t>::max() / 2, {}));
     }
-    EXPECT_TRUE(fs::exists(picture));
-    EXPECT_TRUE(fs::exists(card));
     EXPECT_FALSE(fs::exists(folder.path() / kMark));
-    {
-        auto claimed = DatasetFolder::claim(folder.path(), false);
+    for (const bool ends : {false, true}) {
+        auto claimed = DatasetFolder::claim(folder.path(), true);
         ASSERT_TRUE(claimed);
-        ASSERT_TRUE(claimed->begin(allModalities(), {}, {}));
-        EXPECT_FALSE(claimed->isComplete());
+        ASSERT_TRUE(claimed->begin(namesFor(), {}));
+        const io::GuardedFolder& beside = claimed->unfinished();
+        ASSERT_TRUE(beside.write("rgb/000000.png", std::string_view("new")));
+        EXPECT_TRUE(claimed->isComplete());
+        EXPECT_TRUE(fs::exists(picture));
+        EXPECT_FALSE(fs::exists(folder.path() / "rgb/000000.png"));
+        if (!ends) continue;
+        ASSERT_TRUE(beside.write(
+            "dataset.json",
+            std::string_view(
+                R"({"format": "dollytrack dataset", "files": {"rgb/000000.png": ""}})")));
+        const Status finished = claimed->finish();
+        ASSERT_TRUE(finished) << describe(finished.error());
     }
-    EXPECT_FALSE(fs::exists(picture));
-    EXPECT_FALSE(fs::exists(card));
-    EXPECT_TRUE(fs::exists(notes));
-    // Now it is marked as one cut off.
-    EXPECT_TRUE(fs::exists(folder.path() / kMark));
-    EXPECT_TRUE(DatasetFolder::claim(folder.path(), false));
+    EXPECT_EQ(treeOf(folder.path()), (std::set<std::string>{"dataset.json", "notes.txt", "rgb",
+                                                            "rgb/000000.png", "rgb/000008.png"}));
+}
+
+// Cut off while the new dataset moves into its place, the next claim ends that.
+TEST(DatasetFolder, EndsAMoveThatWasCutOff) {
+    const test::TempFolder folder;
+    (void)folder.write("rgb/000007.png", "old");
+    (void)folder.write("rgb/000000.png", "new");  // has moved already
+    (void)folder.write(kMark, "");
+    for (const auto& [name, text] :
+         std::map<std::string, std::string>{{"replaced.json", kOurCard},
+                                            {"depth/000000.png", "new"},
+                                            {"dataset.json", R"({"format": "dollytrack dataset",
+                                  "files": {"rgb/000000.png": "", "depth/000000.png": ""}})"}}) {
+        (void)folder.write(".dollytrack-new/" + name, text);
+    }
+    const auto claimed = DatasetFolder::claim(folder.path(), false);
+    ASSERT_TRUE(claimed) << describe(claimed.error());
+    EXPECT_TRUE(claimed->isComplete());
+    EXPECT_EQ(treeOf(folder.path()),
+              (std::set<std::string>{kMark, "dataset.json", "depth", "depth/000000.png", "rgb",
+                                     "rgb/000000.png"}));
 }
 
 TEST(DatasetFolder, RemovesWhatAKilledExportLeftButForWhatIsKept) {
     const test::TempFolder folder;
-    for (const char* name :
-         {kMark, "rgb/000000.png", "rgb/000001.png", "rgb/000001.png.tmp.123", "depth/000000.png",
-          "semantic/000000.png", "annotations.json.tmp.77", "rgb/mine.png"}) {
+    for (const char* name : {"rgb/000000.png", "rgb/000001.png", "rgb/000001.png.tmp.123",
+                             "depth/000000.png", "semantic/000000.png", "dataset.json.tmp.77",
+                             "rgb/mine.png", "rgb/000010.png", "albedo/000000.png"}) {
         (void)folder.write(name, "x");
     }
+    writeJournal(folder.path(), namesFor());
     auto claimed = DatasetFolder::claim(folder.path(), false);
     ASSERT_TRUE(claimed);
-    ASSERT_TRUE(claimed->begin(*chooseModalities({"rgb", "instance"}), {}, {"rgb/000000.png"}));
-    std::set<std::string> left;
-    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
-        left.insert(fs::relative(entry.path(), folder.path()).string());
-    }
-    EXPECT_EQ(left,
-              (std::set<std::string>{kMark, "instance", "rgb", "rgb/000000.png", "rgb/mine.png"}));
+    ASSERT_TRUE(claimed->begin(namesFor({"rgb", "instance"}), {"rgb/000000.png"}));
+    // Neither the eleventh frame of ten nor albedo is the killed export's.
+    EXPECT_EQ(treeOf(folder.path()),
+              (std::set<std::string>{kMark, "albedo", "albedo/000000.png", "instance", "rgb",
+                                     "rgb/000000.png", "rgb/000010.png", "rgb/mine.png"}));
 }
 
 TEST(DatasetFolder, IsLockedAgainstASecondExport) {
@@ -107,21 +151,27 @@ TEST(DatasetFolder, TakesAFolderItMadeForNothingAwayAgain) {
     EXPECT_FALSE(fs::exists(folder.path() / "new"));
 }
 
-// What the old dataset holds is free for the new one.
-TEST(DatasetFolder, CountsTheSpaceThatTheOldDatasetGivesBack) {
+// What a cut-off dataset holds is free for the new one; a complete one stays until the end.
+TEST(DatasetFolder, CountsTheSpaceThatIsGivenBack) {
     const test::TempFolder folder;
-    (void)folder.write("dataset.json", kOurCard);
     (void)folder.write("rgb/000000.png", std::string(64'000'000, 'x'));
-    auto claimed = DatasetFolder::claim(folder.path(), false);
-    ASSERT_TRUE(claimed);
+    writeJournal(folder.path(), namesFor());
     struct statvfs space {};
     ASSERT_EQ(::statvfs(folder.path().c_str(), &space), 0);
     const std::uint64_t free = std::uint64_t{space.f_bavail} * space.f_frsize;
-    // Half of it as a margin: others write on this disk, too.
-    EXPECT_TRUE(claimed->checkSpace(free + 32'000'000, {}));
-    const Status kept = claimed->checkSpace(free + 32'000'000, {"rgb/000000.png"});
-    ASSERT_FALSE(kept);
-    EXPECT_EQ(kept.error().code, ErrorCode::CannotWrite);
+    {
+        auto claimed = DatasetFolder::claim(folder.path(), false);
+        ASSERT_TRUE(claimed);
+        // Half of it as a margin: others write on this disk, too.
+        EXPECT_TRUE(claimed->checkSpace(free + 32'000'000, {}));
+        const Status kept = claimed->checkSpace(free + 32'000'000, {"rgb/000000.png"});
+        ASSERT_FALSE(kept);
+        EXPECT_EQ(kept.error().code, ErrorCode::CannotWrite);
+    }
+    (void)folder.write("dataset.json", kOurCard);
+    auto claimed = DatasetFolder::claim(folder.path(), true);
+    ASSERT_TRUE(claimed);
+    EXPECT_FALSE(claimed->checkSpace(free + 32'000'000, {}));
 }
 
 }  // namespace

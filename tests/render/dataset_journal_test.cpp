@@ -27,7 +27,7 @@ JournalEntry entryOf(int index) {
 class Journal : public testing::Test {
   protected:
     void write(int count) {
-        auto journal = DatasetJournal::begin(path_, identity_, "a driver");
+        auto journal = DatasetJournal::begin(guarded_, identity_, "a driver", {});
         ASSERT_TRUE(journal);
         for (int i = 0; i < count; ++i) ASSERT_TRUE(journal->append(entryOf(i)));
     }
@@ -40,13 +40,14 @@ class Journal : public testing::Test {
     }
 
     test::TempFolder folder_;
-    fs::path path_ = folder_.path() / "journal";
+    fs::path path_ = folder_.path() / kJournalFile;
+    io::GuardedFolder guarded_ = *io::GuardedFolder::open(folder_.path());
     DatasetIdentity identity_ = {{"the scene", "1"}, {"the camera", "640 480"}};
 };
 
 TEST_F(Journal, GivesBackWhatWasWritten) {
     write(3);
-    const JournalContents contents = readJournal(path_);
+    const JournalContents contents = readJournal(guarded_);
     ASSERT_TRUE(contents.identity);
     EXPECT_EQ(*contents.identity, identity_);
     EXPECT_EQ(contents.drawn_by, "a driver");
@@ -77,14 +78,14 @@ TEST_F(Journal, SurvivesBeingCutOffAnywhere) {
     const std::size_t first = whole.find('\n', header) + 1;
     for (std::size_t length = 0; length < whole.size(); ++length) {
         replace(whole.substr(0, length));
-        const JournalContents contents = readJournal(path_);
+        const JournalContents contents = readJournal(guarded_);
         EXPECT_EQ(contents.identity.has_value(), length >= header) << length;
         EXPECT_EQ(contents.entries.size(), length >= first ? 1U : 0U) << length;
         if (length < header) continue;
-        auto journal = DatasetJournal::resume(path_, contents);
+        auto journal = DatasetJournal::resume(guarded_, contents);
         ASSERT_TRUE(journal);
         ASSERT_TRUE(journal->append(entryOf(1)));
-        EXPECT_EQ(readJournal(path_).entries.count(1), 1U) << length;
+        EXPECT_EQ(readJournal(guarded_).entries.count(1), 1U) << length;
     }
 }
 
@@ -96,7 +97,7 @@ TEST_F(Journal, DropsDamagedLinesAndNoOthers) {
     std::string damaged = whole;
     damaged[middle + 8] = '2';  // still JSON, and of another frame
     replace(damaged);
-    const JournalContents contents = readJournal(path_);
+    const JournalContents contents = readJournal(guarded_);
     ASSERT_TRUE(contents.identity);
     EXPECT_EQ(contents.entries.count(0), 1U);
     EXPECT_EQ(contents.entries.count(1), 0U);
@@ -105,20 +106,20 @@ TEST_F(Journal, DropsDamagedLinesAndNoOthers) {
 
 TEST_F(Journal, TheLaterLineOfAFrameHolds) {
     write(1);
-    auto journal = DatasetJournal::resume(path_, readJournal(path_));
+    auto journal = DatasetJournal::resume(guarded_, readJournal(guarded_));
     ASSERT_TRUE(journal);
     JournalEntry again = entryOf(0);
     again.sha256s = {{"rgb/0", "new"}};
     ASSERT_TRUE(journal->append(again));
-    EXPECT_EQ(readJournal(path_).entries.at(0).sha256s, again.sha256s);
+    EXPECT_EQ(readJournal(guarded_).entries.at(0).sha256s, again.sha256s);
 }
 
 TEST_F(Journal, WhatIsNoJournalHoldsNothing) {
-    EXPECT_FALSE(readJournal(path_).identity);
+    EXPECT_FALSE(readJournal(guarded_).identity);
     for (const char* text : {"", "an export is running or was cut off\n", "{}\n[]\n\n"}) {
         replace(text);
-        EXPECT_FALSE(readJournal(path_).identity) << text;
-        EXPECT_TRUE(readJournal(path_).entries.empty()) << text;
+        EXPECT_FALSE(readJournal(guarded_).identity) << text;
+        EXPECT_TRUE(readJournal(guarded_).entries.empty()) << text;
     }
 }
 

@@ -33,7 +33,8 @@ class FrameWriterTest : public testing::Test {
     int mostOnTheirWay(std::size_t max_bytes, std::size_t frame_bytes, int frames) {
         std::atomic<int> done = 0;
         handed_over = 0;
-        FrameWriter::Settings settings{folder_.path(), {&kSlow}, {}, 0, max_bytes};
+        FrameWriter::Settings settings{
+            *io::GuardedFolder::open(folder_.path()), {&kSlow}, {}, 0, max_bytes};
         FrameWriter writer(settings, context_, [&](WrittenFrame) -> Status {
             ++done;
             return {};

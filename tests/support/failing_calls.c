@@ -4,7 +4,7 @@
  *   FAIL_CALL   open, write, sync, rename, close, mkdir, unlink or truncate
  *   FAIL_NTH    which one fails, from 1; 0: none
  *   FAIL_LAST   the last one that fails; without it only the n-th does
- *   FAIL_ERRNO  with this error, by number
+ *   FAIL_ERRNO  with this error, by number; 0: the program is killed in its place
  *   FAIL_COUNTS a file that gets "open 12" and so on, a line a kind, when the program ends
  * A write that fails has written half of its bytes before, as on a disk that fills up. */
 #define _GNU_SOURCE
@@ -12,6 +12,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -41,6 +42,23 @@ static int isBelow(const char* path) {
     return strncmp(path, folder, length) == 0 && (path[length] == '/' || path[length] == 0);
 }
 
+/* The path of a name that counts from an open folder. */
+static const char* pathFrom(int folder, const char* name, char* path) {
+    if (folder == AT_FDCWD || name == NULL || name[0] == '/') return name;
+    char link[64];
+    snprintf(link, sizeof(link), "/proc/self/fd/%d", folder);
+    const ssize_t length = readlink(link, path, PATH_MAX);
+    if (length <= 0 || (size_t)length + strlen(name) + 2 > PATH_MAX) return name;
+    path[length] = '/';
+    strcpy(path + length + 1, name);
+    return path;
+}
+
+static int isBelowFrom(int folder, const char* name) {
+    char path[PATH_MAX];
+    return isBelow(pathFrom(folder, name, path));
+}
+
 static int isWatched(int descriptor) {
     return descriptor >= 0 && descriptor < kDescriptors && watched[descriptor];
 }
@@ -53,6 +71,7 @@ static int fails(enum Kind kind) {
     if (wanted == NULL || nth <= 0 || strcmp(wanted, kNames[kind]) != 0) return 0;
     if (count < nth || count > number("FAIL_LAST", nth)) return 0;
     errno = (int)number("FAIL_ERRNO", EIO);
+    if (errno == 0) raise(SIGKILL);
     return 1;
 }
 
@@ -61,8 +80,9 @@ static void* next(const char* name) {
 }
 
 static int openWatched(const char* function, int folder, const char* path, int flags, mode_t mode) {
-    const int below = isBelow(path);
-    if (below && fails(kOpen)) return -1;
+    const int below = isBelowFrom(folder, path);
+    // A step on the way to a file is none of its own.
+    if (below && (flags & O_PATH) == 0 && fails(kOpen)) return -1;
     int descriptor = -1;
     if (folder == AT_FDCWD) {
         int (*open_next)(const char*, int, ...) = (int (*)(const char*, int, ...))next(function);
@@ -72,7 +92,9 @@ static int openWatched(const char* function, int folder, const char* path, int f
             (int (*)(int, const char*, int, ...))next(function);
         descriptor = open_next(folder, path, flags, mode);
     }
-    if (descriptor >= 0 && descriptor < kDescriptors) watched[descriptor] = (char)below;
+    if (descriptor >= 0 && descriptor < kDescriptors) {
+        watched[descriptor] = (char)(below && (flags & O_PATH) == 0);
+    }
     return descriptor;
 }
 
@@ -94,6 +116,22 @@ int open64(const char* path, int flags, ...) {
     const mode_t mode = modeOf(flags, list);
     va_end(list);
     return openWatched("open64", AT_FDCWD, path, flags, mode);
+}
+
+int openat(int folder, const char* path, int flags, ...) {
+    va_list list;
+    va_start(list, flags);
+    const mode_t mode = modeOf(flags, list);
+    va_end(list);
+    return openWatched(folder == AT_FDCWD ? "open" : "openat", folder, path, flags, mode);
+}
+
+int openat64(int folder, const char* path, int flags, ...) {
+    va_list list;
+    va_start(list, flags);
+    const mode_t mode = modeOf(flags, list);
+    va_end(list);
+    return openWatched(folder == AT_FDCWD ? "open64" : "openat64", folder, path, flags, mode);
 }
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
@@ -130,6 +168,12 @@ int rename(const char* from, const char* to) {
     return ((int (*)(const char*, const char*))next("rename"))(from, to);
 }
 
+int renameat(int from_folder, const char* from, int to_folder, const char* to) {
+    if (isBelowFrom(to_folder, to) && fails(kRename)) return -1;
+    return ((int (*)(int, const char*, int, const char*))next("renameat"))(from_folder, from,
+                                                                           to_folder, to);
+}
+
 /* A close that fails has closed all the same. */
 int close(int descriptor) {
     const int failing = isWatched(descriptor) && fails(kClose);
@@ -144,6 +188,16 @@ int close(int descriptor) {
 int mkdir(const char* path, mode_t mode) {
     if (isBelow(path) && fails(kMkdir)) return -1;
     return ((int (*)(const char*, mode_t))next("mkdir"))(path, mode);
+}
+
+int mkdirat(int folder, const char* path, mode_t mode) {
+    if (isBelowFrom(folder, path) && fails(kMkdir)) return -1;
+    return ((int (*)(int, const char*, mode_t))next("mkdirat"))(folder, path, mode);
+}
+
+int unlinkat(int folder, const char* path, int flags) {
+    if (isBelowFrom(folder, path) && (flags & AT_REMOVEDIR) == 0 && fails(kUnlink)) return -1;
+    return ((int (*)(int, const char*, int))next("unlinkat"))(folder, path, flags);
 }
 
 int unlink(const char* path) {

@@ -1,10 +1,14 @@
 #include "ui/viewport/clear_look.h"
 
 #include "engine/scene/room_bounds.h"
+#include "engine/scene/storeys.h"
 #include "render/look_inside.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
 
 namespace dollytrack::ui {
 namespace {
@@ -105,6 +109,83 @@ TEST(ClearLook, TheCeilingIsWhereTheRoomsOfTheTopmostStoreyEnd) {
                                                     room(3.1, 5.1, 3.0), room(3.0, 4.0, 0.6)};
     EXPECT_DOUBLE_EQ(render::ceilingOf(scene, rooms), 5.1);
     EXPECT_GT(render::ceilingOf(scene, {}), scene.room_bounds.max().z()) << "no room, no ceiling";
+}
+
+// A hollow below the floor, as a scan has one, must not make the floor a part that is cut.
+TEST(ClearLook, AFloorIsNeverCut) {
+    const Scene scene = SceneBuilder()
+                            .object("shell", {kNyuWall, Role::Structure, {0.6F, 0.6F, 0.6F}})
+                            .quad({0, 0, 0}, {6, 0, 0}, {0, 5, 0})
+                            .quad({0, 0, -1.2}, {2, 0, 0}, {0, 0, 1.2})
+                            .build();
+    const std::vector<Eigen::AlignedBox3d> rooms = {
+        {Eigen::Vector3d(0.1, 0.1, 0.1), Eigen::Vector3d(5.9, 4.9, 2.5)},
+        {Eigen::Vector3d(0.1, 0.1, -1.1), Eigen::Vector3d(1.0, 1.0, -0.1)}};
+    for (const bool planned : {true, false}) {
+        const auto known = planned ? std::span<const Eigen::AlignedBox3d>(rooms)
+                                   : std::span<const Eigen::AlignedBox3d>();
+        const render::StoreyView storey = render::storeysOf(scene, known).back();
+        render::View view;
+        view.structure_cut =
+            render::cutTowards(scene.room_bounds, storey.floor_z, storey.ceiling_z, {0.9, 0, 0});
+        for (const double x : {0.1, 3.0, 5.9}) {
+            EXPECT_FALSE(render::isLeftAway(view, scene, 1, {x, 2.5, 0.0})) << planned << x;
+        }
+    }
+}
+
+Scene houseOfTwoStoreys() {
+    const SceneBuilder::Look floor{kNyuFloor, Role::Structure, {0.6F, 0.6F, 0.6F}};
+    const SceneBuilder::Look ceiling{kNyuCeiling, Role::Structure, {0.5F, 0.3F, 0.2F}};
+    return SceneBuilder()
+        .room({0, 0, 0}, {6, 4, 5.4}, false)
+        .object("slab", floor)
+        .box({3.5, 2, 2.7}, {5, 4, 0.2})
+        .object("attic floor", ceiling)
+        .quad({0, 0, 5.4}, {6, 0, 0}, {0, 4, 0})
+        .object("roof", ceiling)
+        .quad({0, 0, 5.4}, {6, 0, 0}, {0, 2, 1.5})
+        .object("chest below")
+        .box({3, 2, 0.3}, {1, 0.6, 0.6})
+        .object("bed above")
+        .box({4, 2, 3.05}, {2, 1.5, 0.5})
+        .object("weathercock")
+        .box({3, 2, 7.0}, {0.4, 0.05, 0.4})
+        .build();
+}
+
+TEST(ClearLook, WhatLiesOverAStoreyIsLeftAwayAndItsFloorIsNot) {
+    const Scene scene = houseOfTwoStoreys();
+    // The stairs make one room of both storeys.
+    const std::vector<Eigen::AlignedBox3d> rooms = {
+        {Eigen::Vector3d(0.1, 0.1, 0.1), Eigen::Vector3d(5.9, 3.9, 5.3)}};
+    const auto id = [&](const std::string& name) {
+        return std::ranges::find(scene.objects, name, &Object::name)->id;
+    };
+    for (const bool planned : {true, false}) {
+        const auto known = planned ? std::span<const Eigen::AlignedBox3d>(rooms)
+                                   : std::span<const Eigen::AlignedBox3d>();
+        const std::vector<render::StoreyView> storeys = render::storeysOf(scene, known);
+        ASSERT_EQ(storeys.size(), 2U);
+        EXPECT_NEAR(storeys[1].floor_z, 2.8, 0.03);
+        EXPECT_LT(storeys[0].ceiling_z, 2.6);
+        for (std::size_t s = 0; s < 2; ++s) {
+            render::View view;
+            view.hidden = render::hiddenFor(scene, storeys[s]);
+            view.structure_cut = render::cutTowards(
+                render::withinStorey(render::buildingOf(scene, known), storeys[s]),
+                storeys[s].floor_z, storeys[s].ceiling_z, {0.9, 0, 0});
+            const auto gone = [&](const std::string& name, const Eigen::Vector3d& at) {
+                return render::isLeftAway(view, scene, id(name), at);
+            };
+            EXPECT_TRUE(gone("roof", {3, 1, 6.1}));
+            if (planned) EXPECT_TRUE(gone("weathercock", {3, 2, 7}));
+            EXPECT_FALSE(gone("chest below", {3, 2, 0.6}));
+            EXPECT_EQ(gone("bed above", {4, 2, 3.3}), s == 0);
+            EXPECT_EQ(gone("slab", {5.9, 2, 2.8}), s == 0) << "the floor on the viewer's side";
+            EXPECT_FALSE(gone("floor", {5.9, 2, 0.0}));
+        }
+    }
 }
 
 }  // namespace

@@ -55,6 +55,18 @@ TEST(LayersPanel, ChoosesColours) {
     EXPECT_EQ(layers.settings.trajectory_options.color, TrajectoryColor::TurnRate);
 }
 
+TEST(LayersPanel, ChoosesAStoreyWhereThereAreSeveral) {
+    Layers layers;
+    test::Screen screen([&] { layers.draw(); }, 360, 900);
+    EXPECT_FALSE(screen.shows("layers.storey")) << "one storey is no choice";
+    layers.view.storeys = 3;
+    screen.click("layers.storey");
+    ASSERT_TRUE(screen.click("layers.storey.2")) << screen.names();
+    EXPECT_EQ(layers.settings.storey, 2);
+    layers.settings.ceiling_cut = false;
+    EXPECT_FALSE(screen.shows("layers.storey")) << "nothing is cut";
+}
+
 TEST(LayersPanel, KeepsTheSliceInTheRoom) {
     Layers layers;
     layers.settings.free_space = true;

@@ -37,13 +37,25 @@ class Switches {
     template <class Enum, std::size_t N>
     void choose(const char* label, const char* name, Enum& value,
                 const std::array<const char*, N>& names) {
+        int index = static_cast<int>(value);
+        if (choose(label, name, index, {names.begin(), names.end()})) {
+            value = static_cast<Enum>(index);
+        }
+    }
+
+    /// A combo over names; true when another one was chosen.
+    bool choose(const char* label, const char* name, int& value,
+                const std::vector<std::string>& names) {
         formLabel(label);
         const std::string id = std::string("layers.") + name;
-        if (ImGui::BeginCombo(("##" + id).c_str(), names[static_cast<std::size_t>(value)])) {
+        bool chosen = false;
+        if (ImGui::BeginCombo(("##" + id).c_str(),
+                              names[static_cast<std::size_t>(value)].c_str())) {
             nameItem(id);
-            for (std::size_t i = 0; i < N; ++i) {
-                if (ImGui::Selectable(names[i], i == static_cast<std::size_t>(value))) {
-                    value = static_cast<Enum>(i);
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                if (ImGui::Selectable(names[i].c_str(), i == static_cast<std::size_t>(value))) {
+                    value = static_cast<int>(i);
+                    chosen = true;
                     note(true);
                 }
                 nameItem(id + "." + names[i]);
@@ -52,6 +64,7 @@ class Switches {
         } else {
             nameItem(id);
         }
+        return chosen;
     }
 
     void slide(const char* label, const char* name, double& value, double low, double high,
@@ -223,6 +236,15 @@ void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& s
 
 }  // namespace
 
+/// Which storey of several one looks into.
+void drawStoreys(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    std::vector<std::string> names = {"topmost"};
+    for (int storey = 1; storey <= view.storeys; ++storey) names.push_back(std::to_string(storey));
+    // What was chosen for another scene may not be there.
+    int shown = settings.storey <= view.storeys ? settings.storey : 0;
+    if (switches.choose("Storey", "storey", shown, names)) settings.storey = shown;
+}
+
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     LayersActions actions;
     Switches switches(actions);
@@ -239,6 +261,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
     switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
                    "To look into rooms from above");
+    if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
     switches.check("Grid", "grid", settings.grid,
                    "At the height of the floor, under the room and beside it");
     if (!view.legends.empty()) {

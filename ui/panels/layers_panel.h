@@ -14,6 +14,7 @@ struct LayersView {
     Eigen::AlignedBox3d room;  // the slice stays within it; empty: no scene
     double cell_m = 0.05;      // edge of the smallest cells
     int levels = 8;            // of the octree, the smallest cells are level 0
+    int storeys = 1;           // of the building
     bool has_map = false;      // there is free space to show
     bool has_plan = false;
     bool stepping = false;             // the steps of the algorithm stand in for the roadmap

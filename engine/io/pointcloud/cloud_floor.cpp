@@ -1,6 +1,7 @@
 #include "engine/io/pointcloud/cloud_floor.h"
 
 #include "engine/io/mesh_part_builder.h"
+#include "engine/io/pointcloud/unseen_floor.h"
 #include "engine/scene/labels.h"
 
 #include <Eigen/Geometry>
@@ -24,13 +25,14 @@ double lowest(std::vector<double> heights) {
     return *at;
 }
 
-double floorHeight(const CloudSamples& samples, const CloudLabels& labels, int up) {
+/// Along the upward axis, whichever way its numbers run.
+double floorHeight(const CloudSamples& samples, const CloudLabels& labels, UpAxis up) {
     std::vector<double> floor;
     std::vector<double> all;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
         const CloudThing& thing = labels.things[static_cast<std::size_t>(labels.thing_of[i])];
-        all.push_back(samples.points[i][up]);
-        if (thing.nyu40 == kNyuFloor) floor.push_back(samples.points[i][up]);
+        all.push_back(up.direction().dot(samples.points[i]));
+        if (thing.nyu40 == kNyuFloor) floor.push_back(up.direction().dot(samples.points[i]));
     }
     return lowest(floor.empty() ? std::move(all) : std::move(floor)) - kBelow;
 }
@@ -59,16 +61,17 @@ Eigen::AlignedBox3d reachOf(const CloudSamples& samples,
 }  // namespace
 
 void addFloor(const CloudSamples& samples, const CloudLabels& labels,
-              const std::optional<Eigen::Vector3d>& viewpoint, int up, RawScene& raw) {
+              const std::optional<Eigen::Vector3d>& viewpoint, UpAxis up, RawScene& raw) {
     const double height = floorHeight(samples, labels, up);
     const Eigen::AlignedBox3d reach = reachOf(samples, viewpoint);
-    const int along = (up + 1) % 3;
-    const int across = (up + 2) % 3;
+    // Its front faces up: seen from a negative axis the other two run the other way round.
+    const int along = (up.index() + (up.negative ? 2 : 1)) % 3;
+    const int across = (up.index() + (up.negative ? 1 : 2)) % 3;
     std::vector<Eigen::Vector3f> positions;
     for (const auto& [far_along, far_across] :
          {std::array{false, false}, {true, false}, {true, true}, {false, true}}) {
         Eigen::Vector3d corner;
-        corner[up] = height;
+        corner[up.index()] = up.sign() * height;
         corner[along] = (far_along ? reach.max() : reach.min())[along];
         corner[across] = (far_across ? reach.max() : reach.min())[across];
         positions.push_back(corner.cast<float>());
@@ -76,7 +79,7 @@ void addFloor(const CloudSamples& samples, const CloudLabels& labels,
     const std::vector<std::uint32_t> sizes = {3, 3};
     const std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
     SourceObject& object = raw.objects.emplace_back();
-    object.name = "floor_unseen";
+    object.name = kUnseenFloor;
     object.nyu40 = kNyuFloor;
     object.structure = true;
     object.parts = {raw.parts.size()};

@@ -102,7 +102,7 @@ const CloudPlane* levelPlane(const std::vector<CloudPlane>& planes, const Eigen:
 }  // namespace
 
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
-               std::optional<char> axis) {
+               std::optional<UpAxis> axis) {
     const bool camera = isCameraFrame(samples);
     double smallest = 1e300;
     for (int i = 0; i < 3; ++i) {
@@ -111,8 +111,8 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
     }
     std::vector<Candidate> candidates;
     for (int i = 0; i < 3; ++i) {
-        if (axis && *axis != "xyz"[i]) continue;
         for (const double sign : {1.0, -1.0}) {
+            if (axis && *axis != UpAxis("xyz"[i], sign < 0.0)) continue;
             Candidate one;
             one.up = sign * Eigen::Vector3d::Unit(i);
             const Spread spread = spreadAlong(samples, one.up);

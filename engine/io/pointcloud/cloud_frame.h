@@ -2,6 +2,7 @@
 
 #include "engine/io/pointcloud/cloud_planes.h"
 #include "engine/io/pointcloud/cloud_samples.h"
+#include "engine/math/up_axis.h"
 
 #include <Eigen/Core>
 
@@ -20,9 +21,8 @@ struct CloudUp {
 
 /// Judged from floors and ceilings (large planes that face up below and down above), from which
 /// way the scanner looked (a camera's y axis points down), and from habit; then levelled, within 30
-/// degrees, by the floor or across the walls. With `axis` ('x', 'y', 'z') only it and its
-/// opposite come into question.
+/// degrees, by the floor or across the walls. With `axis` no other one comes into question.
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
-               std::optional<char> axis);
+               std::optional<UpAxis> axis);
 
 }  // namespace dollytrack::io

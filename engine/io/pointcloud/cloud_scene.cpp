@@ -87,8 +87,8 @@ Eigen::Vector3d toMetres(PointCloud& cloud, const Eigen::AlignedBox3d& core, dou
 
 /// Turns the cloud so that `up` becomes the axis; first by quarters, so that a level cloud keeps
 /// its numbers.
-Eigen::Matrix3d levelling(const Eigen::Vector3d& up, char axis) {
-    const Eigen::Vector3d goal = Eigen::Vector3d::Unit(axis - 'x');
+Eigen::Matrix3d levelling(const Eigen::Vector3d& up, UpAxis axis) {
+    const Eigen::Vector3d goal = axis.direction();
     Eigen::Index nearest = 0;
     up.cwiseAbs().maxCoeff(&nearest);
     const Eigen::Vector3d rough = up[nearest] < 0.0
@@ -97,7 +97,7 @@ Eigen::Matrix3d levelling(const Eigen::Vector3d& up, char axis) {
     Eigen::Matrix3d quarter = Eigen::Matrix3d::Identity();
     if (rough.isApprox(-goal)) {
         quarter = -quarter;
-        quarter((axis - 'x' + 1) % 3, (axis - 'x' + 1) % 3) = 1.0;
+        quarter((axis.index() + 1) % 3, (axis.index() + 1) % 3) = 1.0;
     } else if (!rough.isApprox(goal)) {
         quarter = Eigen::Quaterniond::FromTwoVectors(rough, goal).toRotationMatrix();
         quarter = quarter.array().round();
@@ -240,7 +240,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     if (samples.points.size() < kFewest) return noSurface(points, path);
     const CloudUp up = findUp(samples, planes, options.up_axis);
     CloudLabels labels = labelCloud(samples, planes, up.up, options.cloud);
-    const char axis = options.up_axis.value_or('z');
+    const UpAxis axis = options.up_axis.value_or('z');
     const Eigen::Matrix3d parts_from_file = levelling(up.up, axis);
     turn(parts_from_file, cloud, samples);
     for (Eigen::Vector3d& p : scanned) p = parts_from_file * p;
@@ -264,7 +264,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         object.structure = thing.structure;
     }
     buildParts(samples, labels, surface->triangles, cloud, raw);
-    addFloor(samples, labels, cloud.viewpoint, axis - 'x', raw);
+    addFloor(samples, labels, cloud.viewpoint, axis, raw);
     // The parts are in metres now; what follows divides by the unit again.
     raw.file_up_axis = axis;
     raw.file_unit_m = unit_m;

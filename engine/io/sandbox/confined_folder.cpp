@@ -64,7 +64,11 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
     const std::string prefix = own.ends_with('/') ? own : own + "/";
     if (name.starts_with(prefix)) {
         name.erase(0, prefix.size());
-        name.erase(0, std::min(name.find_first_not_of('/'), name.size()));
+        const std::string beneath = name.substr(std::min(name.find_first_not_of('/'), name.size()));
+        // Readers put the folder before absolute names, too. Such a name leads out, unless it was
+        // only written with a slash too many.
+        const bool absolute = beneath.size() < name.size() && !openDescriptor(beneath).valid();
+        name = absolute ? "/" + beneath : beneath;
     }
     return name;
 }

@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -14,15 +16,30 @@ namespace {
 /// Above those that a child is given its own meaning for.
 constexpr int kLowestDescriptor = 10;
 
+Error noMemory(int error) {
+    // EINVAL: the lowest descriptor that is wanted is above the limit.
+    if (error == EMFILE || error == ENFILE || error == EINVAL) {
+        return {ErrorCode::Failed,
+                "too few files may be open at a time to read scenes; raise the limit (ulimit -n) "
+                "to 64 or more",
+                {}};
+    }
+    return {ErrorCode::Failed,
+            std::string("there is no memory to import into (") + std::strerror(error) + ")",
+            {}};
+}
+
 }  // namespace
 
 Result<FrameMemory> FrameMemory::make(std::size_t size) {
+    // The limit on file sizes holds for memory files, too; most scenes need little.
+    rlimit files{};
+    if (::getrlimit(RLIMIT_FSIZE, &files) == 0) size = std::min<std::size_t>(size, files.rlim_cur);
     const FileDescriptor low(::memfd_create("dollytrack-frame", MFD_CLOEXEC | MFD_ALLOW_SEALING));
     FileDescriptor high(low.valid() ? ::fcntl(low.get(), F_DUPFD_CLOEXEC, kLowestDescriptor) : -1);
     if (!high.valid() || ::ftruncate(high.get(), static_cast<off_t>(size)) != 0 ||
         ::fcntl(high.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0) {
-        return fail(ErrorCode::Failed, std::string("there is no memory to import into (") +
-                                           std::strerror(errno) + ")");
+        return tl::unexpected(noMemory(errno));
     }
     return FrameMemory(std::move(high), size);
 }

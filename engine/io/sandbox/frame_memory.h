@@ -15,7 +15,8 @@ namespace dollytrack::io {
 /// under whoever reads it, and closed to all writers before it is read.
 class FrameMemory {
   public:
-    /// `size` bytes, of which none takes memory before it is written.
+    /// `size` bytes, or as many as the limit on file sizes leaves; none takes memory before it is
+    /// written.
     [[nodiscard]] static Result<FrameMemory> make(std::size_t size);
 
     /// The first `used` bytes, for good as they are. Error: BadInput while somebody can write.

@@ -17,6 +17,7 @@
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,6 +29,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -84,6 +86,38 @@ void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
     notes.push_back("the scene names files outside its folder, which were not opened: " + names);
 }
 
+/// Bytes that this process may take for its own data, and whether that is less than it would be
+/// given: whoever started the program then limits all that it does.
+struct MemoryLimit {
+    std::uint64_t bytes = kMostAddressSpace;
+    bool inherited = false;
+};
+
+MemoryLimit memoryLimit() {
+    MemoryLimit limit;
+    for (const auto resource : {RLIMIT_DATA, RLIMIT_AS}) {
+        rlimit found{};
+        if (::getrlimit(resource, &found) != 0 || found.rlim_cur >= limit.bytes) continue;
+        limit = {found.rlim_cur, true};
+    }
+    return limit;
+}
+
+Error outOfMemory(const std::string& where) {
+    const MemoryLimit limit = memoryLimit();
+    const std::string size = std::to_string(limit.bytes >> 20U) + " MiB";
+    if (limit.inherited) {
+        return {ErrorCode::Failed,
+                "out of memory: reading it takes more than the limit of " + size +
+                    " for this program; raise it (ulimit, memory_mb)",
+                where};
+    }
+    return {ErrorCode::BadInput,
+            "reading it takes more than " + size +
+                " of memory; if it is not damaged, make it smaller or split it",
+            where};
+}
+
 Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const JobContext& job) {
     const std::string where = task.scene.string();
     try {
@@ -101,9 +135,13 @@ Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const
         job.report(1.0);
         return scene;
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::BadInput,
-                    "reading it takes more than " + std::to_string(kMostAddressSpace >> 30U) +
-                        " GiB of memory; if it is not damaged, make it smaller or split it",
+        return tl::unexpected(outOfMemory(where));
+    } catch (const std::system_error& error) {
+        // Threads that cannot be started have no memory for their stacks.
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            return tl::unexpected(outOfMemory(where));
+        }
+        return fail(ErrorCode::Failed, std::string("it cannot be read (") + error.what() + ")",
                     where);
     } catch (const std::exception& error) {
         return fail(ErrorCode::BadInput,
@@ -132,6 +170,28 @@ bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& use
     return true;
 }
 
+/// Behind the frame there has to be room for the list.
+std::uint64_t mostFrameBytes() {
+    struct stat status {};
+    const auto all = ::fstat(kFrameDescriptor, &status) == 0
+                         ? static_cast<std::uint64_t>(status.st_size)
+                         : std::uint64_t{0};
+    return all - all / 12;
+}
+
+tl::unexpected<Error> tooLarge(const std::string& where) {
+    const std::string size = std::to_string(mostFrameBytes() >> 20U) + " MiB";
+    if (mostFrameBytes() < kMostFrameBytes / 2) {
+        return fail(ErrorCode::Failed,
+                    "what it holds takes more than the " + size +
+                        " that the limit on file sizes leaves; raise it (ulimit -f)",
+                    where);
+    }
+    return fail(ErrorCode::BadInput,
+                "what it holds takes more than " + size + "; make its meshes or pictures smaller",
+                where);
+}
+
 }  // namespace
 
 int runImporter(int count, char** arguments) {
@@ -147,13 +207,7 @@ int runImporter(int count, char** arguments) {
              static_cast<std::uint64_t>(std::clamp(fraction, 0.0, 1.0) * 1e6));
     });
     Result<ReadScene> outcome = readGuarded(*task, record, job);
-    constexpr std::uint64_t kRoomForList = std::uint64_t{256} << 20U;
-    if (outcome && frameSize(outcome) > kMostFrameBytes - kRoomForList) {
-        outcome =
-            fail(ErrorCode::BadInput,
-                 "what it holds takes more than 2.75 GiB; make its meshes or pictures smaller",
-                 task->scene.string());
-    }
+    if (outcome && frameSize(outcome) > mostFrameBytes()) outcome = tooLarge(task->scene.string());
     // Nothing is to be tidied up: memory goes with the process.
     ::_exit(handBack(outcome, record.uses()) ? 0 : 1);
 }

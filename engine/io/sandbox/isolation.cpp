@@ -7,6 +7,8 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+
 namespace dollytrack::io {
 namespace {
 
@@ -16,8 +18,11 @@ constexpr bool kSanitized = true;  // their shadow memory takes terabytes of add
 constexpr bool kSanitized = false;
 #endif
 
+/// A stricter limit that was there before stays.
 bool limit(__rlimit_resource resource, rlim_t most) {
-    const rlimit both{most, most};
+    rlimit before{};
+    if (::getrlimit(resource, &before) != 0) return false;
+    const rlimit both{std::min(most, before.rlim_max), std::min(most, before.rlim_max)};
     return ::setrlimit(resource, &both) == 0;
 }
 

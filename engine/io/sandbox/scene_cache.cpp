@@ -1,8 +1,8 @@
 #include "engine/io/sandbox/scene_cache.h"
 
 #include "engine/io/cache_room.h"
-#include "engine/io/durable_file.h"
 #include "engine/io/file_descriptor.h"
+#include "engine/io/guarded_folder.h"
 #include "engine/io/import_settings.h"
 #include "engine/io/sandbox/frame_archive.h"
 #include "engine/io/sandbox/importer_process.h"
@@ -51,13 +51,16 @@ std::span<const std::uint8_t> bytesOf(std::string_view text) {
 /// A file of this user, mapped for reading.
 class MappedEntry {
   public:
-    explicit MappedEntry(const fs::path& path)
-        : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)) {
+    MappedEntry(const fs::path& folder, const std::string& name) {
+        const Result<GuardedFolder> guarded = GuardedFolder::open(folder);
+        if (!guarded) return;
+        Result<FileDescriptor> file = guarded->openFile(name, O_RDONLY);
         struct stat status {};
-        if (!file_.valid() || ::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode) ||
-            status.st_uid != ::geteuid() || status.st_size <= 0) {
+        if (!file || ::fstat(file->get(), &status) != 0 || status.st_uid != ::geteuid() ||
+            status.st_size <= 0) {
             return;
         }
+        file_ = std::move(*file);
         size_ = static_cast<std::size_t>(status.st_size);
         void* view = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file_.get(), 0);
         if (view != MAP_FAILED) view_ = static_cast<const std::uint8_t*>(view);
@@ -156,9 +159,9 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     const std::string name =
         sha256Of(fmt::format("{} {} {} {} {}", before.device, before.inode, before.size,
                              before.modified_ns, before.changed_ns));
-    const fs::path known = folder_ / (name + kDigestExtension);
+    const std::string known = name + kDigestExtension;
     {
-        const MappedEntry entry(known);
+        const MappedEntry entry(folder_, known);
         const auto bytes = entry.bytes();
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         const std::string_view digest = text.substr(0, kDigestLength);
@@ -173,17 +176,14 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     const Result<InputFile> after = openNamedFile(scene);
     // Whether it is kept changes nothing but the time that the next reading takes.
     if (after && after->identity() == before) {
-        (void)writeWhole(known, digestText(name, *digest), Durability::Renamed);
+        const Result<GuardedFolder> folder = GuardedFolder::open(folder_);
+        if (folder) (void)folder->write(known, digestText(name, *digest), Durability::Renamed);
     }
     return digest;
 }
 
-fs::path SceneCache::fileOf(const std::string& key) const {
-    return folder_ / (key + kExtension);
-}
-
 std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoots& roots) const {
-    const MappedEntry file(fileOf(key));
+    const MappedEntry file(folder_, key + kExtension);
     const std::optional<Entry> entry = entryIn(file.bytes());
     if (!entry || !stillHold(roots, entry->inputs)) return std::nullopt;
     bool damaged = false;
@@ -202,14 +202,16 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
     const std::size_t size = sizeof(head) + list.size() + frame.size();
     if (size > most_bytes_) return false;
-    makeCacheRoom(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
+    const Result<GuardedFolder> folder = GuardedFolder::open(folder_);
+    if (!folder) return false;
+    makeCacheRoom(*folder, {kExtension, kDigestExtension}, most_bytes_ - size);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(size);
     const auto* first = reinterpret_cast<const std::uint8_t*>(&head);
     bytes.insert(bytes.end(), first, first + sizeof(head));
     bytes.insert(bytes.end(), list.begin(), list.end());
     bytes.insert(bytes.end(), frame.begin(), frame.end());
-    return writeWhole(fileOf(key), bytes).has_value();
+    return folder->write(key + kExtension, bytes).has_value();
 }
 
 }  // namespace dollytrack::io

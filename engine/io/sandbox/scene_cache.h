@@ -56,8 +56,6 @@ class SceneCache {
               std::span<const std::uint8_t> frame) const;
 
   private:
-    [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
-
     std::filesystem::path folder_;
     std::uint64_t most_bytes_;
     std::chrono::seconds settled_;

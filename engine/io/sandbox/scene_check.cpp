@@ -164,7 +164,7 @@ Status checkScene(ReadScene& scene) {
     if (raw.file_unit_m && !(*raw.file_unit_m > 0.0 && *raw.file_unit_m < 1e9)) {
         return wrong("the file's unit is no length");
     }
-    if (raw.file_up_axis != 0 && (raw.file_up_axis < 'x' || raw.file_up_axis > 'z')) {
+    if (raw.file_up_axis.letter != 0 && !raw.file_up_axis.isAxis()) {
         return wrong("the file's upward axis is none");
     }
     const double volume = std::abs(raw.file_from_parts.linear().determinant());

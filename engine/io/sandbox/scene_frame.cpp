@@ -111,8 +111,8 @@ void repairMembers(Archive& archive, T& repairs) {
 template <class Archive, class T>
 void sceneMembers(Archive& archive, T& scene) {
     auto& [raw, set] = scene;
-    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, file_from_parts,
-           notes, warnings] = raw;
+    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis,
+           file_from_parts, notes, warnings] = raw;
     auto& [textures, missing, broken, found] = set;
     const auto text = [](Archive& to, auto& line) { to.text(line); };
     archive.list(nodes, 16, [](Archive& to, auto& node) { nodeMembers(to, node); });
@@ -122,7 +122,9 @@ void sceneMembers(Archive& archive, T& scene) {
     archive.list(requests, 9, [](Archive& to, auto& request) { requestMembers(to, request); });
     repairMembers(archive, repairs);
     archive.maybe(unit_m, [](Archive& to, auto& unit) { to.number(unit); });
-    archive.number(up_axis);
+    auto& [axis_letter, axis_negative] = up_axis;
+    archive.number(axis_letter);
+    archive.number(axis_negative);
     for (Eigen::Index i = 0; i < 12; ++i) archive.number(file_from_parts(i / 4, i % 4));
     archive.list(notes, 8, text);
     archive.list(warnings, 8, text);

@@ -132,7 +132,9 @@ class Exporting(Task):
         self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 3, "three frames")
         self.editor.kill()
         self.start()
-        self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question")
+        now = self.editor.wait(lambda now: now["dialogs"]["found_exports"], "the question")
+        self.assertIn("The dataset dataset is not finished", now["asked"])
+        self.assertIn(str(out), now["asked"])
         self.dismiss("later")
         job = self.editor.idle()["exports"][0]
         self.assertEqual((job["state"], job["frames"]), (CANCELLED, FRAMES))
@@ -166,6 +168,43 @@ class Exporting(Task):
         job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
         self.finished(job["id"])
         self.assertTrue((out / "dataset.json").exists())
+
+    def test_exporting_again_asks_whether_to_replace_the_dataset(self):
+        self.start_project(*SMALL)
+        out = self.folder / "dataset"
+        self.finished(self.queue(out))
+        before = self.hashes(out)
+        self.press_in_panel("export.add")
+        asked = self.editor.wait(lambda now: now["dialogs"]["doubt"], "the question")["asked"]
+        self.assertIn("12 frames, written 20", asked)
+        self.dismiss("cancel")
+        self.assertEqual(len(self.editor.idle()["exports"]), 1)
+        self.press_in_panel("export.add")
+        self.dismiss("export_to_dataset_2")
+        jobs = self.editor.wait(lambda now: len(now["exports"]) == 2, "the job")["exports"]
+        self.assertEqual(jobs[1]["folder"], str(self.folder / "dataset_2"))
+        self.finished(jobs[1]["id"])
+        self.assertEqual(self.hashes(out), before)
+        (out / "rgb" / "000000.png").unlink()
+        self.name_folder(out)
+        self.press_in_panel("export.add")
+        self.dismiss("overwrite")
+        jobs = self.editor.wait(lambda now: len(now["exports"]) == 3, "the job")["exports"]
+        self.finished(jobs[2]["id"])
+        self.assertEqual(self.hashes(out), before)
+
+    def test_a_cancelled_export_is_not_asked_about_again(self):
+        self.start_project(*SLOW)
+        out = self.folder / "dataset"
+        job = self.queue(out)
+        self.editor.wait(lambda now: now["exports"][0]["frames_done"] >= 2, "two frames")
+        self.press_job(job, "cancel")
+        self.finished(job, CANCELLED)
+        self.editor.kill()
+        self.start()
+        now = self.editor.wait(lambda now: now["exports"], "the queue")
+        self.assertFalse(now["dialogs"]["found_exports"], now["asked"])
+        self.assertFalse(self.editor.idle()["dialogs"]["found_exports"])
 
     def test_set_the_size_of_the_image_where_one_exports(self):
         self.start_project(*SMALL)

@@ -58,6 +58,23 @@ class Opening(Task):
         self.assertEqual(state["project"], str(project))
         self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
 
+    def test_a_scene_of_another_unit_is_read_as_proposed_and_back(self):
+        small = self.folder / "small.obj"
+        tiny_room.write(small)
+        tiny_room.move_corners(small, lambda x, y, z: (0.24 * x, 0.24 * y, 0.24 * z))
+        self.start(small)
+        self.editor.click("import_doubt.0")
+        state = self.editor.wait(lambda state: "import_changed" in state["items"],
+                                 "the scene to be read again")
+        self.assertGreater(state["import"]["unit_m"], 2.5)
+        self.assertTrue(state["unsaved"])
+        self.assertEqual(self.editor.idle()["plan"]["captured"], 5)
+        self.editor.click("import_changed.0")
+        state = self.editor.wait(lambda state: "import_doubt" in state["items"], "the unit before")
+        self.assertNotIn("unit_m", state["import"])
+        self.editor.click("import_doubt.1")
+        self.editor.wait(lambda state: "import_doubt" not in state["items"], "the bar to go")
+
     def test_a_broken_scene_leaves_the_open_project_as_it_was(self):
         before = self.start_room()
         broken = self.folder / "broken.glb"

@@ -51,6 +51,22 @@ TEST(ConfinedFolder, OpensWhatLiesBeneath) {
     EXPECT_FALSE(linked->readAll(7));
 }
 
+// A reader puts the folder before every name that a scene has, absolute ones among them.
+TEST(ConfinedFolder, AbsoluteNamesStayAbsolute) {
+    const Folders folders;
+    const ConfinedFolder folder(folders.scene);
+    const std::string before = folders.scene.string() + "/";
+    EXPECT_EQ(folder.relative(before + "/etc/hostname"), "/etc/hostname");
+    EXPECT_EQ(folder.relative(before + "/room.mtl"), "room.mtl");
+    EXPECT_EQ(folder.relative(before + "none.mtl"), "none.mtl");
+    InputRecord record;
+    EXPECT_FALSE(folder.has(folder.relative(before + "/etc/hostname")));
+    const std::vector<InputUse> uses = record.uses();
+    ASSERT_EQ(uses.size(), 1U);
+    EXPECT_EQ(uses[0].kind, InputUse::Refused);
+    EXPECT_EQ(uses[0].path, "/etc/hostname");
+}
+
 TEST(ConfinedFolder, RefusesWhatLiesOutside) {
     const Folders folders;
     fs::create_symlink(folders.all.path() / "secret.txt", folders.scene / "out");

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace dollytrack::io {
+
+/// The object that is put under a point cloud as its floor: nobody has scanned it.
+inline constexpr std::string_view kUnseenFloor = "floor_unseen";
+
+}  // namespace dollytrack::io

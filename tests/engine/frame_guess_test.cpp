@@ -1,0 +1,259 @@
+#include "engine/io/import_proposal.h"
+#include "engine/io/import_settings.h"
+#include "engine/io/scene_import.h"
+#include "engine/math/up_axis.h"
+#include "tests/support/imported_scene.h"
+#include "tests/support/temp_folder.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+using test::find;
+using test::imported;
+using test::TempFolder;
+
+struct NamedBox {
+    std::string name;
+    Eigen::Vector3d low;
+    Eigen::Vector3d high;
+};
+
+/// A living room of 5 x 4 x 2.6 m, z up: what stands on the floor, on the table, and on nothing.
+std::vector<NamedBox> livingRoom(bool named) {
+    std::vector<NamedBox> boxes = {{"floor", {0, 0, -0.1}, {5, 4, 0}},
+                                   {"ceiling", {0, 0, 2.6}, {5, 4, 2.7}},
+                                   {"wall_1", {-0.1, 0, 0}, {0, 4, 2.6}},
+                                   {"wall_2", {5, 0, 0}, {5.1, 4, 2.6}},
+                                   {"wall_3", {0, -0.1, 0}, {5, 0, 2.6}},
+                                   {"wall_4", {0, 4, 0}, {5, 4.1, 2.6}},
+                                   {"table", {1.8, 1.5, 0}, {3.2, 2.3, 0.74}},
+                                   {"mug", {2.0, 1.7, 0.74}, {2.09, 1.79, 0.84}},
+                                   {"book", {2.5, 1.8, 0.74}, {2.72, 1.96, 0.78}},
+                                   {"chair", {1.2, 1.6, 0}, {1.65, 2.05, 0.9}},
+                                   {"sofa", {0.2, 3.0, 0}, {2.2, 3.8, 0.8}},
+                                   {"bookshelf", {4.6, 0.5, 0}, {4.9, 1.5, 2.0}},
+                                   {"picture", {1.5, 0.0, 1.3}, {2.1, 0.02, 1.7}}};
+    if (!named) {
+        for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].name = fmt::format("aa{}", i);
+    }
+    return boxes;
+}
+
+constexpr int kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+Eigen::Vector3d cornerOf(const Eigen::Vector3d& low, const Eigen::Vector3d& high, int i) {
+    return {(i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z()};
+}
+
+/// The file's axis `up` is the room's z; `scale` file units are a metre.
+std::string asObj(const std::vector<NamedBox>& boxes, UpAxis up, double scale = 1.0) {
+    const Eigen::Matrix3d file_from_room = scale * up.zUpFromSource().transpose();
+    std::string text;
+    int count = 0;
+    for (const NamedBox& box : boxes) {
+        text += "o " + box.name + "\n";
+        for (int i = 0; i < 8; ++i) {
+            const Eigen::Vector3d p = file_from_room * cornerOf(box.low, box.high, i);
+            text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+        }
+        for (const auto& face : kFaces) {
+            text += "f";
+            for (const int i : face) text += fmt::format(" {}", count + i + 1);
+            text += "\n";
+        }
+        count += 8;
+    }
+    return text;
+}
+
+/// The same as glTF, y up by its standard, but for a root node that turns and scales all of it.
+std::string asGltf(const std::vector<NamedBox>& boxes, UpAxis up, double scale,
+                   const TempFolder& folder) {
+    std::string bytes;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3f p =
+            cornerOf(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones(), i).cast<float>();
+        bytes.append(reinterpret_cast<const char*>(p.data()), sizeof(p));
+    }
+    for (const auto& f : kFaces) {
+        for (const int i : {f[0], f[1], f[2], f[0], f[2], f[3]}) {
+            const auto index = static_cast<std::uint16_t>(i);
+            bytes.append(reinterpret_cast<const char*>(&index), sizeof(index));
+        }
+    }
+    static_cast<void>(folder.write("cube.bin", bytes));
+    Eigen::Matrix4d root = Eigen::Matrix4d::Identity();
+    root.topLeftCorner<3, 3>() = scale * up.zUpFromSource().transpose();
+    nlohmann::json nodes = {
+        {{"name", "root"}, {"matrix", std::vector<double>(root.data(), root.data() + 16)}}};
+    for (const NamedBox& box : boxes) {
+        const Eigen::Vector3d size = box.high - box.low;
+        nodes[0]["children"].push_back(nodes.size());
+        nodes.push_back({{"name", box.name},
+                         {"mesh", 0},
+                         {"translation", {box.low.x(), box.low.y(), box.low.z()}},
+                         {"scale", {size.x(), size.y(), size.z()}}});
+    }
+    return nlohmann::json{
+        {"asset", {{"version", "2.0"}}},
+        {"scene", 0},
+        {"scenes", {{{"nodes", {0}}}}},
+        {"nodes", nodes},
+        {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+        {"buffers", {{{"byteLength", bytes.size()}, {"uri", "cube.bin"}}}},
+        {"bufferViews",
+         {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 96}},
+          {{"buffer", 0}, {"byteOffset", 96}, {"byteLength", 72}}}},
+        {"accessors",
+         {{{"bufferView", 0},
+           {"componentType", 5126},
+           {"count", 8},
+           {"type", "VEC3"},
+           {"min", {0, 0, 0}},
+           {"max", {1, 1, 1}}},
+          {{"bufferView", 1}, {"componentType", 5123}, {"count", 36}, {"type", "SCALAR"}}}}}
+        .dump();
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+}
+
+const std::vector<UpAxis> kAllAxes = {{'x'}, {'y'}, {'z'}, {'x', true}, {'y', true}, {'z', true}};
+
+TEST(UpAxis, IsReadAsItIsWritten) {
+    for (const UpAxis axis : kAllAxes) {
+        EXPECT_EQ(parseUpAxis(axis.text()), axis) << axis.text();
+        const Eigen::Matrix3d turn = axis.zUpFromSource();
+        EXPECT_TRUE((turn * axis.direction()).isApprox(Eigen::Vector3d::UnitZ())) << axis.text();
+        EXPECT_NEAR(turn.determinant(), 1.0, 1e-12) << axis.text();
+    }
+    EXPECT_EQ(parseUpAxis("+Z"), UpAxis('z'));
+    for (const char* wrong : {"", "-", "w", "--y", "-yy", "yz", "y-"}) {
+        EXPECT_EQ(parseUpAxis(wrong), std::nullopt) << wrong;
+    }
+}
+
+// What a person says of the axis reaches the project file and comes back from it.
+TEST(UpAxis, StandsInImportSettings) {
+    ImportOptions options;
+    options.up_axis = UpAxis('y', true);
+    const nlohmann::json stored = io::importOptionsToJson(options);
+    EXPECT_EQ(stored["up_axis"], "-y");
+    const auto read = io::importOptionsFromJson(stored);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->up_axis, options.up_axis);
+    const auto wrong = io::importOptionsFromJson({{"up_axis", "down"}});
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().code, ErrorCode::BadInput);
+}
+
+// Gravity tells which way is up where the format does not, with names and without.
+TEST(FrameGuess, FindsAnyOfTheSixAxes) {
+    const TempFolder folder;
+    for (const bool named : {true, false}) {
+        for (const UpAxis axis : kAllAxes) {
+            const Scene scene = imported(folder.write("room.obj", asObj(livingRoom(named), axis)));
+            EXPECT_EQ(scene.report.up_axis, axis.text()) << named;
+            EXPECT_EQ(scene.report.unit_m, 1.0);
+            if (axis.negative) {
+                EXPECT_NE(joined(scene.report.warnings).find("--up"), std::string::npos)
+                    << axis.text();
+            }
+            if (!named) continue;
+            EXPECT_NEAR(find(scene, "sofa")->box.center.z(), 0.4, 1e-5) << axis.text();
+            EXPECT_NEAR(find(scene, "mug")->box.center.z(), 0.79, 1e-5) << axis.text();
+        }
+    }
+}
+
+TEST(FrameGuess, TakesAnyOfTheSixAxesAsGiven) {
+    const TempFolder folder;
+    for (const UpAxis axis : kAllAxes) {
+        const Scene scene = imported(folder.write("room.obj", asObj(livingRoom(false), axis)),
+                                     {.unit_m = 1.0, .up_axis = axis});
+        EXPECT_NEAR(scene.room_bounds.min().z(), -0.1, 1e-5) << axis.text();
+        EXPECT_NEAR(scene.room_bounds.max().z(), 2.7, 1e-5) << axis.text();
+        EXPECT_TRUE(proposeImport(scene).isEmpty());
+    }
+}
+
+// The annotations beside a scene may say that it is upside down.
+TEST(FrameGuess, TakesANegativeAxisFromAnnotations) {
+    const TempFolder folder;
+    static_cast<void>(
+        folder.write("room.obj.objects.json",
+                     R"({"format": "dollytrack-objects", "version": 1, "up_axis": "-z"})"));
+    const Scene scene =
+        imported(folder.write("room.obj", asObj(livingRoom(true), UpAxis('z', true))));
+    EXPECT_EQ(scene.report.up_axis, "-z");
+    EXPECT_EQ(scene.report.up_source, "given");
+}
+
+// glTF has y up by its standard; a root node can turn everything on its side all the same.
+TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
+    const TempFolder folder;
+    for (const UpAxis axis : kAllAxes) {
+        const Scene scene =
+            imported(folder.write("room.gltf", asGltf(livingRoom(true), axis, 1.0, folder)));
+        const std::string warnings = joined(scene.report.warnings);
+        if (axis == UpAxis('y')) {
+            EXPECT_EQ(scene.report.up_source, "file");
+            EXPECT_EQ(warnings.find("is up"), std::string::npos) << warnings;
+            continue;
+        }
+        EXPECT_NE(warnings.find("the file says y is up"), std::string::npos) << axis.text();
+        EXPECT_NE(warnings.find("--up"), std::string::npos) << warnings;
+        EXPECT_EQ(scene.report.up_axis, axis.text()) << warnings;
+        EXPECT_NEAR(find(scene, "sofa")->box.center.z(), 0.4, 1e-4) << axis.text();
+    }
+}
+
+// Furniture and the room's height tell what a unit is; what is proposed is about right.
+TEST(FrameGuess, ProposesTheUnitOfAScaledRoom) {
+    const TempFolder folder;
+    for (const double scale : {0.1, 0.2, 0.24, 0.3, 0.45, 3.0, 8.0}) {
+        for (const bool gltf : {true, false}) {
+            const Scene scene = imported(
+                gltf ? folder.write("room.gltf", asGltf(livingRoom(true), 'y', scale, folder))
+                     : folder.write("room.obj", asObj(livingRoom(true), 'y', scale)));
+            const double found = proposeImport(scene).unit_m.value_or(scene.report.unit_m) * scale;
+            EXPECT_GT(found, 0.7) << scale << joined(scene.report.warnings);
+            EXPECT_LT(found, 1.4) << scale << joined(scene.report.warnings);
+            if (gltf) {
+                EXPECT_EQ(scene.report.unit_m, 1.0);
+                EXPECT_NE(joined(scene.report.warnings).find("--unit "), std::string::npos)
+                    << scale;
+            }
+        }
+    }
+}
+
+// A cut-away room and a hall are believed where furniture has its usual size.
+TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
+    const TempFolder folder;
+    for (const double height : {1.2, 2.6, 9.0}) {
+        std::vector<NamedBox> boxes = livingRoom(true);
+        boxes.erase(boxes.begin() + 1);  // the ceiling
+        for (std::size_t i = 1; i < 5; ++i) boxes[i].high.z() = height;
+        boxes.back().high.z() = std::min(boxes.back().high.z(), height);
+        boxes.back().low.z() = boxes.back().high.z() - 0.4;
+        const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+        EXPECT_EQ(scene.report.unit_m, 1.0);
+        EXPECT_TRUE(proposeImport(scene).isEmpty()) << joined(scene.report.warnings);
+    }
+}
+
+}  // namespace
+}  // namespace dollytrack
