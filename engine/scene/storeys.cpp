@@ -11,11 +11,11 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kStorey_m = 1.9;      // between floors that people walk on one above the other
-constexpr double kStep_m = 0.05;       // floors of one storey are this even
-constexpr double kFloorShare = 0.1;    // of the largest floor, for a landing to be a storey
-constexpr float kLevelNormal = 0.98F;  // cosine of 11 degrees
-constexpr double kHeadHeight_m = 1.0;  // above a floor there is air
+constexpr double kStorey_m = 1.9;          // between floors that people walk on one above the other
+constexpr double kStep_m = 0.05;           // floors of one storey are this even
+constexpr double kStoreyFloorShare = 0.1;  // of the largest floor, for a landing to be a storey
+constexpr float kLevelNormal = 0.98F;      // cosine of 11 degrees
+constexpr double kHeadHeight_m = 1.0;      // above a floor there is air
 
 using AreaAt = std::map<long, double>;  // of level surfaces, by height in steps
 
@@ -43,7 +43,7 @@ std::vector<FloorLevel> slabsOf(const AreaAt& area_at) {
     double last = -std::numeric_limits<double>::infinity();
     for (const auto& [step, area] : area_at) {
         const double height = kStep_m * static_cast<double>(step);
-        if (area < kFloorShare * largest) continue;
+        if (area < kStoreyFloorShare * largest) continue;
         if (height - last >= kStorey_m) floors.push_back({height, height});
         floors.back().top_m = height;
         last = height;
