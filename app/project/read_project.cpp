@@ -45,7 +45,7 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     Result<Edits> edits = editsFromJson(file->edits);
     if (!edits) return in(path, std::move(edits.error()));
     const Result<ImportOptions> options = io::importOptionsFromJson(file->import);
-    if (!options) return in(path, options.error());
+    if (!options) return in(path, {ErrorCode::BadInput, options.error().message, "scene.import"});
     content.project = path;
     content.scene_file = std::move(file->scene);
     content.import = std::move(file->import);

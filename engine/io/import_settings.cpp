@@ -1,7 +1,6 @@
 #include "engine/io/import_settings.h"
 
 #include "engine/core/field_list.h"
-#include "engine/document/json_reader.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,35 +10,32 @@ namespace dollytrack::io {
 
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
     ImportOptions options;
-    Status status;
-    const JsonReader from(settings, "scene.import", status);
-    if (const JsonReader unit = from.at("unit_m"); !unit.absent()) {
-        options.unit_m = unit.number(1e-9, 1e9);
+    try {
+        if (settings.contains("unit_m")) options.unit_m = settings["unit_m"].get<double>();
+        if (settings.contains("labels")) options.labels = settings["labels"].get<std::string>();
+        if (settings.contains("model_folders")) {
+            for (const nlohmann::json& folder : settings["model_folders"]) {
+                options.model_folders.emplace_back(folder.get<std::string>());
+            }
+        }
+        if (settings.contains("annotations")) {
+            options.annotations = settings["annotations"].get<std::string>();
+        }
+        if (settings.contains("up_axis")) {
+            const auto axis = settings["up_axis"].get<std::string>();
+            options.up_axis = axis.empty() ? 'y' : axis.front();
+        }
+        if (settings.contains("cloud")) {
+            FieldCollector fields;
+            visitCloudParams(options.cloud, fields);
+            Status set = setFromJson(fields.take(), {{"cloud", settings["cloud"]}});
+            if (!set) return tl::unexpected<Error>(std::move(set.error()));
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(
+            ErrorCode::BadInput,
+            std::string("The project's import settings are of the wrong type (") + e.what() + ").");
     }
-    if (const JsonReader up = from.at("up_axis"); !up.absent()) {
-        const std::string axis = up.text();
-        if (axis != "x" && axis != "y" && axis != "z") up.refuse("This must be x, y or z.");
-        if (from.good()) options.up_axis = axis.front();
-    }
-    if (const JsonReader labels = from.at("labels"); !labels.absent()) {
-        options.labels = labels.text();
-    }
-    const JsonReader folders = from.at("model_folders");
-    for (std::size_t i = 0; i < folders.size() && from.good(); ++i) {
-        options.model_folders.emplace_back(folders.at(i).text());
-    }
-    if (const JsonReader annotations = from.at("annotations"); !annotations.absent()) {
-        options.annotations = annotations.text();
-    }
-    if (const JsonReader cloud = from.at("cloud"); !cloud.absent() && from.good()) {
-        FieldCollector fields;
-        visitCloudParams(options.cloud, fields);
-        Status set = setFromJson(fields.take(), {{"cloud", cloud.json()}});
-        if (!set)
-            status =
-                fail(set.error().code, set.error().message, "scene.import." + set.error().where);
-    }
-    if (!status) return tl::unexpected<Error>(std::move(status.error()));
     return options;
 }
 
