@@ -312,6 +312,7 @@ class HandMade(ParentCase):
                              words=["m.dolly: result." + ".".join(place)])
                 self.assertFalse((self.work / "out").exists())
         for section, value in [("scene", []), ("parameters", 1), ("edits", "x"), ("scene", {}),
+                               ("scene", {"path": "room.obj", "import": {"unit_m": "x"}}),
                                ("dollytrack_project", "1"), ("dollytrack_project", -1)]:
             project = {**json.loads(self.project.read_text()), section: value}
             path.write_text(json.dumps(project))
