@@ -40,7 +40,8 @@ MeshPart extract(const MeshPart& part, const std::vector<std::size_t>& triangles
 
 }  // namespace
 
-std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& draft) {
+std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& draft,
+                                        std::size_t least, std::size_t most) {
     std::size_t corners = 0;
     for (const std::size_t part : draft.parts) corners += raw.parts[part].positions.size();
     PieceFinder finder(corners);
@@ -67,6 +68,7 @@ std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& 
             members[static_cast<std::size_t>(piece_of[root])][k].push_back(t);
         }
     }
+    if (members.size() < least || members.size() > most) return {};
     std::vector<std::vector<std::uint32_t>> renumbered;
     for (const std::size_t part : draft.parts) {
         renumbered.emplace_back(raw.parts[part].positions.size(), kNotUsed);

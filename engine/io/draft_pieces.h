@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace dollytrack {
@@ -15,7 +17,10 @@ struct DraftPiece {
     Eigen::AlignedBox3f box;
 };
 
-/// In the order of their first triangles, so that the result depends on nothing else.
-std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& draft);
+/// In the order of their first triangles, so that the result depends on nothing else. None, where
+/// there are less than `least` or more than `most`.
+std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& draft,
+                                        std::size_t least = 0,
+                                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace dollytrack

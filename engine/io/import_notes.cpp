@@ -74,6 +74,13 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
 }
 
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report) {
+    if (!found.doubtful.empty()) {
+        report.warnings.push_back(
+            counted(found.doubtful.size(), "mesh", "meshes") +
+            fmt::format(" may hold several objects, alike and apart from each other: {}; split if "
+                        "so (dollytrack edit)",
+                        fmt::join(found.doubtful, ", ")));
+    }
     if (found.names.empty()) return;
     const std::string meshes =
         counted(found.names.size(), "mesh holds", "meshes hold") +

@@ -32,8 +32,8 @@ constexpr float kUnsized_m = 2.0F;  // longest side of things of classes without
 constexpr float kRoom_m = 3.0F;     // what spreads as far in two directions is spread over a room
 constexpr float kAir = 0.25F;       // share of its box that the objects of such a draft fill
 constexpr std::size_t kLeastAlike = 3;            // so many alike objects are no chance
-constexpr std::size_t kMostLoosePieces = 20'000;  // of all drafts looked at; foliage has more
-constexpr std::size_t kMostPairs = 200'000;
+constexpr std::size_t kMostLoosePieces = 10'000;  // of all drafts looked at; foliage has more
+constexpr std::size_t kMostPairs = 50'000;
 
 struct LooseSurface {
     std::size_t draft;
@@ -120,7 +120,10 @@ class MaterialMeshSearch {
             changed = false;
             findWholes();
             for (std::size_t i = 0; i < drafts_.size(); ++i) {
-                if (!suspect_[i] || holdsSeveral(i)) continue;
+                if (!suspect_[i]) continue;
+                const Evidence evidence = weigh(i);
+                if (holdsSeveral(i, evidence)) continue;
+                if (mayHoldSeveral(i, evidence)) doubtful_.push_back(i);
                 suspect_[i] = false;
                 changed = true;
             }
@@ -146,6 +149,8 @@ class MaterialMeshSearch {
         return both;
     }
 
+    /// Drafts that may hold several objects, as they have alike pieces apart from each other.
+    [[nodiscard]] const std::vector<std::size_t>& doubtful() const { return doubtful_; }
     [[nodiscard]] bool isTakenApart(std::size_t draft) const { return suspect_[draft]; }
     [[nodiscard]] const std::vector<FoundObject>& wholes() const { return wholes_; }
     [[nodiscard]] LooseSurface& piece(std::size_t i) { return pieces_[i]; }
@@ -154,12 +159,12 @@ class MaterialMeshSearch {
     void findPieces(const RawScene& raw) {
         std::vector<std::vector<DraftPiece>> found(drafts_.size());
         parallelFor(drafts_.size(), [&](std::size_t i) {
-            if (suspect_[i]) found[i] = findDraftPieces(raw, drafts_[i]);
+            if (suspect_[i]) found[i] = findDraftPieces(raw, drafts_[i], 2, kMostLoosePieces);
         });
         std::size_t count = 0;
         for (const auto& of_draft : found) count += of_draft.size();
         for (std::size_t i = 0; i < drafts_.size(); ++i) {
-            if (found[i].size() < 2 || count > kMostLoosePieces) suspect_[i] = false;
+            if (found[i].empty() || count > kMostLoosePieces) suspect_[i] = false;
             if (!suspect_[i]) continue;
             for (DraftPiece& piece : found[i]) pieces_.push_back({i, std::move(piece), {}});
         }
@@ -320,39 +325,58 @@ class MaterialMeshSearch {
         });
     }
 
-    [[nodiscard]] bool holdsSeveral(std::size_t draft) const {
-        std::size_t things = 0;
-        std::size_t fitting = 0;
-        double area = 0.0;
-        double alike_area = 0.0;
-        double filled = 0.0;
+    /// What speaks for a draft being parts of several objects.
+    struct Evidence {
+        std::size_t things = 0;         // objects that have pieces of it
+        std::size_t fitting = 0;        // of these, with a size that its class can have
+        double area = 0.0;              // of all objects that have pieces of it
+        double alike_area = 0.0;        // of those that are there several times
+        double alike_mixed_area = 0.0;  // and are made of several drafts
+        double filled = 0.0;            // by the objects' boxes
+    };
+
+    [[nodiscard]] Evidence weigh(std::size_t draft) const {
+        Evidence evidence;
         const FurnitureSize* size = furnitureSizeOf(drafts_[draft].label);
-        for (const FoundObject& whole : wholes_) {
-            if (!isOf(whole, draft)) continue;
-            area += whole.area;
-            if (whole.longest() < kThing_m) continue;
-            ++things;
-            const auto longest = static_cast<double>(whole.longest());
-            fitting += size != nullptr && longest >= 0.5 * size->low && longest <= 1.5 * size->high;
-            if (whole.alike && isOfSeveral(whole)) alike_area += whole.area;
-            filled += static_cast<double>(whole.box.volume());
+        for (const FoundObject& object : wholes_) {
+            if (!isOf(object, draft)) continue;
+            evidence.area += object.area;
+            if (object.longest() < kThing_m) continue;
+            ++evidence.things;
+            const auto longest = static_cast<double>(object.longest());
+            evidence.fitting +=
+                size != nullptr && longest >= 0.5 * size->low && longest <= 1.5 * size->high;
+            if (object.alike) evidence.alike_area += object.area;
+            if (object.alike && isOfSeveral(object)) evidence.alike_mixed_area += object.area;
+            evidence.filled += static_cast<double>(object.box.volume());
         }
-        if (things < kLeastAlike) return false;
-        if (alike_area >= 0.5 * area) return true;
+        return evidence;
+    }
+
+    [[nodiscard]] bool holdsSeveral(std::size_t draft, const Evidence& evidence) const {
+        if (evidence.things < kLeastAlike) return false;
+        if (evidence.alike_mixed_area >= 0.5 * evidence.area) return true;
+        const Label& label = drafts_[draft].label;
         const Eigen::Vector3f reach = boxes_[draft].sizes();
-        if (size != nullptr) {
+        if (const FurnitureSize* size = furnitureSizeOf(label)) {
             return size->nyu40 != kBooks &&
                    static_cast<double>(reach.maxCoeff()) > 1.5 * size->high &&
-                   2 * fitting >= things;
+                   2 * evidence.fitting >= evidence.things;
         }
-        return drafts_[draft].label.kind == LabelKind::Target &&
-               std::min(reach.x(), reach.y()) > kRoom_m &&
-               filled < kAir * static_cast<double>(boxes_[draft].volume());
+        return label.kind == LabelKind::Target && std::min(reach.x(), reach.y()) > kRoom_m &&
+               evidence.filled < kAir * static_cast<double>(boxes_[draft].volume());
+    }
+
+    /// Alike objects that nothing else speaks for may be the slats of one thing, too.
+    [[nodiscard]] bool mayHoldSeveral(std::size_t draft, const Evidence& evidence) const {
+        return evidence.things >= kLeastAlike && evidence.alike_area >= 0.5 * evidence.area &&
+               drafts_[draft].label.nyu40 != kBooks;
     }
 
     const std::vector<ObjectDraft>& drafts_;
     std::vector<Eigen::AlignedBox3f> boxes_;
     std::vector<bool> suspect_;
+    std::vector<std::size_t> doubtful_;
     std::vector<LooseSurface> pieces_;
     std::vector<Pair> pairs_;
     std::vector<std::size_t> root_;
@@ -407,6 +431,7 @@ MaterialMeshes regroupMaterialMeshes(RawScene& raw, const LabelTable& labels,
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         if (search.isTakenApart(i)) found.names.push_back(drafts[i].name);
     }
+    for (const std::size_t i : search.doubtful()) found.doubtful.push_back(drafts[i].name);
     found.objects = search.wholes().size();
     if (found.names.empty() || !apply) return found;
     const std::vector<bool> mixed = search.holdChairsAndOthers(labels);

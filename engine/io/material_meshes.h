@@ -11,9 +11,10 @@ namespace dollytrack {
 
 /// What was found of meshes that hold parts of several objects.
 struct MaterialMeshes {
-    std::vector<std::string> names;  // of the drafts that were, or should be, taken apart
-    std::size_t objects = 0;         // that their pieces make
-    std::size_t unnamed = 0;         // of these, objects whose class nothing tells
+    std::vector<std::string> names;     // of the drafts that were, or should be, taken apart
+    std::vector<std::string> doubtful;  // of drafts that may hold several, and are left whole
+    std::size_t objects = 0;            // that their pieces make
+    std::size_t unnamed = 0;            // of these, objects whose class nothing tells
 };
 
 /// Finds drafts that hold parts of objects in many places, as exporters make of scenes that are

@@ -30,8 +30,8 @@ bool isMaterialNumber(const std::string& name) {
 
 std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
                                std::size_t least) {
-    std::vector<DraftPiece> found = findDraftPieces(raw, draft);
-    if (found.size() < least) return {draft};
+    std::vector<DraftPiece> found = findDraftPieces(raw, draft, least);
+    if (found.empty()) return {draft};
     std::vector<ObjectDraft> pieces;
     for (DraftPiece& one : found) {
         ObjectDraft piece;

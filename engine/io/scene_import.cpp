@@ -29,6 +29,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 
@@ -80,7 +81,7 @@ void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
-    noteMaterialMeshes(regroupMaterialMeshes(raw, labels, drafts, regroup), regroup, report);
+    MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
     const std::size_t scattered = splitScattered(raw, labels, drafts);
     if (scattered > 0) {
         report.notes.push_back(
@@ -93,6 +94,10 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
             "the file does not keep its objects apart; they were found as connected pieces, look "
             "whether they are right");
     }
+    std::erase_if(meshes.doubtful, [&](const std::string& name) {
+        return std::ranges::find(drafts, name, &ObjectDraft::name) == drafts.end();
+    });
+    noteMaterialMeshes(meshes, regroup, report);
     const std::vector<bool> structure = findStructure(raw, drafts);
     const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);

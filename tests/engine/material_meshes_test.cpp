@@ -121,6 +121,18 @@ TEST(MaterialMeshes, ObjectsOfSeveralPiecesStayWhole) {
     EXPECT_FALSE(says(kept.report.warnings, "parts of several objects"));
 }
 
+// Bars between which there is less than half a metre: one thing, or several, which only a person
+// can say.
+TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
+    ObjWriter obj = test::furnished();
+    obj.object("Blorb");
+    for (int i = 0; i < 5; ++i) obj.box({0.5 + 0.8 * i, 3.2, 0.9}, {1.0 + 0.8 * i, 3.6, 1.3});
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_NE(find(scene, "Blorb"), nullptr);
+    EXPECT_TRUE(says(scene.report.warnings,
+                     "1 mesh may hold several objects, alike and apart from each other: Blorb"));
+}
+
 // The smallest thing that its class does not have the size of, and one that is only unusual.
 TEST(SizeDoubts, NameWhatItsClassCannotBe) {
     ObjWriter obj = test::furnished();
