@@ -99,7 +99,7 @@ class Limits(FolderCase):
             self.assertNotIn('"stage"', result.stderr)
         moved = self.folder / "edited.dolly"
         result = run("edit", self.project, "-o", self.folder / "none" / moved.name, "--op",
-                     '{"op": "set_parameter", "name": "fill", "value": 0.5}', "--plan",
+                     '{"op": "set", "name": "fill", "value": 0.5}', "--plan",
                      "--progress", "json")
         self.assertEqual(result.returncode, 6, result.stderr)
         self.assertNotIn('"stage"', result.stderr)

@@ -65,9 +65,12 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
     if (name.starts_with(prefix)) {
         name.erase(0, prefix.size());
         const std::string beneath = name.substr(std::min(name.find_first_not_of('/'), name.size()));
-        // Readers put the folder before absolute names, too. Such a name leads out, unless it was
-        // only written with a slash too many.
-        const bool absolute = beneath.size() < name.size() && !openDescriptor(beneath).valid();
+        // Readers put the folder before absolute names, too, and try parts of names that way when
+        // nothing is there: what leads out is only a name that somebody's file has.
+        struct stat outside {};
+        const bool absolute = beneath.size() < name.size() && !openDescriptor(beneath).valid() &&
+                              ::stat(("/" + beneath).c_str(), &outside) == 0 &&
+                              S_ISREG(outside.st_mode);
         name = absolute ? "/" + beneath : beneath;
     }
     return name;

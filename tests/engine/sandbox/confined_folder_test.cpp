@@ -56,15 +56,16 @@ TEST(ConfinedFolder, AbsoluteNamesStayAbsolute) {
     const Folders folders;
     const ConfinedFolder folder(folders.scene);
     const std::string before = folders.scene.string() + "/";
-    EXPECT_EQ(folder.relative(before + "/etc/hostname"), "/etc/hostname");
+    EXPECT_EQ(folder.relative(before + "/etc/passwd"), "/etc/passwd");
+    EXPECT_EQ(folder.relative(before + "/etc/pass"), "etc/pass");  // nobody's
     EXPECT_EQ(folder.relative(before + "/room.mtl"), "room.mtl");
     EXPECT_EQ(folder.relative(before + "none.mtl"), "none.mtl");
     InputRecord record;
-    EXPECT_FALSE(folder.has(folder.relative(before + "/etc/hostname")));
+    EXPECT_FALSE(folder.has(folder.relative(before + "/etc/passwd")));
     const std::vector<InputUse> uses = record.uses();
     ASSERT_EQ(uses.size(), 1U);
     EXPECT_EQ(uses[0].kind, InputUse::Refused);
-    EXPECT_EQ(uses[0].path, "/etc/hostname");
+    EXPECT_EQ(uses[0].path, "/etc/passwd");
 }
 
 TEST(ConfinedFolder, RefusesWhatLiesOutside) {
