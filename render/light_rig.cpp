@@ -2,7 +2,6 @@
 
 #include "engine/scene/labels.h"
 #include "render/ray_distance.h"
-#include "render/unlit_places.h"
 
 #include <algorithm>
 #include <cctype>
@@ -182,8 +181,6 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
             }
         }
     }
-    const std::vector<Lamp> more = lampsForUnlitPlaces(scene, rays, boxes, rig.lamps);
-    rig.lamps.insert(rig.lamps.end(), more.begin(), more.end());
     if (light.own_lamps > 0.0F) rig.own_lamps = findOwnLamps(scene, rays, taken);
     for (OwnLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
     rig.sun.shades = scene.room_bounds;

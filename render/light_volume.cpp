@@ -60,6 +60,7 @@ class Baker {
             sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
             sunny_.assign(count * bounces_.perCell(), 0.0F);
         }
+        sees_sky_.assign(count, 0);
         balanced_.assign(count, 0.0F);
         for (const Material& material : scene.materials) {
             albedo_.push_back(meanAlbedo(scene, material));
@@ -113,13 +114,13 @@ class Baker {
         }
         // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
         // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
+        sees_sky_[i] = escaped > 0 ? 1 : 0;
         const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
         if (in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count)) cells_.leaveAir(i);
     }
 
-    /// What no way leads to from the rooms' lamps, from cell to cell, lies behind a wall or within
-    /// a column or a cupboard: neither the day nor the night there may shine through what is
-    /// thinner than cells.
+    /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
+    /// a wall: the day there must not shine through where the wall is thinner than cells.
     void leaveOutside() {
         std::vector<std::size_t> lit;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
@@ -128,7 +129,7 @@ class Baker {
         if (lit.empty()) return;
         const std::vector<char> reached = cells_.reachedFrom(lit);
         for (std::size_t i = 0; i < reached.size(); ++i) {
-            if (reached[i] == 0) cells_.leaveAir(i);
+            if (reached[i] == 0 && sees_sky_[i] != 0) cells_.leaveAir(i);
         }
     }
 
@@ -321,6 +322,7 @@ class Baker {
     LightVolume volume_;
     std::vector<Eigen::Vector3f> own_;         // as lamps, of the scene's own; empty without these
     std::vector<float> balanced_;              // by cell, what its rays find that sends light
+    std::vector<char> sees_sky_;               // by cell
     std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
     std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
     std::vector<Eigen::Vector3f> albedo_;      // by material

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -153,25 +152,6 @@ TEST(LightVolume, InsideAShelfItIsAsDarkAsPathTraced) {
     EXPECT_GT(errorInsideShelf(0.25), 0.4);
 }
 
-// Cells of a hall are about as wide as its columns: which of them lie within one changes along it.
-TEST(LightVolume, TheInsideOfAColumnDoesNotDarkenItsFaces) {
-    SceneBuilder builder;
-    builder.room({0, 0, 0}, {6, 5, 4});
-    builder.object("column").box({3.0, 2.5, 2.0}, {0.4, 0.4, 4.0}, 0.2);
-    const Scene scene = builder.build();
-    const RayCaster rays(scene);
-    LightVolumeParams params;
-    params.cell_m = 0.28;
-    const LightVolume volume = bakeLightVolume(scene, rays, makeLightRig(scene, rays), params);
-    for (double z = 0.5; z < 3.5; z += 0.25) {
-        const Eigen::Vector3d inside(3.0, 2.5, z);
-        const float beside =
-            std::min(volume.ambient[cellAt(volume, inside + Eigen::Vector3d(0.7, 0, 0))].mean(),
-                     volume.ambient[cellAt(volume, inside - Eigen::Vector3d(0.7, 0, 0))].mean());
-        EXPECT_GT(volume.ambient[cellAt(volume, inside)].mean(), 0.5F * beside) << z;
-    }
-}
-
 TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {3, 3, 2.6});
@@ -224,53 +204,6 @@ TEST(LightRig, RoomLampsKeepClearOfWallsAndCupboards) {
     const Lamp free = lampBesideWall(false, false);
     EXPECT_LT((free.position.head<2>() - Eigen::Vector2d(2, 2)).norm(), 1e-6);
     EXPECT_LT(free.position.z(), 1.6);
-}
-
-/// How many lamps shine down on a place that nothing stands before.
-int lampsOver(const LightRig& rig, const RayCaster& rays, const Eigen::Vector3d& place) {
-    return static_cast<int>(std::ranges::count_if(rig.lamps, [&](const Lamp& lamp) {
-        return lamp.position.z() > place.z() && (lamp.position - place).norm() < 4.0 &&
-               rays.sees(place, lamp.position);
-    }));
-}
-
-// One box holds both storeys and all rooms, as they are for a camera that gets everywhere.
-TEST(LightRig, EachStoreyAndClosedRoomHasALamp) {
-    SceneBuilder builder;
-    builder.room({0, 0, 0}, {8, 6, 5.4});
-    const SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
-    builder.object("upper floor", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
-        .box({4.0, 2.4, 2.6}, {8.0, 4.8, 0.2});
-    // A store room of 1.4 x 1.2 m in a corner, without a door.
-    builder.object("wall a", wall).box({1.45, 0.6, 1.25}, {0.1, 1.2, 2.5});
-    builder.object("wall b", wall).box({0.75, 1.25, 1.25}, {1.5, 0.1, 2.5});
-    const Scene scene = builder.build();
-    const RayCaster rays(scene);
-    const LightRig rig = makeLightRig(scene, rays);
-    EXPECT_GE(lampsOver(rig, rays, {0.7, 0.6, 1.0}), 1) << "store room";
-    EXPECT_GE(lampsOver(rig, rays, {6.0, 2.0, 1.0}), 1) << "lower storey";
-    for (const double x : {1.5, 4.0, 6.5}) {
-        EXPECT_GE(lampsOver(rig, rays, {x, 2.0, 3.7}), 1) << "upper storey";
-    }
-}
-
-TEST(LightRig, ALampWithinACupboardLeavesTheRoomToAnother) {
-    SceneBuilder builder;
-    builder.room({0, 0, 0}, {5, 5, 2.6});
-    builder.object("cupboard").box({2.5, 2.5, 1.3}, {3.2, 3.2, 2.6});
-    const Scene scene = builder.build();
-    const RayCaster rays(scene);
-    const LightRig rig = makeLightRig(scene, rays);
-    for (const double x : {0.45, 4.55}) {
-        for (const double y : {0.45, 4.55}) {
-            EXPECT_GE(lampsOver(rig, rays, {x, y, 1.0}), 1) << x << ", " << y;
-        }
-    }
-}
-
-TEST(LightRig, ARoomThatIsLitGetsNoFurtherLamp) {
-    const Scene scene = furnishedRoom();
-    EXPECT_EQ(makeLightRig(scene, RayCaster(scene)).lamps.size(), 1U);
 }
 
 /// What a wall gets from a lamp's ball that it cuts through.
