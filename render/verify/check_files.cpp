@@ -70,6 +70,8 @@ void findForeign(const StoredDataset& dataset, Findings& findings) {
     }
     for (const std::string& name : there) {
         if (name == "dataset.json" || dataset.sha256s.contains(name)) continue;
+        // Of an export that has not ended, and may replace this dataset.
+        if (name == ".dollytrack-export" || name.starts_with(".dollytrack-new/")) continue;
         findings.add({name, {}, {}, "a file that dataset.json does not name", "no such file"});
     }
 }

@@ -84,6 +84,7 @@ class Batch(FolderCase):
             with self.subTest(name):
                 shutil.rmtree(self.out, ignore_errors=True)
                 (job if name else self.out).mkdir(parents=True)
+                (self.out / "jobs.json").write_text('{"format": "dollytrack-batch"}')
                 link = job / name if name else job
                 link.symlink_to(mine if name in ("", "dataset") else mine / "text")
                 result = run("-q", "batch", file)
