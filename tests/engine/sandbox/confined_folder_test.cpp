@@ -60,11 +60,11 @@ TEST(ConfinedFolder, AbsoluteNamesStayAbsolute) {
     EXPECT_EQ(folder.relative(before + "/etc/pass"), "etc/pass");  // nobody's
     EXPECT_EQ(folder.relative(before + "/room.mtl"), "room.mtl");
     EXPECT_EQ(folder.relative(before + "none.mtl"), "none.mtl");
-    InputRecord record;
+    io::InputRecord record;
     EXPECT_FALSE(folder.has(folder.relative(before + "/etc/passwd")));
-    const std::vector<InputUse> uses = record.uses();
+    const std::vector<io::InputUse> uses = record.uses();
     ASSERT_EQ(uses.size(), 1U);
-    EXPECT_EQ(uses[0].kind, InputUse::Refused);
+    EXPECT_EQ(uses[0].kind, io::InputUse::Refused);
     EXPECT_EQ(uses[0].path, "/etc/passwd");
 }
 
