@@ -5,6 +5,7 @@
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
