@@ -49,7 +49,7 @@ Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::pa
     if (!fits) return in(path, std::move(fits.error()));
     Result<Edits> edits = editsFromJson(file.edits);
     if (!edits) return in(path, std::move(edits.error()));
-    const Result<ImportOptions> options = io::importOptionsFromJson(file->import);
+    const Result<ImportOptions> options = io::importOptionsFromJson(file.import);
     if (!options) return in(path, options.error());
     content.project = path;
     content.scene_file = std::move(file.scene);
