@@ -3,6 +3,7 @@
 #include "app/editor/export_program.h"
 #include "app/editor/local_time.h"
 #include "engine/core/log.h"
+#include "engine/io/bounded_json.h"
 #include "render/dataset_listing.h"
 #include "render/formats/formats.h"
 #include "render/frame_needs.h"
@@ -15,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace dollytrack::editor {
 namespace {
