@@ -1,6 +1,7 @@
 #include "engine/document/apply_scene_edits.h"
 #include "engine/io/oddity_notes.h"
 #include "engine/io/scene_import.h"
+#include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"

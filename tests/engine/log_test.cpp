@@ -1,6 +1,7 @@
 #include "engine/core/log.h"
 #include "engine/core/fold_repeats.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -37,7 +38,7 @@ TEST(FoldRepeats, CountsWhatDiffersInNamesAndNumbersAlone) {
     std::vector<std::string> messages = {"one of its kind"};
     for (int i = 0; i < 100; ++i) {
         messages.push_back("there is no node \"node " + std::to_string(i) + "\"");
-        messages.push_back("'" + std::string(1 + i % 3, 'x') + "' has " + std::to_string(i) + " m");
+        messages.push_back(fmt::format("'{}' has {} m", std::string(1 + i % 3, 'x'), i));
     }
     const std::vector<std::string> folded = foldRepeats(messages, 3);
     ASSERT_EQ(folded.size(), 7U);

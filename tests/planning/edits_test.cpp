@@ -180,7 +180,7 @@ TEST(Edits, ProofsAgainstNoGoBoxesHoldOnEveryCurve) {
     ASSERT_TRUE(map);
     const std::vector<NoGoBox> boxes = {boxAt({2.0, 1.5, 1.3}, {0.01, 0.5, 0.5}, 0.3),
                                         boxAt({2.6, 0.6, 1.6}, {0.6, 0.3, 0.2}, -0.4)};
-    const AllowedRegion region(scene, rays, *map, boxes, params.free_space, 0.1);
+    const AllowedRegion region(scene, rays, *map, boxes, params.free_space, params.body, 0.1);
     const SweptSphere with(rays, *map, 0.1, &region);
     const SweptSphere without(rays, *map, 0.1);
     Random random(7);

@@ -11,8 +11,8 @@ using nlohmann::json;
 Edits someEdits() {
     Edits edits;
     edits.scene.definitions.push_back(
-        {ObjectDefinition::Kind::Merge, {{3, "a"}, {5, "b"}}, "ab", 12});
-    edits.scene.definitions.push_back({ObjectDefinition::Kind::Split, {{3, "ab"}}, "ab", 0});
+        {ObjectDefinition::Kind::Merge, {{3, "a"}, {5, "b"}}, "ab", 12, {}});
+    edits.scene.definitions.push_back({ObjectDefinition::Kind::Split, {{3, "ab"}}, "ab", 0, {}});
     ObjectChange change;
     change.object = {4, "lamp \u00e9"};
     change.role = Role::Excluded;
