@@ -191,7 +191,7 @@ class Annotations(FolderCase):
             ("[1, 2", [name, "no JSON"]),
             ("[]", [name, "an object"]),
             ({"version": 1}, [name, "format", "dollytrack-objects"]),
-            (dict(self.said(), up_axis="up"), [name, "up_axis", "x, y or z"]),
+            (dict(self.said(), up_axis="up"), [name, "up_axis", "x, y, z, -x, -y or -z"]),
             (dict(self.said(), objects=[{"name": "a"}]), [name, "objects[0]", "made of"]),
             (dict(self.said(), objects=[{"name": "a", "nodes": ["mug"], "front": [0, 0]}]),
              [name, "objects[0].front", "three numbers"]),

@@ -53,6 +53,17 @@ Error cannotOpen(int error, const std::string& name) {
             std::string("the file cannot be opened (") + std::strerror(error) + ")", name};
 }
 
+/// Readers try parts of names when nothing is there: only a name that somebody's file has leads out
+/// of the folder.
+bool isOrdinaryFile(const fs::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+bool leadsOut(int error, const fs::path& path) {
+    return (error == EXDEV || error == ELOOP) && isOrdinaryFile(path);
+}
+
 }  // namespace
 
 ConfinedFolder::ConfinedFolder(fs::path folder)
@@ -65,12 +76,9 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
     if (name.starts_with(prefix)) {
         name.erase(0, prefix.size());
         const std::string beneath = name.substr(std::min(name.find_first_not_of('/'), name.size()));
-        // Readers put the folder before absolute names, too, and try parts of names that way when
-        // nothing is there: what leads out is only a name that somebody's file has.
-        struct stat outside {};
+        // Readers put the folder before absolute names, too.
         const bool absolute = beneath.size() < name.size() && !openDescriptor(beneath).valid() &&
-                              ::stat(("/" + beneath).c_str(), &outside) == 0 &&
-                              S_ISREG(outside.st_mode);
+                              isOrdinaryFile("/" + beneath);
         name = absolute ? "/" + beneath : beneath;
     }
     return name;
@@ -106,7 +114,7 @@ Result<InputFile> ConfinedFolder::open(const fs::path& file) const {
     FileDescriptor descriptor = openDescriptor(name);
     if (!descriptor.valid()) {
         const int error = errno;
-        const bool outside = error == EXDEV || error == ELOOP;
+        const bool outside = leadsOut(error, folder_ / name);
         InputRecord::note(outside ? InputUse::Refused : InputUse::Missing, folder_ / name);
         return tl::unexpected(cannotOpen(error, name));
     }
@@ -125,7 +133,7 @@ bool ConfinedFolder::has(const fs::path& file) const {
     const bool regular =
         descriptor.valid() && ::fstat(descriptor.get(), &status) == 0 && S_ISREG(status.st_mode);
     if (!regular) {
-        const bool outside = !descriptor.valid() && (error == EXDEV || error == ELOOP);
+        const bool outside = !descriptor.valid() && leadsOut(error, folder_ / name);
         InputRecord::note(outside ? InputUse::Refused : InputUse::Missing, folder_ / name);
     }
     return regular;
