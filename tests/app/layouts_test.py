@@ -66,6 +66,7 @@ class Layouts(FolderCase):
         assert export.returncode == 0, export.stderr
         # Wherever it is moved to.
         cls.out = cls.folder / "moved" / "away"
+        cls.out.parent.mkdir()
         shutil.move(made, cls.out)
         cls.card = json.loads((cls.out / "dataset.json").read_text())
 
