@@ -86,8 +86,8 @@ class Clip(FolderCase):
             self.assertIn(words, result.stderr)
 
     def test_what_must_be_visited_is_not_dropped_for_a_clip(self):
-        result = run("plan", self.room, *SMALL, "--duration", 0.5, "--start", "2,1.5,1.5,1,0.5,1",
-                     "--end", "3.3,2.2,1.2,0.5,0.4,1.5")
+        result = run("plan", self.room, *SMALL, "--duration", 0.5, "--start", "2,-1.5,1.5,1,-0.5,1",
+                     "--end", "2.3,-2.2,1.2,0.5,-0.4,1.5")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("duration_s", result.stderr)
 
