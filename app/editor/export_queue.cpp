@@ -259,12 +259,7 @@ void ExportQueue::adoptLeftJobs() {
         Entry entry;
         {
             const std::lock_guard lock(mutex_);
-            // Another queue of this process may have left notes under the same mark.
-            std::error_code ignored;
-            do {
-                entry.job.id = ++last_id_;
-            } while (fs::exists(exportFile(snapshot_folder_, mark_.text(), entry.job.id, ".json"),
-                                ignored));
+            entry.job.id = ++last_id_;
         }
         const Result<ExportNote> note =
             takeOverNote(left, snapshot_folder_, mark_.text(), entry.job.id);
