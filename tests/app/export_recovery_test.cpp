@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <map>
 
 // What editors that ended without a word leave to the next one.
@@ -135,12 +136,25 @@ TEST(ExportRecovery, OffersWhatAKilledEditorLeft) {
     }
 }
 
+/// Runs in a process of its own, since the notes of a living process belong to it.
+void asEditor(const std::function<void()>& work) {
+    const pid_t editor = fork();
+    ASSERT_GE(editor, 0);
+    if (editor == 0) {
+        work();
+        _exit(::testing::Test::HasFailure() ? 1 : 0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(editor, &status, 0), editor);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
 // What the user cancelled is still in the queue, and nobody asks about it again.
 TEST(ExportRecovery, DoesNotAskAboutWhatTheUserCancelled) {
     const FakeProgram program(
         "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
         "exec sleep 600\n");
-    {
+    asEditor([&] {
         ExportQueue queue(program.file("snapshots"), program.path());
         const int running = queue.addFile(program.request("cancelled"), "/some/a.dolly");
         const int waiting = queue.addFile(program.request("waiting"), "/some/b.dolly");
@@ -150,18 +164,20 @@ TEST(ExportRecovery, DoesNotAskAboutWhatTheUserCancelled) {
         EXPECT_EQ(endOf(queue, running), ExportState::Cancelled);
         queue.addFile(program.request("stopped"), "/some/c.dolly");
         ASSERT_TRUE(eventually([&] { return queue.jobs().back().frames_done == 2; }));
-    }
+    });
     for (int i = 0; i < 2; ++i) {
-        ExportQueue queue(program.file("snapshots"), program.path());
-        ASSERT_TRUE(eventually([&] { return queue.jobs().size() == 3; }));
-        std::vector<ExportQueue::Found> found;
-        ASSERT_TRUE(eventually([&] {
-            for (ExportQueue::Found& one : queue.takeFound()) found.push_back(std::move(one));
-            return !found.empty();
-        }));
-        ASSERT_EQ(found.size(), 1U);
-        EXPECT_EQ(found.front().job.request.name, "stopped");
-        EXPECT_FALSE(found.front().editor_died);
+        asEditor([&] {
+            ExportQueue queue(program.file("snapshots"), program.path());
+            ASSERT_TRUE(eventually([&] { return queue.jobs().size() == 3; }));
+            std::vector<ExportQueue::Found> found;
+            ASSERT_TRUE(eventually([&] {
+                for (ExportQueue::Found& one : queue.takeFound()) found.push_back(std::move(one));
+                return !found.empty();
+            }));
+            ASSERT_EQ(found.size(), 1U);
+            EXPECT_EQ(found.front().job.request.name, "stopped");
+            EXPECT_FALSE(found.front().editor_died);
+        });
     }
 }
 
