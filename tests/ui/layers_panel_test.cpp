@@ -57,13 +57,19 @@ TEST(LayersPanel, ChoosesColours) {
 
 TEST(LayersPanel, ChoosesAStoreyWhereThereAreSeveral) {
     Layers layers;
-    test::Screen screen([&] { layers.draw(); }, 360, 900);
-    EXPECT_FALSE(screen.shows("layers.storey")) << "one storey is no choice";
+    {
+        test::Screen screen([&] { layers.draw(); }, 360, 900);
+        EXPECT_FALSE(screen.shows("layers.storey")) << "one storey is no choice";
+    }
     layers.view.storeys = 3;
-    screen.click("layers.storey");
-    ASSERT_TRUE(screen.click("layers.storey.2")) << screen.names();
-    EXPECT_EQ(layers.settings.storey, 2);
+    {
+        test::Screen screen([&] { layers.draw(); }, 360, 900);
+        ASSERT_TRUE(screen.click("layers.storey")) << screen.names();
+        ASSERT_TRUE(screen.click("layers.storey.2")) << screen.names();
+        EXPECT_EQ(layers.settings.storey, 2);
+    }
     layers.settings.ceiling_cut = false;
+    test::Screen screen([&] { layers.draw(); }, 360, 900);
     EXPECT_FALSE(screen.shows("layers.storey")) << "nothing is cut";
 }
 

@@ -234,16 +234,18 @@ void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& s
     ImGui::Unindent();
 }
 
-}  // namespace
-
 /// Which storey of several one looks into.
 void drawStoreys(const LayersView& view, LayerSettings& settings, Switches& switches) {
     std::vector<std::string> names = {"topmost"};
     for (int storey = 1; storey <= view.storeys; ++storey) names.push_back(std::to_string(storey));
     // What was chosen for another scene may not be there.
     int shown = settings.storey <= view.storeys ? settings.storey : 0;
-    if (switches.choose("Storey", "storey", shown, names)) settings.storey = shown;
+    details("storeys", [&] {
+        if (switches.choose("Storey", "storey", shown, names)) settings.storey = shown;
+    });
 }
+
+}  // namespace
 
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     LayersActions actions;
