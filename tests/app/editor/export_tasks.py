@@ -180,7 +180,7 @@ class Exporting(Task):
         self.dismiss("cancel")
         self.assertEqual(len(self.editor.idle()["exports"]), 1)
         self.press_in_panel("export.add")
-        self.dismiss("export_to_dataset_2")
+        self.dismiss("export_to_dataset2")
         jobs = self.editor.wait(lambda now: len(now["exports"]) == 2, "the job")["exports"]
         self.assertEqual(jobs[1]["folder"], str(self.folder / "dataset_2"))
         self.finished(jobs[1]["id"])
