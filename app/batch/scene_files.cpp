@@ -182,7 +182,15 @@ std::string nameWith(const NameParts& parts, std::size_t folders, bool with_endi
 }
 
 /// The shortest names that tell scenes of the same name apart, if any do.
-std::vector<std::string> namesApart(const std::vector<NameParts>& alike) {
+std::vector<std::string> namesApart(std::vector<NameParts> alike) {
+    // Folders around all of them tell none apart, and what lies right in them keeps its name.
+    const auto sharesOutermost = [&](const NameParts& one) {
+        return !one.folders.empty() && !alike.front().folders.empty() &&
+               one.folders.back() == alike.front().folders.back();
+    };
+    while (std::ranges::all_of(alike, sharesOutermost)) {
+        for (NameParts& one : alike) one.folders.pop_back();
+    }
     std::size_t most = 0;
     for (const NameParts& one : alike) most = std::max(most, one.folders.size());
     std::vector<std::string> names;
