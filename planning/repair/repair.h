@@ -27,7 +27,7 @@ struct Repaired {
 struct TrajectoryMaker {
     std::function<Result<SmoothPath>(const CameraPath&)> smooth;
     std::function<Result<Trajectory>(const std::vector<SmoothPath>&)> time;
-    /// The same of a part of a path, whose length no budget is for.
+    /// Times a part of a path, to which no budget of length applies.
     std::function<Result<Trajectory>(const SmoothPath&)> time_part;
 };
 
