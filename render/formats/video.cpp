@@ -36,7 +36,7 @@ double rateOf(const std::vector<DatasetFrame>& frames) {
 Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
     cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
     if (picture.empty()) {
-        return fail(ErrorCode::Failed, "the picture cannot be read again for the video",
+        return fail(ErrorCode::CannotWrite, "the picture cannot be read again for the video",
                     (folder.path() / file).string());
     }
     cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);

@@ -67,6 +67,7 @@ struct FakeTime {
 struct SteppedWork {
     std::atomic<int> steps_allowed = 0;
     std::atomic<int> steps_done = 0;  // of the piece that runs
+    std::atomic<int> all_steps_done = 0;
     std::atomic<int> finished = 0;
     std::atomic<int> dropped = 0;
     std::atomic<int> last_value = -1;
@@ -84,6 +85,7 @@ struct SteppedWork {
                 --steps_allowed;
                 job.report(static_cast<double>(step) / kSteps);
                 steps_done = step;
+                ++all_steps_done;
             }
             last_value = value;
             ++finished;
@@ -101,13 +103,9 @@ int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
         time.now_ms = now;
         worker.start(work.of(now));
         if (now % step_ms != 0) continue;
-        const int ended = work.finished + work.dropped;
-        const int before = work.steps_done;
+        const int before = work.all_steps_done;
         ++work.steps_allowed;
-        waitUntil([&] {
-            return work.steps_allowed == 0 &&
-                   (work.steps_done != before || work.finished + work.dropped != ended);
-        });
+        waitUntil([&] { return work.all_steps_done != before; });
     }
     const int finished = work.finished;
     work.steps_allowed = 100;
