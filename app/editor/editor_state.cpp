@@ -37,6 +37,7 @@ nlohmann::json Editor::exportsJson() const {
         jobs.push_back({{"id", job.id},
                         {"state", static_cast<int>(job.state)},
                         {"folder", job.request.folder.string()},
+                        {"overwrite", job.request.overwrite},
                         {"frames_done", job.frames_done},
                         {"frames", job.frames},
                         {"error", job.error.message},

@@ -236,7 +236,8 @@ void Questions::drawDoubt() {
     box.title = doubt_->title;
     box.text = doubt_->text;
     // Enter presses the first button.
-    if (doubt_->enter_cancels) box.buttons = {"Cancel"};
+    box.buttons.clear();
+    if (doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
     for (const Doubt::Answer& answer : doubt_->answers) box.buttons.push_back(answer.label);
     if (!doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
     const int first = doubt_->enter_cancels ? 1 : 0;

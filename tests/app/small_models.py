@@ -173,7 +173,7 @@ SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_li
 
 
 def front3d():
-    """A house whose one piece of furniture is the room, beside a floor of its own."""
+    """A house whose one piece of furniture is the room, made smaller, beside a floor of its own."""
     return json.dumps({
         "uid": "house", "north_vector": [0, 0, -1],
         "furniture": [{"uid": "1/model", "jid": "abc", "category": "Bed", "valid": True}],
@@ -183,7 +183,7 @@ def front3d():
         "material": [{"uid": "paint", "jid": "oak", "texture": "", "color": [255, 0, "128", 255],
                       "UVTransform": [0, 2, 0, -3, 0, 0, 0, 0, 1]}],
         "scene": {"room": [{"type": "Bedroom", "instanceid": "Bedroom-1", "children": [
-            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [1, 1, 1]}]}]},
+            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [0.4, 0.4, 0.4]}]}]},
     }).encode()
 
 

@@ -179,6 +179,20 @@ class Exporting(Task):
         self.assertIn("12 frames, written 20", asked)
         self.dismiss("cancel")
         self.assertEqual(len(self.editor.idle()["exports"]), 1)
+        self.press_in_panel("export.add")
+        self.dismiss("export_to_dataset2")
+        jobs = self.editor.wait(lambda now: len(now["exports"]) == 2, "the job")["exports"]
+        added = max(jobs, key=lambda job: job["id"])
+        self.assertEqual(added["folder"], str(self.folder / "dataset_2"))
+        self.finished(added["id"])
+        self.assertEqual(self.hashes(out), before)
+        (out / "rgb" / "000000.png").unlink()
+        self.name_folder(out)
+        self.press_in_panel("export.add")
+        self.dismiss("overwrite")
+        jobs = self.editor.wait(lambda now: len(now["exports"]) == 3, "the job")["exports"]
+        self.finished(max(job["id"] for job in jobs))
+        self.assertEqual(self.hashes(out), before)
 
     def test_a_cancelled_export_is_not_asked_about_again(self):
         self.start_project(*SLOW)
