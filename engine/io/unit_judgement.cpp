@@ -123,7 +123,7 @@ UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m) {
     // One kind may be an odd model, or all lamps of a room in one node; many do not err.
     const double weight = 2.0 * kinds / (kinds + 2.0);
     result.score = (result.score + weight * result.furniture) / (1.0 + weight);
-    result.evidence += fmt::format(", {} kinds of furniture", kinds);
+    result.evidence += fmt::format(", {} {} of furniture", kinds, kinds == 1 ? "kind" : "kinds");
     return result;
 }
 

@@ -173,17 +173,17 @@ SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_li
 
 
 def front3d():
-    """A house whose one piece of furniture is the room, made smaller, beside a floor of its own."""
+    """A house whose one piece of furniture is the room, beside a floor of its own."""
     return json.dumps({
         "uid": "house", "north_vector": [0, 0, -1],
-        "furniture": [{"uid": "1/model", "jid": "abc", "category": "Bed", "valid": True}],
+        "furniture": [{"uid": "1/model", "jid": "abc", "category": "Others", "valid": True}],
         "mesh": [{"uid": "m/0", "jid": "", "type": "Floor", "material": "paint",
                   "xyz": [0, 0, 0, 6, 0, 0, 6, 0, 5, 0, 0, 5], "normal": [], "uv": [],
                   "faces": [0, 2, 1, 0, 3, 2]}],
         "material": [{"uid": "paint", "jid": "oak", "texture": "", "color": [255, 0, "128", 255],
                       "UVTransform": [0, 2, 0, -3, 0, 0, 0, 0, 1]}],
         "scene": {"room": [{"type": "Bedroom", "instanceid": "Bedroom-1", "children": [
-            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [0.4, 0.4, 0.4]}]}]},
+            {"ref": "1/model", "pos": [2, 0, 3], "rot": [0, 0, 0, 1], "scale": [1, 1, 1]}]}]},
     }).encode()
 
 
@@ -245,7 +245,7 @@ def write_beside(folder):
             "ShapeNetCore.v2/03928116/aaa/models/model_normalized.obj": obj(),
             "ai/room.obj": obj(), "ai/room.mtl": mtl(),
             "ai/_detail/mesh/metadata_objects.csv": b"object_name\nroom\nroom_2\n",
-            "ai/_detail/metadata_scene.csv": b"name,value\nmeters_per_asset_unit,0.5\n",
+            "ai/_detail/metadata_scene.csv": b"name,value\nmeters_per_asset_unit,0.9\n",
             "ai/_detail/mesh/mesh_objects_si.hdf5": hdf5(4, 5),
             "ai/_detail/mesh/mesh_objects_sii.hdf5": hdf5(1, 2)}.items():
         path = folder / name
