@@ -273,7 +273,7 @@ Status DatasetFolder::removeStaged() {
     std::vector<std::string> files;
     std::vector<std::string> folders;
     if (Status status = listAll(*staged_, "", kMostLevels, files, folders); !status) return status;
-    // What says that the new dataset counts goes last.
+    // The file that marks the new dataset as the valid one is removed last.
     std::ranges::stable_partition(files,
                                   [](const std::string& file) { return file != kReplacedCard; });
     for (const std::string& file : files) {

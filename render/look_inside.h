@@ -34,8 +34,8 @@ struct StoreyView {
     double left_away_from = 0.0;  // things that begin at this height or above stand over it
 };
 
-/// The storeys of a building, lowest first; at least one. Without rooms, floors are known by their
-/// labels alone.
+/// The storeys of a building, lowest first; at least one. Without rooms, only the objects' labels
+/// tell which surfaces are floors.
 [[nodiscard]] std::vector<StoreyView> storeysOf(const Scene& scene,
                                                 std::span<const Eigen::AlignedBox3d> rooms);
 

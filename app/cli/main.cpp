@@ -50,7 +50,7 @@ int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& er
     return code;
 }
 
-/// What is left to say of an exception that reached the end of the program.
+/// The error that is reported for an exception that nothing else caught.
 dollytrack::Error errorOf(const std::exception& exception) {
     using dollytrack::ErrorCode;
     if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {

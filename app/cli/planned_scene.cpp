@@ -48,7 +48,7 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
                           lines, timing.frame_rate));
 }
 
-/// A rate that is not the one asked for is no surprise any more when it is said.
+/// Warns if a budget lowered the frame rate.
 void warnOfLoweredRate(const Plan& plan, const planning::TimingParams& timing) {
     const std::string note = planning::loweredRateNote(plan.trajectory, timing);
     if (!note.empty()) log::warn("planning", note);

@@ -299,8 +299,8 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->allow_extra_args(false);
     command
         .add_option("--annotations", arguments.annotations,
-                    "What people say of the scene: a file SCENE.objects.json that does not lie "
-                    "beside it, or the folder of a Hypersim scene (ai_VVV_NNN)")
+                    "Annotations of the scene: a file SCENE.objects.json from another folder, "
+                    "or the folder of a Hypersim scene (ai_VVV_NNN)")
         ->check(CLI::ExistingPath.description(""))
         ->type_name("FILE|DIR");
     command.add_flag("--keep-meshes", arguments.keep_meshes,

@@ -100,7 +100,7 @@ class Editor {
     void makeExportQueue();
     void drawSheet();
     void queueExport(const ui::ExportView& view);
-    /// Where a finished dataset is: into another folder, or in its place.
+    /// Asks whether to export to another folder or to overwrite the complete dataset in this one.
     void askToReplace(const ui::ExportRequest& request,
                       const std::function<void(const ui::ExportRequest&)>& add);
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
@@ -121,7 +121,7 @@ class Editor {
     void requestPreview();
     void requestLayers();
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
-    /// Of the scene that is shown; only with one.
+    /// The storeys of the shown scene. Requires a scene.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
     /// By what widths and sizes of overlays are multiplied on this screen, from this far.
     [[nodiscard]] double overlayScale() const;

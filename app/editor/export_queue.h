@@ -61,7 +61,7 @@ class ExportQueue {
         ui::ExportJob job;
         bool editor_died = false;  // else it was stopped when that editor was left
     };
-    /// These; once.
+    /// Returns what was found, and forgets it: a second call returns nothing.
     [[nodiscard]] std::vector<Found> takeFound();
     [[nodiscard]] bool busy() const;
     /// How many run or wait.

@@ -13,7 +13,7 @@ namespace dollytrack::editor {
 
 namespace {
 
-// Longer, and the plan of the value that a drag ends with would come late.
+// With a longer grace the plan for the last value of a drag would come late.
 constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
 
 }  // namespace

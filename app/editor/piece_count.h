@@ -11,14 +11,14 @@
 
 namespace dollytrack::editor {
 
-/// Of which connected pieces the selected object is: found in the background when it is selected,
-/// since a million triangles take a while. Main thread only.
+/// Finds the connected pieces of the selected object in the background, as a million triangles
+/// take a while. Main thread only.
 class PieceCount {
   public:
     explicit PieceCount(std::function<void()> wake) : counter_(std::move(wake)) {}
 
-    /// Once a frame while the object is selected: their sizes as pieceSizes() gives them; null
-    /// while they are being found.
+    /// The sizes of the object's pieces, see pieceSizes(); null while they are being found. Called
+    /// in every frame while the object is selected.
     const std::vector<double>* of(const std::shared_ptr<const Scene>& scene, int object);
 
   private:

@@ -22,7 +22,7 @@ std::string titleOf(const std::vector<ExportQueue::Found>& found) {
                : fmt::format("{} datasets are not finished", found.size());
 }
 
-/// How each of them ended, and how far it was.
+/// A line for each export: how it ended, and how many frames were done.
 std::string textOf(const std::vector<ExportQueue::Found>& found) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;

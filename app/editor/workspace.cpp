@@ -399,7 +399,8 @@ void Workspace::take(PlanOutcome outcome) {
     shown_ = std::move(outcome);
 }
 
-/// Of a value that has changed since, a plan is better than an older one; an error is of no use.
+/// Whether to show an outcome. A plan for an outdated value is shown, as it is newer than the plan
+/// on the screen; an error for an outdated value is not.
 bool Workspace::isWanted(const PlanOutcome& outcome) const {
     if (outcome.serial == serial_) return true;
     return outcome.serial >= first_serial_ && outcome.plan != nullptr;

@@ -6,8 +6,8 @@
 
 namespace dollytrack {
 
-/// Messages of one kind, those that differ in quoted names and numbers alone, are kept up to
-/// `shown` times; the last one kept tells how many more there were. The order stays.
+/// Keeps the first `shown` messages of each kind, in their order. Messages are of one kind if they
+/// differ only in quoted names and numbers. The last one kept says how many more there were.
 [[nodiscard]] std::vector<std::string> foldRepeats(const std::vector<std::string>& messages,
                                                    std::size_t shown = 10);
 

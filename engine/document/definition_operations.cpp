@@ -177,7 +177,7 @@ std::string split(ProjectState& state, const OperationContext& context,
     Scene scene = context.scene;
     SplitCount count;
     std::vector<ObjectRef> done;
-    // From the last one on: the numbers of those before it stay.
+    // A split renumbers the objects behind it, so the last object is split first.
     for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
         if (splitOne(state, scene, *object, limits, count)) done.insert(done.begin(), *object);
     }

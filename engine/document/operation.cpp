@@ -36,7 +36,7 @@ const OperationField kWeight = {"weight", "number", false,
 const OperationField kMustSee = {"must_see", "flag", false,
                                  "true: all of its surface that can be seen is to be seen"};
 
-/// What a split is told, from the one list of its fields.
+/// The fields of the operation `split`, from the one list of its limits.
 std::vector<OperationField> splitFields() {
     std::vector<OperationField> fields = {kSelected, kOfClass};
     const SplitLimits limits;

@@ -24,7 +24,7 @@ struct Source {
     std::vector<Faces> meshes;
 };
 
-/// Calls `visit(a, b, c, share)`: each face that is visited stands for so many.
+/// Calls `visit(a, b, c, share)` for a sample of the faces; each stands for `share` faces.
 template <class Visit>
 void visitFaces(const Faces& mesh, Visit&& visit) {
     const std::size_t stride = mesh.triangles.size() / kEnoughFaces + 1;

@@ -11,7 +11,7 @@
 
 namespace dollytrack {
 
-/// One thing as a whole, in the axes and the unit at hand: what both are judged by.
+/// One object's measures, in the source's axes and unit: evidence for the upward axis and the unit.
 struct MeasuredThing {
     Eigen::AlignedBox3d box;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // of its surface

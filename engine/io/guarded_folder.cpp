@@ -243,7 +243,7 @@ Status GuardedFolder::write(const std::string& name, std::span<const std::uint8_
     const Result<Place> place = placeOf(name, true);
     if (!place) return tl::unexpected(place.error());
     const auto found = statusAt(place->folder, place->name);
-    // Replacing the link would harm nobody; it is somebody's, all the same.
+    // Replacing the link itself would be safe, but it may be one that the user needs.
     if (found && S_ISLNK(found->st_mode)) return failure(ELOOP, *place);
     if (const int error = writeWholeAt(place->folder, place->name, bytes, durability)) {
         return failure(error, *place);

@@ -52,7 +52,7 @@ class GuardedFolder {
     /// A regular file; `flags` as for open(2), of which O_TRUNC is left out. For writing, a file
     /// that has a second name (a hard link) is refused: the other name may lie anywhere.
     [[nodiscard]] Result<FileDescriptor> openFile(const std::string& name, int flags) const;
-    /// A file for what follows, empty.
+    /// Opens a file for writing and empties it.
     [[nodiscard]] Result<FileDescriptor> openEmptied(const std::string& name) const;
     using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     /// A regular file for reading; null when it cannot be opened.

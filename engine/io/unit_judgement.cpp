@@ -21,7 +21,7 @@ constexpr double kFactor = 1.6;  // sizes of furniture and rooms differ by no mo
 constexpr double kFloorShare = 0.3;  // of the largest floor, for another level to be a storey's
 constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
-/// 1 inside the range, less the further (in ratio) outside.
+/// 1 inside the range; outside it, the inverse square of the ratio to the nearer end.
 double believable(double length, double low, double high) {
     if (!(length > 0.0)) return 0.0;
     const double off = length < low ? low / length : length > high ? length / high : 1.0;

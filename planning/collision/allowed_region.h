@@ -43,7 +43,7 @@ class AllowedRegion {
     /// Whether the camera drives at an exact height.
     [[nodiscard]] bool hasLevels() const { return levels_ != nullptr; }
 
-    /// Only where it does.
+    /// Requires hasLevels().
     [[nodiscard]] const FloorLevels& levels() const { return *levels_; }
 
     /// Around the body of a camera that drives; endless for others.

@@ -138,8 +138,8 @@ std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
     return frames;
 }
 
-/// Between intervals of which the lower one gives too many frames, the higher one does not: the
-/// shortest that gives at most so many. All is settled at it.
+/// Finds, by bisection, the shortest frame interval between `low` and `high` that gives at most
+/// `most_frames`, and times the motions with it. `low` gives too many frames, `high` does not.
 double settleBetween(std::vector<Motion>& motions, double low, double high, std::size_t most_frames,
                      double precision) {
     while (high > low * (1.0 + precision)) {
@@ -165,8 +165,8 @@ double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t
     return settleBetween(motions, low, high, max_frames, precision);
 }
 
-/// Settles the motions slower than their limits ask for, so that they take as nearly as can be so
-/// many frames, and no more. The interval at which they would take these at the limits.
+/// Times the motions more slowly than their limits require, so that they take `frames` frames or
+/// as close below as possible. Returns the interval that gives as many frames at the limits.
 double settleInto(std::vector<Motion>& motions, double interval_s, std::size_t frames) {
     constexpr double kPrecision = 1e-9;
     constexpr int kMostHalvings = 40;  // a camera that never moves takes no frames more

@@ -12,7 +12,7 @@ namespace dollytrack::render {
 /// room on the disk. Paths relative to the dataset's folder: the new name, and the picture's own.
 using PictureLinks = std::map<std::string, std::string>;
 
-/// Those of all these formats.
+/// The links of all given formats.
 [[nodiscard]] PictureLinks pictureLinks(const DatasetContents& contents, const FormatSet& formats);
 
 }  // namespace dollytrack::render
