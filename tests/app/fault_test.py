@@ -96,10 +96,10 @@ class Faults(FolderCase):
             self.assertGreater(self.counts[kind], 0, kind)
 
     def test_any_call_fails_once(self):
-        """Every call of the long run, otherwise about 25 of each kind, evenly spread."""
+        """Every call of the long run, otherwise about 12 of each kind, evenly spread."""
         faults = [dict(FAIL_CALL=kind, FAIL_NTH=nth, FAIL_ERRNO=errno.EIO)
                   for kind, count in self.counts.items()
-                  for nth in range(1, count + 1, 1 if LONG else max(1, count // 25))]
+                  for nth in range(1, count + 1, 1 if LONG else max(1, count // 12))]
         self.check_all(faults)
         print(f"faults: {len(faults)} system calls failed", file=sys.stderr)
 
