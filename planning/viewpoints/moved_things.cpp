@@ -3,6 +3,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/viewpoints/gap_test.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -141,7 +142,9 @@ bool MapChange::within(const Eigen::Vector3d& center, double distance_m) const {
 
 bool isTouched(const LookedAt& looked, const MovedThings& moved, const MapChange& map,
                double camera_radius_m) {
-    const double reach = camera_radius_m + SweptSphere::kMargin + kMovedTolerance_m;
+    const double reach =
+        std::max(camera_radius_m + SweptSphere::kMargin, gapReach(camera_radius_m)) +
+        kMovedTolerance_m;
     Eigen::AlignedBox3d all = looked.target;
     for (const LookedAt::Place& place : looked.places) all.extend(place.position);
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(reach);
