@@ -294,8 +294,8 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
     Result<FoundRooms> found = impl->findBestRooms(scene, rays, moved, rule, job);
     if (found && found->rooms.empty() && scan.isScan()) {
         // So little was scanned that no part of it holds the camera: views are judged one by one.
-        impl->scanned.assign(impl->scanned.size(), 1);
-        for (auto& part : impl->inside_scanned) part.clear();
+        impl->scanned.clear();
+        impl->scanned_share = 0.0;
         found = impl->findBestRooms(scene, rays, moved, rule, job);
     }
     if (!found) return tl::unexpected(found.error());
@@ -310,6 +310,8 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
     impl->found = std::move(*found);
     impl->measureScanned(rule);
     impl->setStates(impl->inside(rule));
+    impl->scanned = {};
+    impl->inside_scanned = {};
     impl->describeRooms();
     if (job.cancelled()) return mappingCancelled();
     job.report(0.8);
