@@ -1,5 +1,6 @@
 #include "planning/pipeline_stages.h"
 
+#include "engine/core/log.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
 #include "planning/linking/link_groups.h"
@@ -16,6 +17,8 @@
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/key_frames.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -30,6 +33,16 @@ std::vector<int> structureClasses(const Scene& scene) {
         if (object.structure) classes.push_back(object.nyu40);
     }
     return classes;
+}
+
+void warnOfUnscanned(const FreeSpace& map) {
+    constexpr double kNearlyAll = 0.9;
+    if (map.scannedShare().value_or(1.0) >= kNearlyAll) return;
+    log::warn(
+        "planning",
+        fmt::format("only {:.0f} % of the rooms' air was scanned; the camera keeps out of the "
+                    "rest, and objects there may be missed",
+                    100.0 * *map.scannedShare()));
 }
 
 /// The position point of the pinned one that bears the name; -1 without one, or when it is refused.
@@ -85,6 +98,7 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                        });
         })
         .and_then([&] {
+            if (!free_space.reused()) warnOfUnscanned(*free_space);
             const FreeSpaceParams& limits = params.free_space;
             return run("region", region,
                        std::tuple(free_space.version(), structureClasses(*scene), edits.no_go,

@@ -53,8 +53,10 @@ void RunMemory::refreshSearches(const MapInUse& map, const SearchInputs& inputs)
     const std::pair in(map.free_space_version, map.region_version);
     const bool same_inputs = searched_with_ == inputs;
     if (searched_in_ != in || !same_inputs) {
-        // A band of heights hangs on the floors, which may be what has moved.
-        if (!same_inputs || !map_searched_ || map.region->hasBand()) {
+        // A band of heights hangs on the floors, which may be what has moved; in a scan all that is
+        // in the image counts, not only what lies before the target.
+        if (!same_inputs || !map_searched_ || map.region->hasBand() ||
+            map.free_space->scannedShare().has_value()) {
             searches.clear();
         } else {
             searches.forget(moved_since_searched_,

@@ -49,6 +49,10 @@ void printRooms(const planning::FreeSpace& map, double coverage) {
     }
     fmt::print("  surfaces were modelled or scanned in {:.0f} % of the directions from inside\n",
                100.0 * coverage);
+    if (map.scannedShare()) {
+        fmt::print("  scan: {:.0f} % of the rooms' air was scanned, the rest is unknown\n",
+                   100.0 * *map.scannedShare());
+    }
     for (const std::string& line : planning::describeAll(map.leaks())) {
         fmt::print("  note: {}\n", line);
     }
@@ -70,6 +74,7 @@ Result<ExitCode> runInfo(const SceneArguments& arguments, bool as_json, const Se
         report["rooms"] = map ? roomsJson(*map) : nlohmann::json::array();
         if (map) {
             report["surface_coverage"] = planning::surfaceCoverage(*opened->scene, rays, *map);
+            if (map->scannedShare()) report["scanned_share"] = *map->scannedShare();
         }
         if (!map) report["warnings"].push_back(describe(map.error()));
         fmt::print("{}\n", jsonText(report));

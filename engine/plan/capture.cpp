@@ -23,7 +23,8 @@ bool isCaptured(const ObjectView& view, const CaptureRules& rules) {
 }
 
 bool isWellCaptured(const ObjectView& view, const CaptureRules& rules) {
-    return isCaptured(view, rules) && view.box_share >= rules.min_box_share;
+    return isCaptured(view, rules) && view.box_share >= rules.min_box_share &&
+           view.scanned_share >= rules.min_scanned_share;
 }
 
 std::vector<ObjectCapture> bestCaptures(const Scene& scene, const std::vector<ObjectView>& views,

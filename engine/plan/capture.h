@@ -17,6 +17,7 @@ struct ObjectView {
     double visible_px = 0.0;        // as if the image were 640 x 480
     double box_share = 0.0;         // area of the box around the visible px / image area
     double mask_share = 0.0;        // visible px / image area
+    double scanned_share = 1.0;     // of a scan: share of the image that shows what was scanned
 };
 
 /// When an object counts as captured, and as well captured.
@@ -24,6 +25,7 @@ struct CaptureRules {
     double min_visible_fraction = 0.8;
     double min_visible_px = 120.0;
     double min_box_share = 0.05;
+    double min_scanned_share = 0.5;  // for well captured
 };
 
 [[nodiscard]] bool isCaptured(const ObjectView& view, const CaptureRules& rules = {});

@@ -40,6 +40,10 @@ std::string_view name(Verdict verdict) {
             return "height_band";
         case Verdict::PitchBand:
             return "pitch_band";
+        case Verdict::InGap:
+            return "in_gap";
+        case Verdict::Unscanned:
+            return "unscanned";
     }
     return {};
 }

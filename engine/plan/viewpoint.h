@@ -19,6 +19,8 @@ enum class Verdict {
     NoGo,        // the camera's sphere would enter a no-go box
     HeightBand,  // lower or higher above the floor than the camera may be
     PitchBand,   // looks lower or higher than the camera may; pinned points only
+    InGap,       // between surfaces that are close on both sides
+    Unscanned,   // of a scan: most of the image shows nothing, or backs of surfaces
 };
 
 std::string_view name(Verdict verdict);

@@ -6,7 +6,9 @@
 #include "planning/free_space/mapping_words.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
+#include "planning/free_space/scanned_space.h"
 #include "planning/free_space/surface_map.h"
+#include "planning/visibility/scanned_surfaces.h"
 
 #include <octomap/OcTree.h>
 
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace dollytrack::planning {
@@ -41,6 +44,10 @@ struct FreeSpace::Impl {
     std::shared_ptr<const SurfaceMap> surfaces;
     VoxelGrid grid;
     double camera_radius_m = 0.0;
+    // Of a scan: cells that were scanned, and by rule those of them that are inside.
+    std::vector<std::uint8_t> scanned;
+    std::optional<double> scanned_share;
+    std::array<std::vector<std::uint8_t>, kRules.size()> inside_scanned;
     std::vector<std::uint8_t> cells;                            // state and leaf level
     std::array<std::vector<std::uint8_t>, kRules.size()> fits;  // the sphere, by rule; if tried
     FoundRooms found;
@@ -53,22 +60,35 @@ struct FreeSpace::Impl {
     std::once_flag leaks_asked;  // by the report alone, never by planning
     LeakReport leaks;
 
+    [[nodiscard]] const std::vector<std::uint8_t>& inside(EnclosureRule rule);
     void findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                   const JobContext& job);
     Result<FoundRooms> findBestRooms(const Scene& scene, const RayCaster& rays, const Moved* moved,
                                      EnclosureRule& rule, const JobContext& job);
+    void measureScanned(EnclosureRule rule);
     void setStates(const std::vector<std::uint8_t>& inside);
     void describeRooms();
     void collectCells(std::size_t room);
     void makeGapTable();
 };
 
+/// What a rule calls inside; of a scan the scanned part alone, as the rest is unknown.
+const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
+    const std::vector<std::uint8_t>& all = surfaces->inside(rule);
+    if (scanned.empty()) return all;
+    std::vector<std::uint8_t>& part = inside_scanned[static_cast<std::size_t>(rule)];
+    if (part.empty()) {
+        part = all;
+        for (std::size_t i = 0; i < part.size(); ++i) part[i] &= scanned[i];
+    }
+    return part;
+}
+
 /// Where the sphere fits in what a rule calls inside.
 void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                                const JobContext& job) {
     const FittingPlace place{
-        rays,           grid, surfaces->surfaces().cells, surfaces->gaps(), surfaces->inside(rule),
-        camera_radius_m};
+        rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
     const auto index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();
     fits[index] =
@@ -107,6 +127,13 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
         }
     }
     return best;
+}
+
+/// How much of what is inside was scanned.
+void FreeSpace::Impl::measureScanned(EnclosureRule rule) {
+    if (scanned.empty()) return;
+    const auto cells_inside = static_cast<double>(std::ranges::count(surfaces->inside(rule), 1));
+    scanned_share = static_cast<double>(std::ranges::count(inside(rule), 1)) / cells_inside;
 }
 
 /// Free is the air inside that is connected with a room.
@@ -257,8 +284,20 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
     impl->surfaces = std::move(surfaces);
     impl->grid = impl->surfaces->grid();
     impl->camera_radius_m = camera.camera_radius_m;
+    const ScannedSurfaces scan(scene);
+    if (scan.isScan()) {
+        moved = nullptr;  // what has moved changes what is seen of the scan from everywhere
+        impl->scanned =
+            findScannedSpace(impl->grid, impl->surfaces->surfaces().cells, scan, rays, job);
+    }
     EnclosureRule rule = EnclosureRule::Walls;
     Result<FoundRooms> found = impl->findBestRooms(scene, rays, moved, rule, job);
+    if (found && found->rooms.empty() && scan.isScan()) {
+        // So little was scanned that no part of it holds the camera: views are judged one by one.
+        impl->scanned.clear();
+        impl->scanned_share = 0.0;
+        found = impl->findBestRooms(scene, rays, moved, rule, job);
+    }
     if (!found) return tl::unexpected(found.error());
     if (found->rooms.empty()) {
         return fail(ErrorCode::BadInput,
@@ -269,7 +308,10 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
                     scene.name);
     }
     impl->found = std::move(*found);
-    impl->setStates(impl->surfaces->inside(rule));
+    impl->measureScanned(rule);
+    impl->setStates(impl->inside(rule));
+    impl->scanned = {};
+    impl->inside_scanned = {};
     impl->describeRooms();
     if (job.cancelled()) return mappingCancelled();
     job.report(0.8);
@@ -373,6 +415,10 @@ void FreeSpace::visitLeaves(const std::function<void(const FreeSpaceLeaf&)>& vis
 const Eigen::AlignedBox3d& FreeSpace::bounds() const {
     return impl_->bounds;
 }
+std::optional<double> FreeSpace::scannedShare() const {
+    return impl_->scanned_share;
+}
+
 double FreeSpace::resolution_m() const {
     return impl_->grid.resolution_m;
 }

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace octomap {
@@ -22,7 +23,8 @@ namespace dollytrack::planning {
 
 class SurfaceMap;
 
-/// Free is air that belongs to a room; outside the building and inside furniture is unknown.
+/// Free is air that belongs to a room; outside the building, inside furniture and where a scan
+/// shows nothing is unknown.
 enum class CellState { Free, Occupied, Unknown };
 
 /// Places that the camera's sphere can reach from one another.
@@ -109,6 +111,10 @@ class FreeSpace {
 
     /// Edge of the smallest cells, m; more than asked for where the scene is too large.
     [[nodiscard]] double resolution_m() const;
+
+    /// Of a scan: the share of the air inside the building that was scanned, 0..1. The rest is
+    /// unknown. Nothing for a modelled scene.
+    [[nodiscard]] std::optional<double> scannedShare() const;
 
     /// Where rooms are open.
     [[nodiscard]] const LeakReport& leaks() const;

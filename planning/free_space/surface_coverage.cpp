@@ -1,10 +1,9 @@
 #include "planning/free_space/surface_coverage.h"
 
 #include "engine/io/pointcloud/unseen_floor.h"
+#include "planning/visibility/scanned_surfaces.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -12,18 +11,6 @@ namespace {
 
 constexpr std::size_t kCoveragePlaces = 256;
 constexpr int kCoverageDirections = 128;
-
-/// Evenly over the sphere (a Fibonacci lattice).
-std::vector<Eigen::Vector3d> coverageDirections() {
-    std::vector<Eigen::Vector3d> all;
-    for (int i = 0; i < kCoverageDirections; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / kCoverageDirections;
-        const double turn = 2.0 * std::numbers::pi * std::numbers::phi * i;
-        const double across = std::sqrt(1.0 - z * z);
-        all.emplace_back(across * std::cos(turn), across * std::sin(turn), z);
-    }
-    return all;
-}
 
 }  // namespace
 
@@ -33,7 +20,7 @@ double surfaceCoverage(const Scene& scene, const RayCaster& rays, const FreeSpac
         cells += map.cells(static_cast<int>(i)).size();
     }
     const std::size_t stride = std::max<std::size_t>(1, cells / kCoveragePlaces);
-    const std::vector<Eigen::Vector3d> directions = coverageDirections();
+    const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kCoverageDirections);
     const double reach = scene.room_bounds.diagonal().norm() + 1.0;
     std::size_t asked = 0;
     std::size_t ended = 0;

@@ -28,6 +28,10 @@ std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
             return "outside the height band";
         case Verdict::PitchBand:
             return "outside the pitch band";
+        case Verdict::InGap:
+            return "in a gap between surfaces";
+        case Verdict::Unscanned:
+            return "facing mostly what was not scanned";
         case Verdict::OccludedBy:
             return "hidden by " + nameOf(scene, object_id, "itself");
         case Verdict::TooSmall:

@@ -30,7 +30,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     };
     take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
     std::erase_if(coarse, [](const ObjectView& v) {
-        return v.box_share < 0.9 * CaptureRules{}.min_box_share;
+        return v.box_share < 0.9 * CaptureRules{}.min_box_share ||
+               v.scanned_share < CaptureRules{}.min_scanned_share;
     });
     take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
     // Among many alike the most visible may all be a little too small: also those that pass both
@@ -124,11 +125,15 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     CaptureEstimate estimate;
     estimate.frame_views.resize(entries.size());
     estimate.frame_boxes.resize(entries.size());
+    std::vector<double> scanned(entries.size());
+    parallelFor(entries.size(),
+                [&](std::size_t f) { scanned[f] = views.scannedShare(trajectory.frames[f].pose); });
     std::vector<ObjectViews> coarse(scene.objects.size());
     for (std::size_t f = 0; f < entries.size(); ++f) {
         for (const ViewMemo::Look& glance : entries[f]->looks) {
             ObjectView view = glance.view;
             view.frame = static_cast<int>(f);
+            view.scanned_share = scanned[f];
             coarse[static_cast<std::size_t>(view.object_id) - 1].push_back(view);
             if (!glance.box.isEmpty()) estimate.frame_boxes[f].push_back(glance.box);
         }
@@ -144,6 +149,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
                     ? remembered->second
                     : makeView(views.estimateExactly(trajectory.frames[f].pose, id), id, 0);
             view.frame = frame;
+            view.scanned_share = scanned[f];
             exact[i].push_back(view);
         };
         const std::vector<int> best = bestFrames(coarse[i], trajectory);

@@ -1,6 +1,7 @@
 #include "planning/viewpoints/candidate_judge.h"
 
 #include "planning/collision/swept_sphere.h"
+#include "planning/viewpoints/gap_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,13 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
     return own ? Verdict::TooClose : Verdict::InObstacle;
 }
 
+/// Whether a view from a free place is of any use, whatever it shows of the target.
+Verdict CandidateJudge::viewVerdict(const Pose& pose) const {
+    if (isInGap(around_.sphere, around_.views, pose.position)) return Verdict::InGap;
+    return around_.views.scannedShare(pose) < CaptureRules{}.min_scanned_share ? Verdict::Unscanned
+                                                                               : Verdict::Legal;
+}
+
 /// A glance with few rays: most bad places hide most of the target, and need no closer look.
 bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
     for (const int id : point_.objects) {
@@ -118,6 +126,8 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
 
     const Pose pose = aim(position, subject_.center, around_.pitch);
     if (look != Look::Fine && isHopeless(pose, judged)) return judged;
+    judged.candidate.verdict = viewVerdict(pose);
+    if (judged.candidate.verdict != Verdict::Legal) return judged;
     double sum = 0.0;
     double worst = 1.0;
     int occluder = 0;

@@ -46,6 +46,7 @@ class CandidateJudge {
   private:
     [[nodiscard]] Verdict placeVerdict(const Eigen::Vector3d& position, double fill,
                                        int& obstacle) const;
+    [[nodiscard]] Verdict viewVerdict(const Pose& pose) const;
     [[nodiscard]] bool isHopeless(const Pose& pose, Judged& judged) const;
 
     const Surroundings& around_;

@@ -3,6 +3,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/viewpoints/gap_test.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -142,14 +143,16 @@ bool MapChange::within(const Eigen::Vector3d& center, double distance_m) const {
 bool isTouched(const LookedAt& looked, const MovedThings& moved, const MapChange& map,
                double camera_radius_m) {
     const double reach = camera_radius_m + SweptSphere::kMargin + kMovedTolerance_m;
+    const double gap_reach = gapReach(camera_radius_m) + kMovedTolerance_m;
     Eigen::AlignedBox3d all = looked.target;
     for (const LookedAt::Place& place : looked.places) all.extend(place.position);
-    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(reach);
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(std::max(reach, gap_reach));
     const bool may_meet = moved.meet({all.min() - margin, all.max() + margin});
     for (const LookedAt::Place& place : looked.places) {
         if (map.at(place.position)) return true;
         if (!may_meet) continue;
         if (moved.near(place.position, reach)) return true;
+        if (place.looked && moved.near(place.position, gap_reach)) return true;
         if (place.looked && moved.cross(place.position, looked.target)) return true;
     }
     return looked.sampled_within_m >= 0.0 &&

@@ -48,7 +48,8 @@ constexpr double kMostFill = 0.85;
 /// Whether rays decided, rather than the place alone.
 bool isLookedFrom(Verdict verdict) {
     return verdict == Verdict::Legal || verdict == Verdict::OccludedBy ||
-           verdict == Verdict::Cropped || verdict == Verdict::TooSmall;
+           verdict == Verdict::Cropped || verdict == Verdict::TooSmall ||
+           verdict == Verdict::InGap || verdict == Verdict::Unscanned;
 }
 
 class Search {

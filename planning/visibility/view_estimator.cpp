@@ -108,6 +108,7 @@ ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::Al
 ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera)
     : scene_(&scene),
       rays_(&rays),
+      surfaces_(scene),
       intrinsics_(makeIntrinsics(camera)),
       near_m_(camera.near_m),
       extremes_(scene.objects.size()),
@@ -118,6 +119,22 @@ ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const Ca
             hulls_[i] = SlabHull(scene, scene.objects[i]);
         }
     });
+}
+
+double ViewEstimator::scannedShare(const Pose& pose) const {
+    if (!surfaces_.isScan()) return 1.0;
+    constexpr int kAcross = 16;
+    constexpr int kDown = 12;
+    int shown = 0;
+    for (int i = 0; i < kAcross * kDown; ++i) {
+        const double x = (i % kAcross + 0.5) * intrinsics_.width / kAcross;
+        const double y = (i / kAcross + 0.5) * intrinsics_.height / kDown;
+        const Eigen::Vector3d direction = pose.rotation * intrinsics_.unproject(x, y);
+        const RayHit hit =
+            rays_->cast(pose.position, direction, std::numeric_limits<double>::infinity(), near_m_);
+        shown += surfaces_.met(hit, direction) == ScannedSurfaces::Met::Front ? 1 : 0;
+    }
+    return static_cast<double>(shown) / (kAcross * kDown);
 }
 
 std::optional<Eigen::AlignedBox2d> ViewEstimator::extent(const Pose& pose, int object_id) const {

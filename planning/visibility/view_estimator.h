@@ -5,6 +5,7 @@
 #include "engine/math/pose.h"
 #include "engine/plan/capture.h"
 #include "engine/scene/scene.h"
+#include "planning/visibility/scanned_surfaces.h"
 #include "planning/visibility/slab_hull.h"
 
 #include <Eigen/Geometry>
@@ -50,6 +51,10 @@ class ViewEstimator {
     [[nodiscard]] Estimate estimateClosely(const Pose& pose, int object_id, int grid,
                                            int least_rays = 200) const;
 
+    /// Of a scan: the share of the image that shows the front of scanned surface, by few rays; the
+    /// rest shows what was not scanned, or the backs of walls. 1 for a modelled scene.
+    [[nodiscard]] double scannedShare(const Pose& pose) const;
+
     /// Extent of the object's silhouette on the unbounded image, px; nothing when part of it is
     /// behind the near plane. At most a few per cent too large.
     [[nodiscard]] std::optional<Eigen::AlignedBox2d> extent(const Pose& pose, int object_id) const;
@@ -61,6 +66,7 @@ class ViewEstimator {
 
     [[nodiscard]] const Intrinsics& intrinsics() const { return intrinsics_; }
     [[nodiscard]] const RayCaster& rays() const { return *rays_; }
+    [[nodiscard]] const ScannedSurfaces& surfaces() const { return surfaces_; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] double nearDistance() const { return near_m_; }
 
@@ -74,6 +80,7 @@ class ViewEstimator {
 
     const Scene* scene_;
     const RayCaster* rays_;
+    ScannedSurfaces surfaces_;
     Intrinsics intrinsics_;
     double near_m_;
     std::vector<std::vector<Eigen::Vector3d>> extremes_;

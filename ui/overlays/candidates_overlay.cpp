@@ -94,6 +94,10 @@ std::string_view inWords(Verdict verdict) {
             return "outside the height band";
         case Verdict::PitchBand:
             return "outside the pitch band";
+        case Verdict::InGap:
+            return "in a gap";
+        case Verdict::Unscanned:
+            return "mostly unscanned in the image";
     }
     return "";
 }
@@ -120,6 +124,10 @@ Eigen::Vector4f colorOf(Verdict verdict) {
             return {0.45F, 0.70F, 0.75F, 1.0F};
         case Verdict::PitchBand:
             return {0.75F, 0.70F, 0.45F, 1.0F};
+        case Verdict::InGap:
+            return {0.55F, 0.10F, 0.30F, 1.0F};
+        case Verdict::Unscanned:
+            return {0.25F, 0.25F, 0.30F, 1.0F};
     }
     return {1, 1, 1, 1};
 }

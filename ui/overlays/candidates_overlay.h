@@ -9,7 +9,7 @@
 
 namespace dollytrack::ui {
 
-constexpr std::size_t kVerdicts = static_cast<std::size_t>(Verdict::PitchBand) + 1;
+constexpr std::size_t kVerdicts = static_cast<std::size_t>(Verdict::Unscanned) + 1;
 
 /// Which candidates are drawn, by Verdict.
 using ShownVerdicts = std::array<bool, kVerdicts>;

@@ -88,6 +88,10 @@ std::string verdictText(Verdict verdict, const std::string& occluder) {
             return "outside the height band";
         case Verdict::PitchBand:
             return "outside the pitch band";
+        case Verdict::InGap:
+            return "in a gap between surfaces";
+        case Verdict::Unscanned:
+            return "mostly unscanned in the image";
     }
     return {};
 }

@@ -1,0 +1,62 @@
+#include "planning/viewpoints/gap_test.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/visibility/scanned_surfaces.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace dollytrack::planning {
+namespace {
+
+// Small cameras are for small scenes, whose rooms must not count as gaps.
+constexpr double kMostReach_m = 0.6;
+constexpr double kReachInRadii = 6.0;
+constexpr int kGapDirections = 96;
+constexpr int kGapLines = kGapDirections / 2;  // the directions below are opposite to those above
+constexpr int kGapLinesNeeded = kGapLines / 3;
+constexpr double kFacing = -0.5;  // cosine between the normals of surfaces that face each other
+// A third of the lines is within reach only where the gap is no wider than 2/3 of it.
+constexpr double kNearestWall = 1.0 / 3.0;
+
+/// Unit normal of the triangle that was hit, towards where the ray came from.
+Eigen::Vector3f facing(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& direction) {
+    const Triangle& triangle = scene.triangles[hit.triangle];
+    const Eigen::Vector3f& a = scene.positions[triangle[0]];
+    const Eigen::Vector3f normal =
+        (scene.positions[triangle[1]] - a).cross(scene.positions[triangle[2]] - a).normalized();
+    return normal.dot(direction.cast<float>()) <= 0.0F ? normal : Eigen::Vector3f(-normal);
+}
+
+bool endsBetween(const ViewEstimator& views, const Eigen::Vector3d& place,
+                 const Eigen::Vector3d& direction, double reach) {
+    const RayHit ahead = views.rays().cast(place, direction, reach);
+    if (ahead.object_id == 0) return false;
+    const RayHit behind = views.rays().cast(place, -direction, reach - ahead.distance);
+    return behind.object_id != 0 &&
+           facing(views.scene(), ahead, direction).dot(facing(views.scene(), behind, -direction)) <
+               kFacing;
+}
+
+}  // namespace
+
+double gapReach(double camera_radius_m) {
+    return std::min(kMostReach_m, kReachInRadii * camera_radius_m);
+}
+
+bool isInGap(const SweptSphere& sphere, const ViewEstimator& views, const Eigen::Vector3d& place) {
+    const double reach = gapReach(sphere.radius());
+    const double nearest = kNearestWall * reach;
+    if (sphere.clearance(place, nearest) >= nearest) return false;
+    static const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kGapDirections);
+    int found = 0;
+    for (int i = 0; i < kGapLines; ++i) {
+        found += endsBetween(views, place, directions[static_cast<std::size_t>(i)], reach) ? 1 : 0;
+        if (found >= kGapLinesNeeded) return true;
+        if (found + kGapLines - i - 1 < kGapLinesNeeded) return false;
+    }
+    return false;
+}
+
+}  // namespace dollytrack::planning
