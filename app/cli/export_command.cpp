@@ -354,6 +354,9 @@ void addExportCommand(CLI::App& app, Session& session) {
     addPlannerArgument(*command, arguments->planner);
     command->add_option("--out", arguments->out, "Folder for the dataset; made if missing")
         ->required()
+        ->check([](const std::string& folder) {
+            return folder.empty() ? "The name of the folder is empty." : "";
+        })
         ->type_name("DIR");
     command
         ->add_option("--range", arguments->range,

@@ -48,9 +48,8 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
                           lines, timing.frame_rate));
 }
 
-/// Warns if a budget lowered the frame rate.
-void warnOfLoweredRate(const Plan& plan, const planning::TimingParams& timing) {
-    const std::string note = planning::loweredRateNote(plan.trajectory, timing);
+void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
+    const std::string note = planning::frameRateNote(plan.trajectory, timing);
     if (!note.empty()) log::warn("planning", note);
 }
 
@@ -85,8 +84,9 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
     if (region->hasLevels()) {
         const auto& cells = region->levels().cells();
         if (std::ranges::any_of(cells, [](const auto& room) { return !room.empty(); })) return {};
-        return "no floor has room for the body at camera_height_m; lower body_radius_m, "
-               "body_height_m or camera_height_m";
+        return "no floor has room for the body and the camera; lower body_radius_m or "
+               "body_height_m, "
+               "or set camera_height_m above camera_radius_m";
     }
     bool in_band = false;
     bool any = false;
@@ -145,7 +145,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
     }
     warnOfAnchors(**plan);
-    warnOfLoweredRate(**plan, opened.params.timing);
+    warnOfFrameRate(**plan, opened.params.timing);
     warnOfFewFrames(**plan, opened.params.timing);
     warnOfSeparateMotions(**plan, opened.params.constraints);
     PlannedScene planned;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace dollytrack {
 namespace {
@@ -56,7 +57,10 @@ int JsonReader::integer(int least, int most) const {
 double JsonReader::number(double least, double most) const {
     const double value = value_.is_number() ? value_.get<double>() : std::nan("");
     if (value >= least && value <= most) return value;
-    refuse(fmt::format("This must be a number from {} to {}.", least, most));
+    using Limits = std::numeric_limits<double>;
+    refuse(least == Limits::lowest() && most == Limits::max()
+               ? "This must be a finite number."
+               : fmt::format("This must be a number from {} to {}.", least, most));
     return least;
 }
 

@@ -70,6 +70,14 @@ bool isPreposition(const std::string& word) {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
+/// What exporters name materials after, beside the woods of the table.
+bool isMaterial(const std::string& word) {
+    static constexpr std::array<std::string_view, 14> kWords = {
+        "brass", "ceramic", "chrome", "cloth", "concrete", "fabric", "glass",
+        "gold",  "leather", "marble", "metal", "plastic",  "steel",  "velvet"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
 }  // namespace
 
 bool isStructureClass(int nyu40) {
@@ -251,6 +259,11 @@ Label LabelTable::find(std::string_view name) const {
             const std::string text = join(words, i, n);
             const auto found = entries_.find(text);
             if (found == entries_.end()) continue;
+            // "DarkWoodMat" and "GlassTableMat" name materials.
+            const bool is_material = text == "mat" && i > 0 &&
+                                     (weak.kind != LabelKind::None ||
+                                      best.kind != LabelKind::None || isMaterial(words[i - 1]));
+            if (is_material) break;
             const Label label{found->second.kind, found->second.nyu40, text};
             spanned = std::max(spanned, i + n);
             const bool of_thing = found->second.component && i >= best_end &&

@@ -62,15 +62,22 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
                 by_duration ? "duration_s" : "max_frames");
 }
 
-std::string loweredRateNote(const Trajectory& trajectory, const TimingParams& params) {
+std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
     constexpr double kSame = 1e-6;  // of the interval
+    const auto frames = static_cast<int>(trajectory.frames.size());
+    if (keepsFrameRate(params) && params.duration_s <= 0.0 && 2 * frames < params.max_frames) {
+        return fmt::format(
+            "only {} of max_frames={} frames are used: at frame_rate={:g} no further view is "
+            "within "
+            "reach of the rest; raise max_frames or lower --fps",
+            frames, params.max_frames, params.frame_rate);
+    }
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
     if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
     return fmt::format(
         "frame_rate={:g} was lowered to {:.3g} ({} frames) for max_frames={}{}; --fps {:g} keeps "
         "the rate and visits fewer objects",
-        params.frame_rate, 1.0 / trajectory.frame_interval_s, trajectory.frames.size(),
-        params.max_frames,
+        params.frame_rate, 1.0 / trajectory.frame_interval_s, frames, params.max_frames,
         params.max_repeat_rate < 1.0
             ? fmt::format(" and max_repeat_rate={:g}", params.max_repeat_rate)
             : "",

@@ -23,7 +23,8 @@ struct TimingParams;
 /// Error: Failed, for a clip that is too short for what must be visited.
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
 
-/// A sentence saying that a budget lowered the frame rate, and what keeps it; empty where none did.
-[[nodiscard]] std::string loweredRateNote(const Trajectory& trajectory, const TimingParams& params);
+/// A sentence saying that a budget lowered the frame rate and which option keeps it, or that a kept
+/// frame rate left most of the frames unused; empty where neither happened.
+[[nodiscard]] std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params);
 
 }  // namespace dollytrack::planning

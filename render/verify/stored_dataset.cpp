@@ -118,6 +118,13 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     dataset.folder = folder;
     const std::filesystem::path path = folder / "dataset.json";
     std::error_code unknown;
+    if (!std::filesystem::is_directory(folder, unknown)) {
+        return fail(ErrorCode::BadInput,
+                    std::filesystem::exists(folder, unknown)
+                        ? "This is a file; name the folder of a dataset."
+                        : "There is no such folder.",
+                    folder.string());
+    }
     if (!std::filesystem::exists(path, unknown)) {
         return fail(ErrorCode::BadInput,
                     "There is no dataset.json in it: it is no dataset, or its export has not "

@@ -52,6 +52,13 @@ class Clip(FolderCase):
         self.assertLess(max(self.speeds(frames)), 0.5 + 1e-6)
         self.assertNotIn("lowered", done.stderr)
 
+    def test_a_kept_rate_that_leaves_frames_unused_is_said(self):
+        done, trajectory = self.plan("--fps", 30, "--max-frames", 8)
+        frames = len(trajectory["frames"])
+        self.assertLess(2 * frames, 8)
+        self.assertIn(f"only {frames} of max_frames=8 frames are used",
+                      " ".join(done.stderr.split()))
+
     def test_without_a_budget_nothing_is_said(self):
         done, _ = self.plan("--set", "frame_rate=5")
         self.assertNotIn("lowered", done.stderr)
