@@ -1,7 +1,6 @@
 #include "render/contact_sheet.h"
 
 #include "engine/jobs/parallel.h"
-#include "engine/scene/labels.h"
 #include "render/picture_file.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -59,9 +58,10 @@ cv::Vec3b idColor(int id) {
     return bgr.at<cv::Vec3b>(0, 0);
 }
 
-cv::Vec3b classColor(int nyu40) {
-    const auto rgb = nyu40Color(nyu40);
-    return {rgb[2], rgb[1], rgb[0]};
+cv::Vec3b classColor(const ClassTable& classes, int id) {
+    const DatasetClass* found = classes.find(id);
+    if (found == nullptr) return {0, 0, 0};
+    return {found->color[2], found->color[1], found->color[0]};
 }
 
 template <class Value, class Color>
@@ -81,7 +81,8 @@ cv::Mat labelPicture(const cv::Mat& labels, const Color& color) {
 }
 
 /// 8-bit BGR of an image that was read unchanged.
-cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
+cv::Mat pictureOf(const cv::Mat& image, std::string_view modality, const ClassTable& classes) {
+    const auto of_class = [&](int id) { return classColor(classes, id); };
     if (image.type() == CV_8UC3) return image;
     if (image.type() == CV_16UC3) {  // normals, places in an object
         cv::Mat bgr;
@@ -91,22 +92,22 @@ cv::Mat pictureOf(const cv::Mat& image, std::string_view modality) {
     if (image.type() == CV_16UC1) {
         if (modality.starts_with("depth")) return depthPicture(image);
         if (modality == "disparity") return disparityPicture(image);
+        if (modality == "semantic") return labelPicture<std::uint16_t>(image, of_class);
         return labelPicture<std::uint16_t>(image, idColor);
     }
-    return labelPicture<std::uint8_t>(
-        image, [](int label) { return classColor(std::min(label, kNyu40Count)); });
+    return labelPicture<std::uint8_t>(image, of_class);
 }
 
 /// Empty when the file is gone or damaged. Labels are not blended into other labels.
 cv::Mat thumbnail(const io::GuardedFolder& folder, const std::string& file,
-                  std::string_view modality) {
+                  std::string_view modality, const ClassTable& classes) {
     try {
         const cv::Mat image = readPictureFile(folder, file, cv::IMREAD_UNCHANGED);
         if (image.empty()) return {};
         const int height = std::max(1, kThumbWidth * image.rows / image.cols);
         const bool labels = modality == "instance" || modality == "semantic";
         cv::Mat small;
-        cv::resize(pictureOf(image, modality), small, {kThumbWidth, height}, 0, 0,
+        cv::resize(pictureOf(image, modality, classes), small, {kThumbWidth, height}, 0, 0,
                    labels ? cv::INTER_NEAREST : cv::INTER_AREA);
         return small;
     } catch (const cv::Exception&) {
@@ -134,10 +135,11 @@ std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key) {
 Result<std::vector<std::uint8_t>> encodeContactSheet(const io::GuardedFolder& folder,
                                                      const std::vector<SheetPicture>& pictures,
                                                      const Modality& modality,
+                                                     const ClassTable& classes,
                                                      const std::string& title) {
     std::vector<cv::Mat> thumbs(pictures.size());
     parallelFor(pictures.size(), [&](std::size_t i) {
-        thumbs[i] = thumbnail(folder, pictures[i].file, modality.name);
+        thumbs[i] = thumbnail(folder, pictures[i].file, modality.name, classes);
     });
     int thumb_height = 1;
     for (std::size_t i = 0; i < thumbs.size(); ++i) {

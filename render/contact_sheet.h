@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/guarded_folder.h"
+#include "engine/scene/class_table.h"
 #include "render/modalities.h"
 
 #include <cstdint>
@@ -25,6 +26,6 @@ struct SheetPicture {
 /// a file that is gone or damaged.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeContactSheet(
     const io::GuardedFolder& folder, const std::vector<SheetPicture>& pictures,
-    const Modality& modality, const std::string& title);
+    const Modality& modality, const ClassTable& classes, const std::string& title);
 
 }  // namespace dollytrack::render

@@ -33,7 +33,8 @@ Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
             {contents.pictureFile(index),
              fmt::format("{}   {:.1f} s   {:.24}", index, frame.camera.time_s, frame.room)});
     }
-    return encodeContactSheet(folder, pictures, contents.pictureModality(), title);
+    return encodeContactSheet(folder, pictures, contents.pictureModality(),
+                              contents.scene.classes(), title);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "render/dataset_identity.h"
 
+#include "engine/io/class_table_file.h"
 #include "engine/io/sha256.h"
 #include "render/exact_text.h"
 
@@ -17,6 +18,7 @@ std::string sceneText(const Scene& scene, const DatasetCard& card) {
     for (int column = 0; column < 4; ++column) {
         result += exactText(scene.source_from_world.matrix().col(column));
     }
+    if (!scene.classes().isNyu40()) result += io::classTableToJson(scene.classes()).dump();
     for (const Object& object : scene.objects) {
         result += fmt::format("\n{} {} {} {}", object.id, static_cast<int>(object.role),
                               object.first_triangle, object.triangle_count) +

@@ -23,16 +23,30 @@ std::size_t FrameRecord::bytes() const {
 
 void FrameRecord::labelClasses(const Scene& scene) {
     semantic = classesOf(scene, instance);
+    class_table = scene.class_table;
 }
 
-std::vector<std::uint8_t> classesOf(const Scene& scene, std::span<const std::uint16_t> instance) {
-    std::vector<std::uint8_t> classes(65536, 0);
+std::vector<std::uint16_t> classesOf(const Scene& scene, std::span<const std::uint16_t> instance) {
+    const ClassTable& table = scene.classes();
+    std::vector<std::uint16_t> classes(65536, static_cast<std::uint16_t>(table.voidClass().id));
     for (const Object& object : scene.objects) {
-        classes[static_cast<std::uint16_t>(object.id)] = static_cast<std::uint8_t>(object.nyu40);
+        classes[static_cast<std::uint16_t>(object.id)] =
+            static_cast<std::uint16_t>(table.classOf(object).id);
     }
-    std::vector<std::uint8_t> result(instance.size());
+    std::vector<std::uint16_t> result(instance.size());
     for (std::size_t i = 0; i < instance.size(); ++i) result[i] = classes[instance[i]];
     return result;
+}
+
+io::PngFormat classFormat(const ClassTable& table) {
+    return table.isWide() ? io::PngFormat::Gray16 : io::PngFormat::Gray8;
+}
+
+std::vector<std::uint8_t> classBytes(const ClassTable& table,
+                                     std::span<const std::uint16_t> classes) {
+    if (!table.isWide()) return {classes.begin(), classes.end()};
+    const auto* first = reinterpret_cast<const std::uint8_t*>(classes.data());
+    return {first, first + classes.size_bytes()};
 }
 
 std::vector<std::uint16_t> depthInMillimetres(const std::vector<float>& depth_m) {

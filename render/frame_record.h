@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/io/png_writer.h"
 #include "engine/math/pose.h"
 #include "engine/scene/scene.h"
 #include "render/whole_masks.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,7 +24,9 @@ struct FrameRecord {
     std::vector<std::uint8_t> rgb;        // 3 bytes a pixel, sRGB
     std::vector<float> depth_m;           // planar: along the viewing axis
     std::vector<std::uint16_t> instance;  // object ids
-    std::vector<std::uint8_t> semantic;   // NYU40 class of the object
+    std::vector<std::uint16_t> semantic;  // ids of the objects' classes, Scene::classes()
+
+    std::shared_ptr<const ClassTable> class_table;  // whose ids `semantic` has; null: NYU40
 
     // What only some files need; empty where none of them is written.
     std::vector<Eigen::Vector3f> normals_in_world;  // about unit length, on the camera's side
@@ -38,13 +42,21 @@ struct FrameRecord {
     /// The memory that its images take, and those that are made of them while they are written.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Fills `semantic` from `instance`.
+    /// Fills `semantic` from `instance`, and says of which table.
     void labelClasses(const Scene& scene);
+    [[nodiscard]] const ClassTable& classes() const {
+        return class_table ? *class_table : ClassTable::nyu40();
+    }
 };
 
-/// The NYU40 class of each pixel, from the object it belongs to.
-[[nodiscard]] std::vector<std::uint8_t> classesOf(const Scene& scene,
-                                                  std::span<const std::uint16_t> instance);
+/// The id of each pixel's class, from the object it belongs to, in the scene's table of classes.
+[[nodiscard]] std::vector<std::uint16_t> classesOf(const Scene& scene,
+                                                   std::span<const std::uint16_t> instance);
+
+/// Ids of classes as files have them: 8 bits each, or 16 where the table needs them.
+[[nodiscard]] io::PngFormat classFormat(const ClassTable& table);
+[[nodiscard]] std::vector<std::uint8_t> classBytes(const ClassTable& table,
+                                                   std::span<const std::uint16_t> classes);
 
 /// Planar depth in whole millimetres, rounded; 0 for none and beyond 65.535 m.
 [[nodiscard]] std::vector<std::uint16_t> depthInMillimetres(const std::vector<float>& depth_m);

@@ -218,9 +218,10 @@ void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& argument
         "As 'plan --keep-meshes' had it: meshes with parts of several objects are left "
         "whole");
     command
-        .add_option("--labels", arguments.labels,
-                    "The table of names and NYU40 classes it was made with, if any")
-        ->type_name("CSV");
+        .add_option(
+            "--labels", arguments.labels,
+            "The label file it was made with, if that has words; its classes are in the dataset")
+        ->type_name("FILE");
     command
         .add_option("--models", arguments.models,
                     "A folder of models that the scene was made with; may be repeated")

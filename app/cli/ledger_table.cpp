@@ -49,9 +49,11 @@ std::string ledgerTable(const Scene& scene, std::vector<LedgerRow> ledger, std::
                     inColumn("class", 12), inColumn("", 12), "frame", "visible", "box", "away");
     for (const LedgerRow& row : ledger) {
         const Object& object = scene.object(row.object_id);
-        text += fmt::format("  {} {} {} {}\n", inColumn(object.name, name_width),
-                            inColumn(nyu40Name(object.nyu40), 12),
-                            inColumn(kStandings[standing(row)], 12), numbers(row));
+        text += fmt::format(
+            "  {} {} {} {}\n", inColumn(object.name, name_width),
+            inColumn(object.dataset_class ? object.dataset_class->name : nyu40Name(object.nyu40),
+                     12),
+            inColumn(kStandings[standing(row)], 12), numbers(row));
         if (!row.loss) continue;
         text += wrapped(row.reason, width, kIndent, "    why");
         if (row.remedy) text += wrapped(row.remedy->text, width, kIndent, "    fix");

@@ -116,11 +116,14 @@ Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
     for (int i = 1; i <= kNyu40Count; ++i) {
         if (std::string name(nyu40Name(i)); isAny(name)) names.push_back(std::move(name));
     }
+    for (const DatasetClass& one : scene.classes().classes()) {
+        if (scene.class_table && isAny(one.name)) names.push_back(one.name);
+    }
     for (const auto& [option, patterns, may_lack_class] :
          {std::tuple("--ignore", &arguments.ignore, true),
           std::tuple("--only", &arguments.only, only_names_some)}) {
         for (const std::string& pattern : *patterns) {
-            if (isAny(pattern) || (may_lack_class && nyu40FromName(pattern) != 0)) continue;
+            if (isAny(pattern) || (may_lack_class && isClassName(scene, pattern))) continue;
             return fail(ErrorCode::Usage,
                         fmt::format("'{}' names no class and no object of this scene{}", pattern,
                                     nameHint(pattern, names)),
@@ -287,9 +290,11 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->transform(upAxisOption())
         ->type_name("AXIS");
     command
-        .add_option("--labels", arguments.labels,
-                    "Table of names and NYU40 classes, added to the built-in one")
-        ->type_name("CSV");
+        .add_option(
+            "--labels", arguments.labels,
+            "Words and their NYU40 classes (CSV), added to the built-in ones, or classes of "
+            "one's own for the dataset (JSON, see assets/labels)")
+        ->type_name("FILE");
     command
         .add_option("--models", arguments.models,
                     "Folder with the models of a scene made of models (3D-FUTURE-model, "

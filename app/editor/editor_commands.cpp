@@ -66,6 +66,27 @@ void Editor::addFileCommands() {
                        },
                        needs_project});
     }
+    commands_.add({"file.labels",
+                   "File",
+                   "Use a label file…",
+                   {},
+                   [this] { askForFile("labels"); },
+                   needs_project});
+    commands_.add({"file.no_labels",
+                   "File",
+                   "Use the built-in classes",
+                   {},
+                   [this] {
+                       nlohmann::json import = workspace_.importSettings();
+                       import.erase("labels");
+                       workspace_.readAgain(import);
+                   },
+                   [this, needs_project] {
+                       if (!workspace_.isOpen()) return needs_project();
+                       return workspace_.importSettings().contains("labels")
+                                  ? std::string()
+                                  : std::string("The project has no label file.");
+                   }});
     commands_.add({"file.write_annotations",
                    "File",
                    "Write annotations…",

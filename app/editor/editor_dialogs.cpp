@@ -5,6 +5,7 @@
 #include "engine/io/scene_format.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace dollytrack::editor {
 
@@ -46,6 +47,10 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {{"Annotations", {".json"}}};
         request.start = beside.parent_path();
         request.name = beside.filename().string();
+    } else if (id == "labels") {
+        request.title = "Classes of datasets, or words and their classes";
+        request.accept = "Choose";
+        request.filters = {{"Label files", {".json", ".csv"}}};
     } else if (id == "preview.png") {
         request.purpose = ui::FileRequest::Purpose::Save;
         request.title = "Save the camera's picture";
@@ -92,6 +97,10 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         } else {
             questions_.tell({true, "Cannot write the annotations", describe(written.error()), {}});
         }
+    } else if (answer.id == "labels") {
+        nlohmann::json import = workspace_.importSettings();
+        import["labels"] = answer.path.string();
+        workspace_.readAgain(import);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             pictures_.save(answer.path, std::move(*picture_to_save_));

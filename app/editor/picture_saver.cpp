@@ -35,7 +35,8 @@ Pixels pixelsOf(const ui::PreviewImage& image) {
         case ui::Modality::Instance:
             return gray16(record.instance);
         case ui::Modality::Semantic:
-            return {io::PngFormat::Gray8, record.semantic};
+            return {render::classFormat(record.classes()),
+                    render::classBytes(record.classes(), record.semantic)};
         case ui::Modality::Normal:
             break;
     }

@@ -2,6 +2,7 @@
 
 #include "engine/document/regroup.h"
 #include "engine/document/target_filter.h"
+#include "engine/scene/class_table.h"
 #include "engine/scene/facing.h"
 #include "engine/scene/move_object.h"
 #include "engine/scene/object_size.h"
@@ -108,6 +109,7 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
                               const SizeRules& rules) {
     Scene scene = imported;
     for (const ObjectDefinition& definition : edits.definitions) define(scene, definition);
+    assignDatasetClasses(scene);  // the lists of targets may name them
     if (scene.objects.size() > kMostObjects) {
         return fail(ErrorCode::BadInput,
                     fmt::format("Taken apart, the scene has {} objects, more than the {} that "
@@ -121,6 +123,7 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
     }
     filterTargets(scene, edits);
     for (const ObjectChange& wanted : edits.changes) change(scene, wanted);
+    assignDatasetClasses(scene);
     return scene;
 }
 

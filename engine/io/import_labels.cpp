@@ -1,15 +1,27 @@
 #include "engine/io/import_labels.h"
 
+#include "engine/io/class_table_file.h"
+
+#include <utility>
+
 namespace dollytrack {
 
-Result<LabelTable> labelsOf(const ImportOptions& options) {
-    LabelTable table = LabelTable::builtIn();
-    if (options.labels) {
-        if (Status added = table.addFile(*options.labels); !added) {
-            return tl::unexpected(added.error());
-        }
+Result<ImportLabels> importLabels(const ImportOptions& options) {
+    ImportLabels labels{LabelTable::builtIn(), nullptr};
+    if (!options.labels) return labels;
+    Result<io::LabelFile> file = io::readLabelFile(*options.labels);
+    if (!file) return tl::unexpected<Error>(file.error());
+    if (Status added = labels.words.add(file->word_lines, file->word_place); !added) {
+        return tl::unexpected<Error>(added.error());
     }
-    return table;
+    labels.classes = std::move(file->classes);
+    return labels;
+}
+
+Result<LabelTable> labelsOf(const ImportOptions& options) {
+    Result<ImportLabels> labels = importLabels(options);
+    if (!labels) return tl::unexpected<Error>(labels.error());
+    return std::move(labels->words);
 }
 
 }  // namespace dollytrack

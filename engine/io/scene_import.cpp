@@ -161,8 +161,9 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (Status ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
     const Result<const SceneFormat*> format = checkSceneFile(path);
     if (!format) return tl::unexpected(format.error());
-    const Result<LabelTable> labels = labelsOf(options);
-    if (!labels) return tl::unexpected(labels.error());
+    const Result<ImportLabels> said_labels = importLabels(options);
+    if (!said_labels) return tl::unexpected(said_labels.error());
+    const LabelTable* labels = &said_labels->words;
     Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
     if (!said) return tl::unexpected(said.error());
     ImportOptions reading = options;
@@ -241,6 +242,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     noteSizeDoubts(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
+    scene.class_table = said_labels->classes;
+    assignDatasetClasses(scene);
 
     scene.report.notes = foldRepeats(scene.report.notes);
     scene.report.warnings = foldRepeats(scene.report.warnings);

@@ -14,10 +14,10 @@ namespace dollytrack {
 
 /// What a user can say about a scene file that the file does not say itself.
 struct ImportOptions {
-    std::optional<double> unit_m = std::nullopt;  // metres per source unit; else found out
+    std::optional<double> unit_m = std::nullopt;   // metres per source unit; else found out
     std::optional<UpAxis> up_axis = std::nullopt;  // else found out
     std::optional<std::filesystem::path> labels =
-        std::nullopt;  // a label table added to the built-in one
+        std::nullopt;  // a label file: words added to the built-in ones, or classes of one's own
     /// Where the models of scenes made of models are: 3D-FUTURE-model, ShapeNetCore and the
     /// like; homes take archives, too.
     std::vector<std::filesystem::path> model_folders = {};

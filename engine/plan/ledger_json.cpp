@@ -39,6 +39,7 @@ json ledgerJson(const Scene& scene, const std::vector<LedgerRow>& ledger) {
                     {"class", nyu40Name(object.nyu40)},
                     {"captured", row.captured},
                     {"well_captured", row.well_captured}};
+        if (object.dataset_class) one["dataset_class"] = object.dataset_class->name;
         if (row.frame >= 0) {
             one.update({{"frame", row.frame},
                         {"time_s", row.time_s},

@@ -1,6 +1,5 @@
 #include "engine/scene/label_table.h"
 
-#include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
 
 #include <algorithm>
@@ -212,13 +211,6 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
         whole_by_words.erase(begin, end);
     }
     return {};
-}
-
-Status LabelTable::addFile(const std::filesystem::path& path) {
-    constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20U;
-    const Result<std::string> text = io::readNamedFile(path, kMostBytes);
-    if (!text) return tl::unexpected<Error>(text.error());
-    return add(*text, path.filename().string());
 }
 
 const std::string* LabelTable::mostTelling(std::span<const std::string> words) const {

@@ -2,7 +2,6 @@
 
 #include "engine/core/result.h"
 
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
@@ -43,7 +42,6 @@ class LabelTable {
     /// The class is an NYU40 name, or empty for a part. Later lines replace earlier ones of the
     /// same pattern.
     Status add(std::string_view csv, const std::string& where);
-    Status addFile(const std::filesystem::path& path);
 
     [[nodiscard]] Label find(std::string_view name) const;
     /// Whether one of the name's patterns names a thing of this class, be it the one that counts or

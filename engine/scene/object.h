@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace dollytrack {
+
+struct DatasetClass;
 
 /// A box that stands upright: its third axis is the world's z.
 struct OrientedBox {
@@ -44,7 +47,8 @@ enum class FrontSource {
 struct Object {
     int id = 0;  // 1.., also the value in instance images; index in Scene::objects is id - 1
     std::string name;
-    int nyu40 = 0;  // 1..40, 0 when unknown
+    int nyu40 = 0;                                      // 1..40, 0 when unknown
+    std::shared_ptr<const DatasetClass> dataset_class;  // of the scene's own table; else null
     Role role = Role::Target;
     bool structure = false;  // part of the building, whatever its role: says what is inside
     OrientedBox box;

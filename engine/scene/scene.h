@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/scene/class_table.h"
 #include "engine/scene/material.h"
 #include "engine/scene/object.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,8 @@ struct Scene {
     std::vector<std::uint32_t> triangle_material;
     std::vector<Material> materials;
     std::vector<Texture> textures;
-    std::vector<Object> objects;  // ordered by id
+    std::vector<Object> objects;                    // ordered by id
+    std::shared_ptr<const ClassTable> class_table;  // of the user's label file; null: NYU40
 
     Eigen::Affine3d source_from_world = Eigen::Affine3d::Identity();  // with scale
     Eigen::AlignedBox3d room_bounds;  // the building, without outliers, grounds and skies
@@ -48,6 +51,10 @@ struct Scene {
 
     [[nodiscard]] const Object& object(int id) const {
         return objects[static_cast<std::size_t>(id) - 1];
+    }
+    /// The classes that datasets of the scene are written with.
+    [[nodiscard]] const ClassTable& classes() const {
+        return class_table ? *class_table : ClassTable::nyu40();
     }
 };
 

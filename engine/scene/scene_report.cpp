@@ -31,6 +31,11 @@ std::string className(int nyu40) {
     return nyu40 == 0 ? std::string("unknown") : std::string(nyu40Name(nyu40));
 }
 
+/// The name that tables for people have: that of the scene's own classes, if it has any.
+std::string shownClass(const Object& object) {
+    return object.dataset_class ? object.dataset_class->name : className(object.nyu40);
+}
+
 int countTargets(const Scene& scene) {
     return static_cast<int>(
         std::count_if(scene.objects.begin(), scene.objects.end(),
@@ -38,17 +43,39 @@ int countTargets(const Scene& scene) {
 }
 
 json objectJson(const Object& object) {
-    return {{"id", object.id},
-            {"name", object.name},
-            {"class", className(object.nyu40)},
-            {"role", roleName(object.role)},
-            {"large", object.large},
-            {"size_m", point(2.0 * object.box.half_size)},
-            {"center_m", point(object.box.center)},
-            {"yaw_deg", rounded(object.box.yaw * 180.0 / std::numbers::pi)},
-            {"front", point(object.front)},
-            {"front_source", frontSourceName(object.front_source)},
-            {"triangles", object.triangle_count}};
+    json one = {{"id", object.id},
+                {"name", object.name},
+                {"class", className(object.nyu40)},
+                {"role", roleName(object.role)},
+                {"large", object.large},
+                {"size_m", point(2.0 * object.box.half_size)},
+                {"center_m", point(object.box.center)},
+                {"yaw_deg", rounded(object.box.yaw * 180.0 / std::numbers::pi)},
+                {"front", point(object.front)},
+                {"front_source", frontSourceName(object.front_source)},
+                {"triangles", object.triangle_count}};
+    if (object.dataset_class) {
+        one["dataset_class"] = {{"id", object.dataset_class->id},
+                                {"name", object.dataset_class->name}};
+    }
+    return one;
+}
+
+/// How many objects there are of a class of the scene's own table.
+std::ptrdiff_t countOf(const Scene& scene, const DatasetClass& one) {
+    return std::ranges::count_if(scene.objects, [&](const Object& object) {
+        return scene.classes().classOf(object).id == one.id;
+    });
+}
+
+json datasetClassesJson(const Scene& scene) {
+    json list = json::array();
+    const auto add = [&](const DatasetClass& one) {
+        list.push_back({{"id", one.id}, {"name", one.name}, {"objects", countOf(scene, one)}});
+    };
+    add(scene.classes().voidClass());
+    for (const DatasetClass& one : scene.classes().classes()) add(one);
+    return list;
 }
 
 template <class... Values>
@@ -106,26 +133,28 @@ json toJson(const Scene& scene) {
         ++classes[className(object.nyu40)];
         objects.push_back(objectJson(object));
     }
-    return {{"name", scene.name},
-            {"source", cleanText(scene.source.string())},
-            {"source_sha256", scene.source_sha256},
-            {"unit_m", scene.report.unit_m},
-            {"unit_source", scene.report.unit_source},
-            {"up_axis", scene.report.up_axis},
-            {"up_source", scene.report.up_source},
-            {"bounds_min_m", point(scene.room_bounds.min())},
-            {"bounds_max_m", point(scene.room_bounds.max())},
-            {"size_m", point(scene.room_bounds.sizes())},
-            {"triangles", scene.triangles.size()},
-            {"vertices", scene.positions.size()},
-            {"materials", scene.materials.size()},
-            {"textures_found", scene.report.textures_found},
-            {"textures_missing", scene.report.textures_missing},
-            {"targets", countTargets(scene)},
-            {"classes", classes},
-            {"objects", objects},
-            {"notes", scene.report.notes},
-            {"warnings", scene.report.warnings}};
+    json report = {{"name", scene.name},
+                   {"source", cleanText(scene.source.string())},
+                   {"source_sha256", scene.source_sha256},
+                   {"unit_m", scene.report.unit_m},
+                   {"unit_source", scene.report.unit_source},
+                   {"up_axis", scene.report.up_axis},
+                   {"up_source", scene.report.up_source},
+                   {"bounds_min_m", point(scene.room_bounds.min())},
+                   {"bounds_max_m", point(scene.room_bounds.max())},
+                   {"size_m", point(scene.room_bounds.sizes())},
+                   {"triangles", scene.triangles.size()},
+                   {"vertices", scene.positions.size()},
+                   {"materials", scene.materials.size()},
+                   {"textures_found", scene.report.textures_found},
+                   {"textures_missing", scene.report.textures_missing},
+                   {"targets", countTargets(scene)},
+                   {"classes", classes},
+                   {"objects", objects},
+                   {"notes", scene.report.notes},
+                   {"warnings", scene.report.warnings}};
+    if (scene.class_table) report["dataset_classes"] = datasetClassesJson(scene);
+    return report;
 }
 
 std::string describeScene(const Scene& scene) {
@@ -138,6 +167,11 @@ std::string describeScene(const Scene& scene) {
                    scene.report.up_source.c_str());
     text +=
         format("  objects    %zu, of them %d targets\n", scene.objects.size(), countTargets(scene));
+    if (scene.class_table) {
+        text +=
+            format("  classes    %zu of the label file; %td objects have none of them\n",
+                   scene.classes().classes().size(), countOf(scene, scene.classes().voidClass()));
+    }
     text += format("  triangles  %zu\n", scene.triangles.size());
     text += format("  textures   %d found, %zu missing\n", scene.report.textures_found,
                    scene.report.textures_missing.size());
@@ -151,7 +185,7 @@ std::string describeScene(const Scene& scene) {
             "  class           role       size   width  depth height m  front\n";
     for (const Object& object : scene.objects) {
         text += format("  %3d  ", object.id) + column(object.name, name_width) + "  " +
-                column(className(object.nyu40), 14) + "  " +
+                column(shownClass(object), 14) + "  " +
                 column(std::string(roleName(object.role)), 9) + "  " +
                 (object.large ? "large" : "small") +
                 format("  %5.2f  %5.2f  %5.2f    ", 2.0 * object.box.half_size.x(),

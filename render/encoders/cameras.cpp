@@ -5,6 +5,7 @@
 #include "render/rig_files.h"
 #include "render/rig_labels.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace dollytrack::render {
@@ -46,8 +47,9 @@ FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) 
         }
         if (status) status = add("instance", PngFormat::Gray16, bytesOf(seen.instance));
         if (status) {
-            const auto classes = classesOf(contents.scene, seen.instance);
-            status = add("semantic", PngFormat::Gray8, classes);
+            const ClassTable& table = contents.scene.classes();
+            status = add("semantic", classFormat(table),
+                         classBytes(table, classesOf(contents.scene, seen.instance)));
         }
         if (status) {
             const auto normals = normalSteps(seen.normals_in_world);
@@ -58,7 +60,8 @@ FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) 
     return files;
 }
 
-nlohmann::ordered_json camerasConvention(const DatasetContents& /*contents*/) {
+nlohmann::ordered_json camerasConvention(const DatasetContents& contents) {
+    const ClassTable& table = contents.scene.classes();
     return {
         {"folder", kRigModality},
         {"images", kRigImages},
@@ -67,7 +70,9 @@ nlohmann::ordered_json camerasConvention(const DatasetContents& /*contents*/) {
          "poses; types and units as of the images of the same name of the planned camera, but "
          "depth along the axis or along the ray as each camera says; ids, classes, depth and "
          "normals are those of the exact rays of the lens through pixel centres, 0 where there is "
-         "nothing and outside of a fisheye's image circle"}};
+         "nothing and outside of a fisheye's image circle" +
+             (table.isNyu40() ? std::string()
+                              : fmt::format(" ({} in classes)", table.voidClass().id))}};
 }
 
 }  // namespace dollytrack::render

@@ -35,9 +35,10 @@ FrameFiles encodeInstance(const FrameContext& /*context*/, const FrameRecord& fr
 }
 
 FrameFiles encodeSemantic(const FrameContext& context, const FrameRecord& frame) {
+    const Scene& scene = context.contents.scene;
     return oneFile(frameFile("semantic", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Gray8,
-                                 classesOf(context.contents.scene, frame.instance)));
+                   io::encodePng(frame.width, frame.height, classFormat(scene.classes()),
+                                 classBytes(scene.classes(), classesOf(scene, frame.instance))));
 }
 
 Json rgbConvention(const DatasetContents& /*contents*/) {
@@ -66,8 +67,12 @@ Json instanceConvention(const DatasetContents& /*contents*/) {
         {"folder", "instance"}, {"type", "uint16"}, {"invalid", 0}, {"meaning", "objects[].id"}};
 }
 
-Json semanticConvention(const DatasetContents& /*contents*/) {
-    return {{"folder", "semantic"}, {"type", "uint8"}, {"invalid", 0}, {"meaning", "NYU40 class"}};
+Json semanticConvention(const DatasetContents& contents) {
+    const ClassTable& table = contents.scene.classes();
+    return {{"folder", "semantic"},
+            {"type", table.isWide() ? "uint16" : "uint8"},
+            {"invalid", table.voidClass().id},
+            {"meaning", table.isNyu40() ? "NYU40 class" : "classes[].id"}};
 }
 
 }  // namespace dollytrack::render

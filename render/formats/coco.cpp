@@ -1,6 +1,5 @@
 #include "render/formats/coco.h"
 
-#include "engine/scene/labels.h"
 #include "render/formats/mask_outline.h"
 
 #include <nlohmann/json.hpp>
@@ -11,20 +10,6 @@ namespace dollytrack::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string superCategory(int nyu40) {
-    switch (nyu40) {
-        case kNyuWall:
-        case kNyuFloor:
-        case kNyuDoor:
-        case kNyuWindow:
-        case kNyuCeiling:
-        case kNyuOtherStructure:
-            return "structure";
-        default:
-            return nyu40 == kNyuOtherProp ? "prop" : "furnishing";
-    }
-}
 
 enum class Segmentation { RunLengths, Polygons };
 
@@ -66,9 +51,10 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
     root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
     root["licenses"] = Json::array();
     Json categories = Json::array();
-    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
-        categories.push_back(
-            {{"id", nyu40}, {"name", nyu40Name(nyu40)}, {"supercategory", superCategory(nyu40)}});
+    for (const DatasetClass& one : scene.classes().classes()) {
+        // Readers ask for the key; a class without one above it stands alone.
+        const std::string& above = one.supercategory.empty() ? one.name : one.supercategory;
+        categories.push_back({{"id", one.id}, {"name", one.name}, {"supercategory", above}});
     }
     Json images = Json::array();
     Json annotations = Json::array();
@@ -80,16 +66,16 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
                           {"height", height}});
         for (const ObjectMask& mask : frame.masks) {
             const Object& object = scene.object(mask.object_id);
-            if (object.role != Role::Target || mask.area == 0) continue;
-            annotations.push_back(
-                {{"id", annotations.size() + 1},
-                 {"image_id", index + 1},
-                 {"category_id", object.nyu40 == kNyuUnknown ? kNyuOtherProp : object.nyu40},
-                 {"iscrowd", 0},
-                 {"area", mask.area},
-                 {"bbox", mask.bbox},
-                 {"segmentation", segmentation(mask, width, height, kind)},
-                 {"object_id", object.id}});
+            const DatasetClass* category = scene.classes().boxClassOf(object);
+            if (object.role != Role::Target || mask.area == 0 || category == nullptr) continue;
+            annotations.push_back({{"id", annotations.size() + 1},
+                                   {"image_id", index + 1},
+                                   {"category_id", category->id},
+                                   {"iscrowd", 0},
+                                   {"area", mask.area},
+                                   {"bbox", mask.bbox},
+                                   {"segmentation", segmentation(mask, width, height, kind)},
+                                   {"object_id", object.id}});
             // Whole masks are measured for the outlines alone: what annotations.json holds must not
             // depend on which other formats are written.
             if (kind == Segmentation::Polygons) {

@@ -9,9 +9,10 @@ namespace dollytrack::render {
 
 /// The text of annotations.json: COCO instances with compressed run lengths. Annotated are targets:
 /// they are what a detector is to find. Structure (walls, floor, doors ...) surrounds the camera,
-/// its boxes would be the whole image; it is in instance/ and semantic/. Categories are all of
-/// NYU40 under their own numbers; a target of unknown class counts as "otherprop". An
-/// image id is index + 1: readers take 0 for "none". No `attributes`: they need whole masks.
+/// its boxes would be the whole image; it is in instance/ and semantic/. Categories are the
+/// scene's classes under their own ids: of NYU40, where a target of unknown class counts as
+/// "otherprop", or of a table of one's own, where a target of class void is not annotated. An image
+/// id is index + 1: readers take 0 for "none". No `attributes`: they need whole masks.
 [[nodiscard]] std::string cocoText(const DatasetContents& contents);
 /// Of some frames alone; image ids stay theirs.
 [[nodiscard]] std::string cocoText(const DatasetContents& contents, std::span<const int> frames);

@@ -2,9 +2,9 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/core/clean_text.h"
+#include "engine/io/class_table_file.h"
 #include "engine/io/sha256.h"
 #include "engine/plan/plan_json.h"
-#include "engine/scene/labels.h"
 #include "engine/scene/resolved_light.h"
 #include "engine/scene/scene_report.h"
 #include "render/formats/camera_json.h"
@@ -72,25 +72,30 @@ Json relationsOf(int object_id, const std::vector<ObjectRelation>& relations) {
 Json objectTable(const Scene& scene, const std::vector<ObjectRelation>& relations) {
     Json table = Json::array();
     for (const Object& object : scene.objects) {
-        table.push_back({{"id", object.id},
-                         {"name", object.name},
-                         {"nyu40", object.nyu40},
-                         {"role", roleName(object.role)},
-                         {"box",
-                          {{"center", toJson(object.box.center)},
-                           {"size", toJson(2.0 * object.box.half_size)},
-                           {"yaw_rad", object.box.yaw}}},
-                         {"relations", relationsOf(object.id, relations)}});
+        Json row = {{"id", object.id}, {"name", object.name}, {"nyu40", object.nyu40}};
+        if (!scene.classes().isNyu40()) row["class_id"] = scene.classes().classOf(object).id;
+        row["role"] = roleName(object.role);
+        row["box"] = {{"center", toJson(object.box.center)},
+                      {"size", toJson(2.0 * object.box.half_size)},
+                      {"yaw_rad", object.box.yaw}};
+        row["relations"] = relationsOf(object.id, relations);
+        table.push_back(std::move(row));
     }
     return table;
 }
 
-Json classTable() {
-    Json table = Json::array();
-    for (int nyu40 = 0; nyu40 <= kNyu40Count; ++nyu40) {
-        const auto color = nyu40Color(nyu40);
-        table.push_back(
-            {{"id", nyu40}, {"name", nyu40Name(nyu40)}, {"color", {color[0], color[1], color[2]}}});
+Json classRow(const DatasetClass& one) {
+    return {{"id", one.id}, {"name", one.name}, {"color", one.color}};
+}
+
+/// Void, then the classes in their order.
+Json classTable(const ClassTable& classes) {
+    Json table = Json::array({classRow(classes.voidClass())});
+    for (const DatasetClass& one : classes.classes()) {
+        table.push_back(classRow(one));
+        if (!classes.isNyu40() && !one.supercategory.empty()) {
+            table.back()["supercategory"] = one.supercategory;
+        }
     }
     return table;
 }
@@ -184,7 +189,8 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     if (!card.edits.empty()) root["edits"] = card.edits;
     root["metrics"] = {{"planned", card.planned_metrics}, {"counted", countedMetrics(card)}};
     root["objects"] = objectTable(scene, card.relations);
-    root["classes"] = classTable();
+    root["classes"] = classTable(scene.classes());
+    if (!scene.classes().isNyu40()) root["labels"] = io::classTableToJson(scene.classes());
     root["frames"] = frames;
     if (!contents.rig.empty()) root["cameras"] = rigCard(contents);
     root["files"] = card.sha256s;

@@ -44,11 +44,13 @@ Files writeCoco(const DatasetContents& contents) {
     return std::vector<DatasetFile>{{kCocoFiles[0], cocoText(contents)}};
 }
 
-Json cocoConvention(const DatasetContents& /*contents*/) {
+Json cocoConvention(const DatasetContents& contents) {
+    const std::string category = contents.scene.classes().isNyu40()
+                                     ? "the NYU40 class (40 for targets of unknown class)"
+                                     : "the id in classes (targets of class void have none)";
     return {{"file", kCocoFiles[0]},
-            {"format",
-             "COCO instances, compressed run lengths; targets only; category_id is the "
-             "NYU40 class (40 for targets of unknown class); image_id is the frame + 1"}};
+            {"format", "COCO instances, compressed run lengths; targets only; category_id is " +
+                           category + "; image_id is the frame + 1"}};
 }
 
 Files writeCocoPolygons(const DatasetContents& contents) {

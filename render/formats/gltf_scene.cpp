@@ -199,6 +199,10 @@ Status addSceneNodes(const Scene& scene, GlbBuilder& builder, Json& root) {
         Json node = {{"name", cleanText(object.name)},
                      {"translation", {at.x(), at.y(), at.z()}},
                      {"extras", {{"object_id", object.id}, {"nyu40", object.nyu40}}}};
+        if (!scene.classes().isNyu40()) {
+            const DatasetClass& of = scene.classes().classOf(object);
+            node["extras"].update({{"class_id", of.id}, {"class", of.name}});
+        }
         if (object.triangle_count > 0) {
             node["mesh"] = root.contains("meshes") ? root["meshes"].size() : 0;
             root["meshes"].push_back(meshJson(scene, object, builder));

@@ -7,8 +7,11 @@
 namespace dollytrack::render {
 
 std::string instancesCsvText(const DatasetContents& contents) {
-    std::string text =
-        "frame,object_id,nyu40,visible_px,silhouette_px,whole_px,visible_fraction,truncation,"
+    const ClassTable& table = contents.scene.classes();
+    std::string text = "frame,object_id,nyu40,";
+    if (!table.isNyu40()) text += "class_id,";
+    text +=
+        "visible_px,silhouette_px,whole_px,visible_fraction,truncation,"
         "occluder_id,occluder_fraction,x,y,width,height,amodal_x,amodal_y,amodal_width,"
         "amodal_height,center_x,center_y,center_z,size_x,size_y,size_z,quaternion_x,quaternion_y,"
         "quaternion_z,quaternion_w\n";
@@ -19,12 +22,13 @@ std::string instancesCsvText(const DatasetContents& contents) {
             const Object& object = contents.scene.object(one.object_id);
             const BoxInCamera box = boxInCamera(
                 object, motionOf(contents.motions, one.object_id, i), frame.camera.pose);
-            fmt::format_to(
-                out, "{},{},{},{},{},{},{:.6g},{:.6g},{},{:.6g},{},{},{},{},{},{},{},{},", i,
-                one.object_id, object.nyu40, one.visible_px, one.silhouette_px, one.whole_px,
-                one.visibleFraction(), one.truncation(), one.occluder, one.occluderFraction(),
-                one.box[0], one.box[1], one.box[2], one.box[3], one.amodal_box[0],
-                one.amodal_box[1], one.amodal_box[2], one.amodal_box[3]);
+            fmt::format_to(out, "{},{},{},", i, one.object_id, object.nyu40);
+            if (!table.isNyu40()) fmt::format_to(out, "{},", table.classOf(object).id);
+            fmt::format_to(out, "{},{},{},{:.6g},{:.6g},{},{:.6g},{},{},{},{},{},{},{},{},",
+                           one.visible_px, one.silhouette_px, one.whole_px, one.visibleFraction(),
+                           one.truncation(), one.occluder, one.occluderFraction(), one.box[0],
+                           one.box[1], one.box[2], one.box[3], one.amodal_box[0], one.amodal_box[1],
+                           one.amodal_box[2], one.amodal_box[3]);
             const Eigen::Quaterniond& q = box.rotation;
             fmt::format_to(
                 out, "{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",

@@ -1,6 +1,5 @@
 #include "render/formats/kitti_objects.h"
 
-#include "engine/scene/labels.h"
 #include "render/encoders/pack.h"
 #include "render/frame_context.h"
 
@@ -23,13 +22,13 @@ int occlusionOf(const InstanceInFrame& seen) {
     return hidden < 0.5 ? 1 : 2;
 }
 
-std::string typeOf(const Object& object) {
-    std::string name(nyu40Name(object.nyu40 == kNyuUnknown ? int{kNyuOtherProp} : object.nyu40));
+std::string typeOf(const DatasetClass& of) {
+    std::string name = of.name;
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
 
-std::string lineOf(const Object& object, const InstanceInFrame& seen, const BoxInCamera& box) {
+std::string lineOf(const DatasetClass& of, const InstanceInFrame& seen, const BoxInCamera& box) {
     // The middle of the bottom; the box's third axis is up.
     const Eigen::Vector3d bottom =
         box.center - box.rotation * Eigen::Vector3d(0, 0, 0.5 * box.size.z());
@@ -40,7 +39,7 @@ std::string lineOf(const Object& object, const InstanceInFrame& seen, const BoxI
     const auto& [x, y, w, h] = seen.box;
     return fmt::format(
         "{} {:.2f} {} {:.6f} {} {} {} {} {:.6f} {:.6f} {:.6f} {:.6f} {:.6f} {:.6f} {:.6f}\n",
-        typeOf(object), seen.truncation(), occlusionOf(seen), alpha, x, y, x + w - 1, y + h - 1,
+        typeOf(of), seen.truncation(), occlusionOf(seen), alpha, x, y, x + w - 1, y + h - 1,
         box.size.z(), box.size.y(), box.size.x(), bottom.x(), bottom.y(), bottom.z(), turned);
 }
 
@@ -49,19 +48,24 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     std::string text;
     for (const InstanceInFrame& seen : measureInstances(frame)) {
         const Object& object = context.contents.scene.object(seen.object_id);
+        const DatasetClass* of = context.contents.scene.classes().boxClassOf(object);
+        if (of == nullptr) continue;
         const auto id = static_cast<std::size_t>(seen.object_id);
         const Eigen::Isometry3d motion =
             id < motions.size() ? motions[id].inverse() : Eigen::Isometry3d::Identity();
-        text += lineOf(object, seen, boxInCamera(object, motion, frame.pose));
+        text += lineOf(*of, seen, boxInCamera(object, motion, frame.pose));
     }
     return std::vector<FrameFile>{
         {frameFile(kFolders[0], frame.index, ".txt"), {text.begin(), text.end()}}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"folder", kFolders[0]},
-            {"format",
-             "KITTI object detection: type (NYU40), truncated, occluded (0 less than 10 % hidden, "
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const std::string type = contents.scene.classes().isNyu40() ? "NYU40" : "classes";
+    return {
+        {"folder", kFolders[0]},
+        {"format",
+         "KITTI object detection: type (" + type +
+             "), truncated, occluded (0 less than 10 % hidden, "
              "1 less than half, 2 more), alpha, left, top, right and bottom pixel, height, width "
              "and length (m), the middle of the box's bottom in the camera, and rotation_y of its "
              "first axis; the format knows no pitch: instances.csv has the whole rotation"}};

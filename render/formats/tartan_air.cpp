@@ -64,13 +64,15 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     if (!image) return tl::unexpected<Error>(std::move(image.error()));
     std::vector<float> depth = frame.depth_m;
     std::replace(depth.begin(), depth.end(), 0.0F, kSkyDepth);
-    const auto classes = classesOf(context.contents.scene, frame.instance);
+    const Scene& scene = context.contents.scene;
+    const auto classes = classBytes(scene.classes(), classesOf(scene, frame.instance));
     std::vector<FrameFile> files;
     files.push_back({frameFile(kFolders[0], frame.index, "_left.png"), std::move(*image)});
     files.push_back({frameFile(kFolders[1], frame.index, "_left_depth.npy"),
                      numpyBytes("<f4", {height, width}, bytesOf(depth))});
-    files.push_back({frameFile(kFolders[2], frame.index, "_left_seg.npy"),
-                     numpyBytes("|u1", {height, width}, bytesOf(classes))});
+    files.push_back(
+        {frameFile(kFolders[2], frame.index, "_left_seg.npy"),
+         numpyBytes(scene.classes().isWide() ? "<u2" : "|u1", {height, width}, classes)});
     const int next = frame.index + 1;
     if (next < static_cast<int>(context.contents.frames.size())) {
         const MotionField field = motionField(context, frame, next);
@@ -88,13 +90,17 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     return files;
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
-            {"folders", kFolders},
-            {"format",
-             "TartanAir: position and quaternion (x y z w) of the camera in the world, a line a "
-             "frame, both with x north (the world's x), y east, z down; the camera's x is forward; "
-             "depth_left: float32, planar metres, 10000 where nothing is seen; seg_left: NYU40; "
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const std::string classes = contents.scene.classes().isNyu40() ? "NYU40" : "id in classes";
+    return {
+        {"files", kFiles},
+        {"folders", kFolders},
+        {"format",
+         "TartanAir: position and quaternion (x y z w) of the camera in the world, a line a "
+         "frame, both with x north (the world's x), y east, z down; the camera's x is forward; "
+         "depth_left: float32, planar metres, 10000 where nothing is seen; seg_left: " +
+             classes +
+             "; "
              "flow: float32 u, v to the next frame, its mask 0 in sight, 10 hidden, 100 out of the "
              "picture"}};
 }

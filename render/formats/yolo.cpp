@@ -1,6 +1,6 @@
 #include "render/formats/yolo.h"
 
-#include "engine/scene/labels.h"
+#include "engine/core/name_pattern.h"
 #include "render/encoders/pack.h"
 #include "render/formats/mask_outline.h"
 #include "render/frame_context.h"
@@ -55,6 +55,21 @@ std::vector<std::uint8_t> asBytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
+/// A name as YAML reads it back: one that could be taken for something else is quoted as JSON is,
+/// which YAML reads alike.
+std::string yamlText(const std::string& name) {
+    constexpr std::array<std::string_view, 9> kWords = {"y",  "n",   "yes",   "no",  "true",
+                                                        "on", "off", "false", "null"};
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const bool plain =
+        isLetter(name.front()) && name.back() != ' ' &&
+        std::ranges::find(kWords, inSmallLetters(name)) == kWords.end() &&
+        std::ranges::all_of(name, [&](char c) {
+            return isLetter(c) || (c >= '0' && c <= '9') || c == ' ' || c == '_' || c == '-';
+        });
+    return plain ? name : nlohmann::json(name).dump();
+}
+
 /// The largest part of the object in sight: a line holds one outline.
 const Outline* largest(const std::vector<Outline>& outlines) {
     const Outline* best = nullptr;
@@ -77,12 +92,14 @@ const Outline* largest(const std::vector<Outline>& outlines) {
 
 Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
     std::string boxes, outlines;
+    const ClassTable& classes = context.contents.scene.classes();
     const double width = frame.width;
     const double height = frame.height;
     for (const ObjectMask& mask : objectMasks(frame.width, frame.height, frame.instance)) {
         const Object& object = context.contents.scene.object(mask.object_id);
-        if (object.role != Role::Target) continue;
-        const int number = (object.nyu40 == kNyuUnknown ? kNyuOtherProp : object.nyu40) - 1;
+        const DatasetClass* of = classes.boxClassOf(object);
+        if (object.role != Role::Target || of == nullptr) continue;
+        const int number = classes.indexOf(*of);
         const auto& [x, y, w, h] = mask.bbox;
         boxes += fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}\n", number, (x + 0.5 * w) / width,
                              (y + 0.5 * h) / height, w / width, h / height);
@@ -105,9 +122,10 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     // Without a line `path`, readers look beside this file, wherever the dataset lies.
     std::string yaml = fmt::format("train: {}\nval: {}\nnames:\n", kFiles[2], kFiles[3]);
     std::string classes;
-    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
-        yaml += fmt::format("  {}: {}\n", nyu40 - 1, nyu40Name(nyu40));
-        classes += fmt::format("{}\n", nyu40Name(nyu40));
+    const ClassTable& table = contents.scene.classes();
+    for (const DatasetClass& one : table.classes()) {
+        yaml += fmt::format("  {}: {}\n", table.indexOf(one), yamlText(one.name));
+        classes += one.name + "\n";
     }
     const Fold split = splitOf(contents);
     return std::vector<DatasetFile>{{kFiles[0], std::move(yaml)},
@@ -116,15 +134,17 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                                     {kFiles[3], listOf(split.val)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const bool nyu40 = contents.scene.classes().isNyu40();
     return {
         {"files", kFiles},
         {"folders", kFolders},
         {"format",
-         "YOLO: class (NYU40 - 1) and, in shares of the image, the box's centre and size, or "
-         "the outline of the object's largest part in sight; targets only. train.txt and val.txt "
-         "are the first of the folds, of five where none were asked for; images are hard links to "
-         "those of rgb"}};
+         fmt::format("YOLO: class ({}) and, in shares of the image, the box's centre and size, or "
+                     "the outline of the object's largest part in sight; targets only. train.txt "
+                     "and val.txt are the first of the folds, of five where none were asked for; "
+                     "images are hard links to those of rgb",
+                     nyu40 ? "NYU40 - 1" : "position in classes without void")}};
 }
 
 }  // namespace

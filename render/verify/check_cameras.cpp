@@ -77,7 +77,9 @@ class CameraFrame {
         bool good = take(readImage8(path("rgb"), 3), "rgb", rgb_, findings);
         good = take(readImage16(path("depth"), 1), "depth", depth_, findings) && good;
         good = take(readImage16(path("instance"), 1), "instance", ids_, findings) && good;
-        good = take(readImage8(path("semantic"), 1), "semantic", classes_, findings) && good;
+        good = take(readClasses(path("semantic"), dataset_.classes().isWide()), "semantic",
+                    classes_, findings) &&
+               good;
         return take(readImage16(path("normal_world"), 3), "normal_world", normals_, findings) &&
                good;
     }
@@ -88,7 +90,7 @@ class CameraFrame {
             const int id = ids_.at(x, y);
             if (!ray) return checkOutside(x, y, circle);
             const StoredObject* object = dataset_.object(id);
-            const int expected = object ? object->nyu40 : 0;
+            const int expected = dataset_.pixelClass(id);
             if (id != 0 && !object) {
                 classes.add(x, y, [&] {
                     return WrongPixels::Text{fmt::format("object {}", id), "one of the list"};
@@ -196,13 +198,14 @@ class CameraFrame {
     void checkOutside(int x, int y, WrongPixels& circle) const {
         const std::uint8_t* colour = rgb_.pixel(x, y);
         const std::uint16_t* normal = normals_.pixel(x, y);
-        if (ids_.at(x, y) == 0 && depth_.at(x, y) == 0 && classes_.at(x, y) == 0 &&
+        if (ids_.at(x, y) == 0 && depth_.at(x, y) == 0 &&
+            classes_.at(x, y) == dataset_.classes().voidClass().id &&
             colour[0] + colour[1] + colour[2] == 0 && normal[0] + normal[1] + normal[2] == 0) {
             return;
         }
         circle.add(x, y, [] {
             return WrongPixels::Text{"something outside of the lens's image circle",
-                                     "0 in all images"};
+                                     "0 in all images, void in classes"};
         });
     }
 
@@ -300,7 +303,8 @@ class CameraFrame {
     const StoredFrame& frame_;
     int index_;
     const Pose& pose_;
-    Image8 rgb_, classes_;
+    Image8 rgb_;
+    Image16 classes_;
     Image16 depth_, ids_, normals_;
 };
 

@@ -71,12 +71,15 @@ void checkConventions(const StoredDataset& dataset, CardReport& report) {
 
 void checkTables(const StoredDataset& dataset, CardReport& report) {
     const Json& classes = dataset.card.at("classes");
-    report.same("the number of classes", classes.size(), kNyu40Count + 1);
-    for (std::size_t i = 0; i < classes.size() && i <= kNyu40Count; ++i) {
-        const int nyu40 = static_cast<int>(i);
+    const ClassTable& table = dataset.classes();
+    report.same("the number of classes", classes.size(), table.classes().size() + 1);
+    for (std::size_t i = 0; i < classes.size() && i <= table.classes().size(); ++i) {
+        const DatasetClass& expected = i == 0 ? table.voidClass() : table.classes()[i - 1];
         const std::string place = fmt::format("classes[{}]", i);
-        report.same(place + ".id", classes[i].at("id"), nyu40);
-        report.same(place + ".name", classes[i].at("name"), std::string(nyu40Name(nyu40)));
+        report.same(place + ".id", classes[i].at("id"), expected.id);
+        report.same(place + ".name", classes[i].at("name"), expected.name);
+        if (table.isNyu40()) continue;
+        report.same(place + ".color", classes[i].at("color"), expected.color);
     }
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
         const StoredObject& object = dataset.objects[i];
@@ -84,6 +87,10 @@ void checkTables(const StoredDataset& dataset, CardReport& report) {
         report.same(place + ".id", object.id, static_cast<int>(i) + 1);
         if (object.nyu40 < 0 || object.nyu40 > kNyu40Count) {
             report.add(place + ".nyu40", std::to_string(object.nyu40), "0 .. 40");
+        }
+        if (!table.isNyu40()) {
+            report.same(place + ".class_id", object.class_id,
+                        table.classFor(object.name, object.nyu40).id);
         }
     }
 }

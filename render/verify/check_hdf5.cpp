@@ -98,10 +98,8 @@ class FrameCheck {
             compare("instance", *instances, 1, 0.0, [&](std::size_t i) { return ids->values[i]; });
         }
         if (const auto classes = image("category_id_segmaps", 1)) {
-            compare("class", *classes, 1, 0.0, [&](std::size_t i) {
-                const StoredObject* object = dataset_.object(ids->values[i]);
-                return object ? object->nyu40 : 0;
-            });
+            compare("class", *classes, 1, 0.0,
+                    [&](std::size_t i) { return dataset_.pixelClass(ids->values[i]); });
         }
         compareAttributes();
     }
@@ -119,10 +117,10 @@ class FrameCheck {
             const StoredObject* object = dataset_.object(id);
             if (!object || !seen.contains(id)) {
                 add(fmt::format("{} lists object {}", kName, id), "what is in sight");
-            } else if (one.at("category_id").get<int>() != object->nyu40 ||
+            } else if (one.at("category_id").get<int>() != object->class_id ||
                        one.at("name").get<std::string>() != object->name) {
                 add(fmt::format("object {}: {}", id, one.dump()),
-                    fmt::format("{}, class {}", object->name, object->nyu40));
+                    fmt::format("{}, class {}", object->name, object->class_id));
             }
         }
         for (const auto& [id, pixels] : seen) {

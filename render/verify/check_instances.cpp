@@ -50,8 +50,12 @@ class RowReport {
 constexpr double kShare = 2e-5;  // numbers are written with six digits or so
 constexpr double kMetres = 2e-5;
 
-void compareVisible(RowReport& row, const StoredObject& object, const ObjectPixels& seen) {
+void compareClasses(RowReport& row, const StoredDataset& dataset, const StoredObject& object) {
     row.compare("nyu40", object.nyu40);
+    if (dataset.own_classes) row.compare("class_id", object.class_id);
+}
+
+void compareVisible(RowReport& row, const ObjectPixels& seen) {
     row.compare("visible_px", seen.count);
     row.compare("x", seen.x0);
     row.compare("y", seen.y0);
@@ -165,7 +169,8 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
         RowReport row(table, number, frame, findings);
         const auto shown = seen.find(id);
         const StoredObject& object = *dataset.object(id);
-        compareVisible(row, object, shown == seen.end() ? ObjectPixels{} : shown->second);
+        compareClasses(row, dataset, object);
+        compareVisible(row, shown == seen.end() ? ObjectPixels{} : shown->second);
         compareBox(row, object, images.stored());
         for (const AmodalMask& mask : masks) {
             if (mask.object_id == id) compareWhole(row, mask, *ids);

@@ -25,9 +25,8 @@ constexpr std::array<const char*, kNumbers> kNames = {
 enum Field : std::size_t { Truncated, Occluded, Alpha, Left, Height = 7, X = 10, Turned = 13 };
 
 /// Class names without blanks, which separate words there.
-std::string typeOf(const StoredObject& object) {
-    const int nyu40 = object.nyu40 == kNyuUnknown ? int{kNyuOtherProp} : object.nyu40;
-    std::string name(nyu40Name(nyu40));
+std::string typeOf(const DatasetClass& of) {
+    std::string name = of.name;
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
 }
@@ -59,6 +58,7 @@ class FrameCheck {
         for (const auto& [id, pixels] : seen) {
             const StoredObject* object = dataset_.object(id);
             if (!object || object->role == "structure") continue;
+            if (dataset_.boxClass(*object) == nullptr) continue;
             things.push_back(object);
             if (object->role == "target") targets.push_back(object);
         }
@@ -86,8 +86,8 @@ class FrameCheck {
         if (words.size() != kNumbers + 1) {
             return add(line, fmt::format("{} words", words.size()), "a type and 14 numbers");
         }
-        if (words[0] != typeOf(object)) {
-            add(line, fmt::format("type {}", words[0]), typeOf(object));
+        if (const std::string type = typeOf(*dataset_.boxClass(object)); words[0] != type) {
+            add(line, fmt::format("type {}", words[0]), type);
         }
         Label found{};
         for (std::size_t i = 0; i < kNumbers; ++i) {

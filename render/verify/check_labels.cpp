@@ -15,10 +15,10 @@ constexpr int kUnknownObject = -1;
 /// The class of each possible id.
 std::vector<int> classesById(const StoredDataset& dataset) {
     std::vector<int> classes(65536, kUnknownObject);
-    classes[0] = 0;
+    classes[0] = dataset.classes().voidClass().id;
     for (const StoredObject& object : dataset.objects) {
         if (object.id > 0 && object.id < 65536) {
-            classes[static_cast<std::size_t>(object.id)] = object.nyu40;
+            classes[static_cast<std::size_t>(object.id)] = object.class_id;
         }
     }
     return classes;
@@ -108,7 +108,7 @@ CheckWork beginClasses(const Subject& subject, Findings& /*findings*/) {
                      FrameImages& images, Findings& findings) {
         const Image16* ids = images.image16("instance");
         if (!ids) return;
-        const Image8* semantic = images.image8("semantic");
+        const Image16* semantic = images.classes();
         WrongPixels unknown, other;
         for (int y = 0; y < ids->height; ++y) {
             for (int x = 0; x < ids->width; ++x) {

@@ -126,19 +126,17 @@ class FrameCheck {
 
     void compareClasses() {
         const std::string file = fmt::format("seg_left/{:06}_left_seg.npy", frame_);
-        const Result<Image8> found = readNumpy8(dataset_.folder / file, 1);
+        const bool wide = dataset_.classes().isWide();
+        const Result<Image16> found = wide ? readNumpy16(dataset_.folder / file, 1)
+                                           : widened(readNumpy8(dataset_.folder / file, 1));
         const Image16* ids = images_.image16("instance");
-        const Image8* semantic = images_.image8("semantic");
+        const Image16* semantic = images_.classes();
         if (!usable(found, file) || (!ids && !semantic)) return;
         WrongPixels wrong;
         for (int y = 0; y < found->height; ++y) {
             for (int x = 0; x < found->width; ++x) {
-                int expected = 0;
-                if (semantic) {
-                    expected = semantic->at(x, y);
-                } else if (const StoredObject* object = dataset_.object(ids->at(x, y))) {
-                    expected = object->nyu40;
-                }
+                const int expected =
+                    semantic ? semantic->at(x, y) : dataset_.pixelClass(ids->at(x, y));
                 if (found->at(x, y) == expected) continue;
                 wrong.add(x, y, [&] {
                     return WrongPixels::Text{fmt::format("class {}", found->at(x, y)),

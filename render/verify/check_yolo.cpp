@@ -1,10 +1,10 @@
 #include "engine/io/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
-#include "engine/scene/labels.h"
 #include "render/verify/check_list.h"
 #include "render/verify/filled_mask.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +60,9 @@ std::vector<Expected> expectedLines(const StoredDataset& dataset, FrameImages& i
     for (const auto& [id, shown] : images.seen()) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target") continue;
-        const int nyu40 = object->nyu40 == kNyuUnknown ? kNyuOtherProp : object->nyu40;
-        expected.push_back({id, nyu40 - 1, shown.box()});
+        const DatasetClass* of = dataset.boxClass(*object);
+        if (of == nullptr) continue;
+        expected.push_back({id, dataset.classes().indexOf(*of), shown.box()});
     }
     return expected;
 }
@@ -80,13 +81,16 @@ void checkNames(const StoredDataset& dataset, const char* file, std::string_view
         const auto found = std::ranges::find(lines, after);
         at = static_cast<std::size_t>(std::min(found - lines.begin() + 1, std::ssize(lines)));
     }
-    for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40, ++at) {
-        const std::string name(nyu40Name(nyu40));
-        const std::string expected =
-            after.empty() ? name : fmt::format("  {}: {}", nyu40 - 1, name);
+    const ClassTable& classes = dataset.classes();
+    for (const DatasetClass& one : classes.classes()) {
+        const std::string before = after.empty() ? "" : fmt::format("  {}: ", classes.indexOf(one));
         const std::string found = at < lines.size() ? std::string(lines[at]) : "no line";
-        if (found == expected) continue;
-        findings.add({fmt::format("{}:{}", file, at + 1), {}, {}, found, expected});
+        ++at;
+        // YAML may have a name in quotes, as JSON has it.
+        const std::string expected = before + one.name;
+        const bool quoted = !after.empty() && found == before + nlohmann::json(one.name).dump();
+        if (found == expected || quoted) continue;
+        findings.add({fmt::format("{}:{}", file, at), {}, {}, found, expected});
         return;
     }
 }

@@ -1,6 +1,5 @@
 #include "render/verify/coco_file.h"
 
-#include "engine/scene/labels.h"
 #include "render/verify/json_file.h"
 
 #include <fmt/format.h>
@@ -36,13 +35,20 @@ class CocoReader {
           by_frame_(dataset.frames.size()) {}
 
     CocoByFrame read(const PlainJson& root) {
+        const ClassTable& classes = dataset_.classes();
         for (const PlainJson& one : root.at("categories")) {
             const int id = one.at("id").get<int>();
             categories_.insert(id);
             const std::string name = one.at("name").get<std::string>();
-            if (id < 1 || id > kNyu40Count || name != nyu40Name(id)) {
-                add({}, fmt::format("category {} is {}", id, name), "NYU40's own");
+            const DatasetClass* known = classes.find(id);
+            if (known == nullptr || known == &classes.voidClass() || name != known->name) {
+                add({}, fmt::format("category {} is {}", id, name),
+                    classes.isNyu40() ? "NYU40's own" : "one of the dataset's classes");
             }
+        }
+        if (!classes.isNyu40() && categories_.size() != classes.classes().size()) {
+            add({}, fmt::format("{} categories", categories_.size()),
+                fmt::format("{}", classes.classes().size()));
         }
         for (const PlainJson& one : root.at("images")) readImage(one);
         if (frame_of_.size() != frames_.size()) {
@@ -105,10 +111,13 @@ class CocoReader {
             return add(frame, fmt::format("annotation {} is of object {}", one.id, one.object_id),
                        "a target of dataset.json's objects");
         }
-        const int expected = object->nyu40 == kNyuUnknown ? kNyuOtherProp : object->nyu40;
-        if (one.category != expected) {
+        const DatasetClass* expected = dataset_.boxClass(*object);
+        if (expected == nullptr) {
+            add(frame, fmt::format("annotation {} is of object {}", one.id, one.object_id),
+                "none, as its class is void");
+        } else if (one.category != expected->id) {
             add(frame, fmt::format("annotation {} has category {}", one.id, one.category),
-                fmt::format("{}, the class of object {}", expected, one.object_id));
+                fmt::format("{}, the class of object {}", expected->id, one.object_id));
         }
     }
 
@@ -180,6 +189,7 @@ void compareCoco(const StoredDataset& dataset, const std::string& file,
     for (const auto& [id, shown] : seen) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target" || annotated.contains(id)) continue;
+        if (dataset.boxClass(*object) == nullptr) continue;
         findings.add({file, frame, std::array{shown.x0, shown.y0},
                       fmt::format("no annotation of object {}", id), "one"});
     }

@@ -17,7 +17,7 @@ constexpr std::array kKinds = {
     ImageKind{"rgb", ".png", Type::Bits8, 3, nullptr},
     ImageKind{"depth", ".png", Type::Bits16, 1, nullptr},
     ImageKind{"instance", ".png", Type::Bits16, 1, nullptr},
-    ImageKind{"semantic", ".png", Type::Bits8, 1, nullptr},
+    ImageKind{"semantic", ".png", Type::Classes, 1, nullptr},
     ImageKind{"depth_exr", ".exr", Type::Float, 1, nullptr},
     ImageKind{"normal_camera", ".png", Type::Bits16, 3, nullptr},
     ImageKind{"normal_world", ".png", Type::Bits16, 3, nullptr},
@@ -99,6 +99,10 @@ const FrameImages::Entry& FrameImages::load(std::string_view modality) {
             break;
         case Type::Bits16:
             entry.problem = take(readImage16(path, kind->channels), lens, entry.bits16);
+            break;
+        case Type::Classes:
+            entry.problem =
+                take(readClasses(path, dataset_.classes().isWide()), lens, entry.bits16);
             break;
         case Type::Float:
             entry.problem = take(readImageF(path, kind->channels), lens, entry.real);

@@ -16,7 +16,7 @@ namespace dollytrack::verify {
 
 /// How a modality's images of every frame are written: what their readers rely on.
 struct ImageKind {
-    enum class Type { Bits8, Bits16, Float };
+    enum class Type { Bits8, Bits16, Float, Classes };
     const char* modality;   // and its folder
     const char* extension;  // ".png"
     Type type;
@@ -51,6 +51,8 @@ class FrameImages {
     [[nodiscard]] const Image8* image8(std::string_view modality);
     [[nodiscard]] const Image16* image16(std::string_view modality);
     [[nodiscard]] const ImageF* imageF(std::string_view modality);
+    /// The ids of the classes, whether the dataset has them in 8 bits or in 16.
+    [[nodiscard]] const Image16* classes() { return image16("semantic"); }
     /// What the instance image shows of each object, by id; of none when there is no such image.
     [[nodiscard]] const std::map<int, ObjectPixels>& seen();
     /// The mask beside it.

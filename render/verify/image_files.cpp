@@ -129,6 +129,16 @@ Result<Image16> readImage16(const fs::path& path, int channels) {
     return readPicture<std::uint16_t>(path, CV_16U, channels);
 }
 
+Result<Image16> widened(const Result<Image8>& image) {
+    if (!image) return tl::unexpected<Error>(image.error());
+    return Image16{
+        image->width, image->height, image->channels, {image->values.begin(), image->values.end()}};
+}
+
+Result<Image16> readClasses(const fs::path& path, bool wide) {
+    return wide ? readImage16(path, 1) : widened(readImage8(path, 1));
+}
+
 Result<ImageF> readImageF(const fs::path& path, int channels) {
     // Debian's OpenCV reads OpenEXR only when it is told so; asked once, before it looks.
     static const int told = ::setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);

@@ -17,6 +17,10 @@ using ImageF = Image<float>;
 /// the file is instead, without its place.
 Result<Image8> readImage8(const std::filesystem::path& path, int channels);
 Result<Image16> readImage16(const std::filesystem::path& path, int channels);
+/// Ids of classes, one channel of 8 or 16 bits.
+Result<Image16> readClasses(const std::filesystem::path& path, bool wide);
+/// The same values in 16 bits.
+Result<Image16> widened(const Result<Image8>& image);
 /// OpenEXR, 32-bit.
 Result<ImageF> readImageF(const std::filesystem::path& path, int channels);
 /// Middlebury .flo: two channels, right and down.

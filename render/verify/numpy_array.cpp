@@ -96,4 +96,8 @@ Result<Image8> readNumpy8(const std::filesystem::path& path, int channels) {
     return readArray<std::uint8_t>(path, "|u1", channels);
 }
 
+Result<Image16> readNumpy16(const std::filesystem::path& path, int channels) {
+    return readArray<std::uint16_t>(path, "<u2", channels);
+}
+
 }  // namespace dollytrack::verify

@@ -13,5 +13,6 @@ namespace dollytrack::verify {
 /// sentence of what the file is instead, without its place.
 Result<ImageF> readNumpyF(const std::filesystem::path& path, int channels);
 Result<Image8> readNumpy8(const std::filesystem::path& path, int channels);
+Result<Image16> readNumpy16(const std::filesystem::path& path, int channels);
 
 }  // namespace dollytrack::verify

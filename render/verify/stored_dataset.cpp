@@ -1,6 +1,7 @@
 #include "render/verify/stored_dataset.h"
 
 #include "engine/io/bounded_json.h"
+#include "engine/io/class_table_file.h"
 #include "render/formats/dataset_card.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,8 @@ StoredObject objectFrom(const Json& one) {
             one.at("nyu40").get<int>(),
             one.at("role").get<std::string>(),
             {vectorFrom(box.at("center")), 0.5 * vectorFrom(box.at("size")),
-             box.at("yaw_rad").get<double>()}};
+             box.at("yaw_rad").get<double>()},
+            one.contains("class_id") ? one["class_id"].get<int>() : one.at("nyu40").get<int>()};
 }
 
 StoredFrame frameFrom(const Json& one) {
@@ -64,14 +66,22 @@ StoredFrame frameFrom(const Json& one) {
     return frame;
 }
 
-void readCard(StoredDataset& dataset) {
+Status readCard(StoredDataset& dataset) {
     const Json& card = dataset.card;
+    if (card.contains("labels")) {
+        Result<ClassTable> own =
+            io::classTableFromJson(nlohmann::json(card["labels"]),
+                                   (dataset.folder / "dataset.json").string() + ": labels");
+        if (!own) return tl::unexpected<Error>(own.error());
+        dataset.own_classes = std::make_shared<const ClassTable>(std::move(*own));
+    }
     readLens(card, dataset);
     dataset.modalities = card.at("modalities").get<std::vector<std::string>>();
     dataset.formats = card.at("formats").get<std::vector<std::string>>();
     for (const Json& one : card.at("objects")) dataset.objects.push_back(objectFrom(one));
     for (const Json& one : card.at("frames")) dataset.frames.push_back(frameFrom(one));
     dataset.sha256s = card.at("files").get<std::map<std::string, std::string>>();
+    return {};
 }
 
 }  // namespace
@@ -97,6 +107,11 @@ const StoredObject* StoredDataset::object(int id) const {
     const auto at =
         std::find_if(objects.begin(), objects.end(), [id](const auto& o) { return o.id == id; });
     return at == objects.end() ? nullptr : &*at;
+}
+
+int StoredDataset::pixelClass(int object_id) const {
+    const StoredObject* found = object(object_id);
+    return found ? found->class_id : classes().voidClass().id;
 }
 
 Json StoredDataset::convention(const std::string& name) const {
@@ -139,7 +154,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
             return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
                         path.string());
         }
-        readCard(dataset);
+        if (Status read = readCard(dataset); !read) return tl::unexpected<Error>(read.error());
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
                     fmt::format("It is damaged ({}); export the dataset again.", error.what()),

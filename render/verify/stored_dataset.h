@@ -3,12 +3,14 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/core/result.h"
 #include "engine/math/pose.h"
+#include "engine/scene/class_table.h"
 #include "engine/scene/object.h"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +23,8 @@ struct StoredObject {
     std::string name;
     int nyu40 = 0;
     std::string role;
-    OrientedBox box;  // at rest
+    OrientedBox box;   // at rest
+    int class_id = 0;  // of its pixels; in datasets of NYU40 the same as nyu40
 };
 
 /// Where an object is that is not at rest.
@@ -51,6 +54,7 @@ struct StoredDataset {
     std::vector<std::string> modalities;
     std::vector<std::string> formats;
     std::vector<StoredObject> objects;
+    std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
     std::vector<StoredFrame> frames;
     std::map<std::string, std::string> sha256s;  // by relative path
 
@@ -58,6 +62,15 @@ struct StoredDataset {
     [[nodiscard]] bool has(std::string_view what) const;
     /// Null for an id that is not in the list.
     [[nodiscard]] const StoredObject* object(int id) const;
+    [[nodiscard]] const ClassTable& classes() const {
+        return own_classes ? *own_classes : ClassTable::nyu40();
+    }
+    /// The class of an object's boxes; null where it gets none.
+    [[nodiscard]] const DatasetClass* boxClass(const StoredObject& object) const {
+        return classes().boxClassFor(object.name, object.nyu40);
+    }
+    /// The class of a pixel that shows this object, void for 0 and unknown ids.
+    [[nodiscard]] int pixelClass(int object_id) const;
     /// conventions.<name>; null when it has none.
     [[nodiscard]] nlohmann::ordered_json convention(const std::string& name) const;
 };

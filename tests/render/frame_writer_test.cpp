@@ -85,7 +85,7 @@ TEST_F(FrameWriterTest, CountsAllImagesOfAFrame) {
     frame.whole[1].inside.resize(7);
     frame.rig_rgb.assign(3, std::vector<std::uint8_t>(6));
     const std::size_t pictures = 3 * 2 * (3 + 3) + 24 * 2;  // and what is written of them
-    EXPECT_EQ(frame.bytes(), 30U + 40 + 20 + 10 + 120 + 30 + 30 + 40 + 120 + 7 + pictures);
+    EXPECT_EQ(frame.bytes(), 30U + 40 + 20 + 20 + 120 + 30 + 30 + 40 + 120 + 7 + pictures);
 }
 
 }  // namespace

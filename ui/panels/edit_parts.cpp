@@ -121,8 +121,9 @@ std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>&
     return clicked;
 }
 
-std::string className(int nyu40) {
-    return nyu40 == 0 ? "unknown" : std::string(nyu40Name(nyu40));
+std::string className(const Object& object) {
+    if (object.dataset_class) return object.dataset_class->name;
+    return object.nyu40 == 0 ? "unknown" : std::string(nyu40Name(object.nyu40));
 }
 
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit) {

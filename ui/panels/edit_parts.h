@@ -37,7 +37,7 @@ std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>&
                                      const std::string& name, std::size_t most = 8);
 
 /// "chair", or "unknown" for no class.
-std::string className(int nyu40);
+std::string className(const Object& object);
 
 /// The rows of a no-go box inside a form; asks for its new name or its move.
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit);

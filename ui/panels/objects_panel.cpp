@@ -54,7 +54,8 @@ bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Obje
             break;
     }
     return state.filter.empty() || containsIgnoringCase(object.name, state.filter) ||
-           containsIgnoringCase(nyu40Name(object.nyu40), state.filter);
+           containsIgnoringCase(nyu40Name(object.nyu40), state.filter) ||
+           (object.dataset_class && containsIgnoringCase(object.dataset_class->name, state.filter));
 }
 
 void drawState(const Object& object, const ObjectCapture* capture) {
@@ -119,7 +120,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     }
     if (ImGui::IsItemClicked()) state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
     nameItem("objects.row." + std::to_string(object.id));
-    const std::string class_name = className(object.nyu40);
+    const std::string class_name = className(object);
     if (shown_name != name || !with_class) tooltipBeside(name + "\n" + class_name);
     if (state.scroll_to == object.id) {
         bringRowIntoView();

@@ -175,9 +175,11 @@ std::array<std::string, 2> valuesOf(const PreviewView& view, ImagePixel pixel) {
     if (id > 0 && view.scene != nullptr && id <= static_cast<int>(view.scene->objects.size())) {
         names = fmt::format("{} (object {})", view.scene->object(id).name, id);
     }
-    const int label = i < record.semantic.size() ? record.semantic[i] : 0;
-    if (label > 0) {
-        names += fmt::format("{}{} (class {})", names.empty() ? "" : ", ", nyu40Name(label), label);
+    const ClassTable& classes = record.classes();
+    const DatasetClass* label =
+        i < record.semantic.size() ? classes.find(record.semantic[i]) : nullptr;
+    if (label != nullptr && label != &classes.voidClass()) {
+        names += fmt::format("{}{} (class {})", names.empty() ? "" : ", ", label->name, label->id);
     }
     return {numbers, names};
 }

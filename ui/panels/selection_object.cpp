@@ -175,6 +175,11 @@ void drawProperties(const SelectionView& view, const Object& object, SelectionSt
     if (const auto chosen = classCombo(said.nyu40, state.class_filter, "selection.class")) {
         actions.edit.operation = {{"op", "set_class"}, {"object", key}, {"class", *chosen}};
     }
+    if (object.dataset_class) {
+        formLabel("In datasets", "The class by the label file, found by name and class.");
+        ImGui::TextUnformatted(
+            fmt::format("{} ({})", object.dataset_class->name, object.dataset_class->id).c_str());
+    }
     drawRole(object, said, key, actions.edit);
     drawSize(object, said, key, actions.edit);
     drawFront(said, key, actions.edit);

@@ -41,6 +41,17 @@ Eigen::Vector3f normalColor(const render::FrameRecord& record, const render::Vie
     return (0.5 * normal + Eigen::Vector3d::Constant(0.5)).cast<float>();
 }
 
+/// By class id, those of a table of one's own; empty for NYU40.
+std::vector<Eigen::Vector3f> colorsOfClasses(const ClassTable& table) {
+    if (table.isNyu40()) return {};
+    std::vector<Eigen::Vector3f> colors(ClassTable::kLargestId + 1, Eigen::Vector3f::Zero());
+    for (const DatasetClass& one : table.classes()) {
+        colors[static_cast<std::size_t>(one.id)] =
+            Eigen::Vector3f(one.color[0], one.color[1], one.color[2]) / 255.0F;
+    }
+    return colors;
+}
+
 }  // namespace
 
 Eigen::Vector3f colorOfId(int id) {
@@ -61,6 +72,9 @@ std::vector<std::uint8_t> falseColor(const render::FrameRecord& record, const re
                                      Modality modality) {
     const auto pixels = static_cast<std::size_t>(record.width) * record.height;
     std::vector<std::uint8_t> rgba(4 * pixels, 255);
+    const std::vector<Eigen::Vector3f> classes = modality == Modality::Semantic
+                                                     ? colorsOfClasses(record.classes())
+                                                     : std::vector<Eigen::Vector3f>();
     float farthest = 0.1F;
     for (const float depth : record.depth_m) farthest = std::max(farthest, depth);
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -76,7 +90,8 @@ std::vector<std::uint8_t> falseColor(const render::FrameRecord& record, const re
                 color = colorOfId(record.instance[i]);
                 break;
             case Modality::Semantic:
-                color = colorOfId(record.semantic[i]);
+                color =
+                    classes.empty() ? colorOfId(record.semantic[i]) : classes[record.semantic[i]];
                 break;
             case Modality::Normal:
                 if (record.depth_m[i] > 0) {

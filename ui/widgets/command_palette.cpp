@@ -35,6 +35,10 @@ std::string hitText(const CommandPaletteView& view, const Hit& hit) {
     return {};
 }
 
+std::string hitClass(const Object& object) {
+    return object.dataset_class ? object.dataset_class->name : std::string(nyu40Name(object.nyu40));
+}
+
 std::string hitNote(const CommandPaletteView& view, const Hit& hit) {
     switch (hit.kind) {
         case Hit::Kind::Command:
@@ -42,7 +46,7 @@ std::string hitNote(const CommandPaletteView& view, const Hit& hit) {
         case Hit::Kind::Parameter:
             return "parameter";
         case Hit::Kind::Object:
-            return std::string(nyu40Name(view.scene->objects[hit.index].nyu40));
+            return hitClass(view.scene->objects[hit.index]);
     }
     return {};
 }

@@ -37,7 +37,7 @@ void splitPoint(std::string_view line, std::vector<std::string_view>& words) {
     }
 }
 
-std::optional<double> numberOf(std::string_view word) {
+std::optional<double> numberIfAny(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -155,7 +155,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
         const auto refuse = [&](std::string message) {
             return fail(ErrorCode::BadInput, std::move(message), placeOf(name, line_number));
         };
-        if (cloud.points.empty() && !numberOf(words[0])) {
+        if (cloud.points.empty() && !numberIfAny(words[0])) {
             if (!columns) columns = columnsNamed(words);
             continue;
         }
@@ -179,7 +179,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
             if (static_cast<std::size_t>(column) >= words.size()) {
                 return refuse("The names in the first line and the numbers here do not agree.");
             }
-            const auto number = numberOf(words[static_cast<std::size_t>(column)]);
+            const auto number = numberIfAny(words[static_cast<std::size_t>(column)]);
             if (!number) return refuse("This is no number.");
             values[slot] = *number;
         }
