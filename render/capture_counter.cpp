@@ -96,9 +96,9 @@ void CaptureCounter::addCounted(std::span<const ObjectView> views) {
     for (const ObjectView& view : views) take(view);
 }
 
-void CaptureCounter::addSilhouettes(std::span<const std::uint64_t> whole_px) {
+void CaptureCounter::addSilhouettes(std::span<const std::uint64_t> whole_px, bool usable) {
     last_views_ = views_.size();
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
+    for (std::size_t i = 0; usable && i < pending_.size(); ++i) {
         ObjectView view = pending_[i];
         // The two drawings may round a border pixel differently.
         const double whole = std::max(static_cast<double>(whole_px[i]), pending_px_[i]);

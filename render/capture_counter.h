@@ -19,7 +19,8 @@ class CaptureCounter {
     /// Takes a frame's id image. Returns the objects whose silhouettes are needed, by id; their
     /// pixel counts must be handed to addSilhouettes() before the next frame.
     [[nodiscard]] std::vector<int> addFrame(const FrameRecord& frame);
-    void addSilhouettes(std::span<const std::uint64_t> whole_px);
+    /// A frame whose picture is not `usable` captures nothing: it has no views then.
+    void addSilhouettes(std::span<const std::uint64_t> whole_px, bool usable = true);
 
     /// Takes the views of a frame that was counted by an earlier run, in the place of the two
     /// above. In the same order of frames the counter then is as it was.

@@ -15,8 +15,10 @@
 #include "render/instances.h"
 #include "render/modalities.h"
 #include "render/object_motion.h"
+#include "render/picture_quality.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,7 @@ struct DatasetFrame {
     std::vector<int> well_shown;    // ids of the targets it shows well
     std::vector<ObjectMask> masks;  // of all objects; empty when no format needs them
     std::vector<InstanceInFrame> instances;  // of the things seen; empty when nothing needs them
+    std::optional<PictureQuality> quality;   // of the picture; none without a modality rgb
 };
 
 /// Everything a format writes from: the dataset but for the images themselves.

@@ -76,7 +76,7 @@ struct DatasetJob::Impl {
     std::unique_ptr<const Scene> varied;  // where materials vary; `order` is of it then
     DatasetOrder order;
     std::optional<DatasetFolder> folder;
-    std::optional<CaptureMetrics> already_counted;  // the folder holds the complete dataset
+    std::optional<Counted> already_counted;  // the folder holds the complete dataset
 
     // In this order, so that OpenGL's things go before the context they live in.
     std::unique_ptr<gl::Context> context;
@@ -148,7 +148,8 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         summary.contact_sheet = settings.folder / "contact_sheet.jpg";
     }
     if (already_counted) {
-        summary.counted = *already_counted;
+        summary.counted = already_counted->captures;
+        summary.pictures = already_counted->pictures;
         if (Status status = folder->release(); !status) return tl::unexpected(status.error());
         return summary;
     }
@@ -170,10 +171,13 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         JournalEntry entry = ledger->take(i);
         DatasetFrame& row = contents.frames[static_cast<std::size_t>(i)];
         row.well_shown = std::move(entry.well_shown);
+        row.quality = entry.quality;
+        if (row.quality) card.pictures.add(i, *row.quality);
         row.masks = std::move(entry.masks);
         row.instances = std::move(entry.instances);
         card.sha256s.insert(entry.sha256s.begin(), entry.sha256s.end());
     }
+    summary.pictures = card.pictures;
     std::array<char, 160> title{};
     std::snprintf(title.data(), title.size(), ": %d frames, %d of %d objects captured, %d well",
                   summary.frames, summary.counted.captured, summary.counted.objects,
@@ -182,6 +186,9 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         writeDatasetFiles(folder->unfinished(), contents, card, contents.scene.name + title.data());
     if (status) status = folder->finish();
     if (!status) return tl::unexpected(status.error());
+    if (const std::string unusable = unusableText(summary.pictures); !unusable.empty()) {
+        log::warn("export", unusable + "; they capture nothing");
+    }
     return summary;
 }
 

@@ -16,6 +16,7 @@
 #include "render/frame_range.h"
 #include "render/gl/context.h"
 #include "render/object_motion.h"
+#include "render/picture_quality.h"
 
 #include <Eigen/Geometry>
 
@@ -70,7 +71,8 @@ struct DatasetOrigin {
 
 struct DatasetSummary {
     int frames = 0;
-    CaptureMetrics counted;               // from the pixels
+    CaptureMetrics counted;  // from the pixels
+    PictureTally pictures;
     std::vector<ObjectCapture> captures;  // empty when nothing was left to do
     std::filesystem::path contact_sheet;  // empty where no modality is a picture
 };

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr auto kSyncEvery = std::chrono::seconds(2);
 constexpr std::size_t kChecksum = 16;  // hexadecimal digits
 
@@ -86,9 +86,13 @@ json toJson(const JournalEntry& entry) {
         views.push_back({view.object_id, view.visible_fraction, view.visible_px, view.box_share,
                          view.mask_share});
     }
-    return {{"frame", entry.index},      {"files", entry.sha256s},
-            {"masks", std::move(masks)}, {"instances", std::move(instances)},
-            {"views", std::move(views)}, {"well_shown", entry.well_shown}};
+    return {{"frame", entry.index},
+            {"files", entry.sha256s},
+            {"masks", std::move(masks)},
+            {"instances", std::move(instances)},
+            {"views", std::move(views)},
+            {"well_shown", entry.well_shown},
+            {"quality", entry.quality ? json(static_cast<int>(*entry.quality)) : json()}};
 }
 
 /// Throws nlohmann's exceptions.
@@ -127,6 +131,9 @@ JournalEntry entryFrom(const json& value) {
         entry.views.push_back(view);
     }
     entry.well_shown = value.at("well_shown").get<std::vector<int>>();
+    if (const json& quality = value.at("quality"); !quality.is_null()) {
+        entry.quality = static_cast<PictureQuality>(quality.get<int>());
+    }
     return entry;
 }
 

@@ -6,6 +6,7 @@
 #include "render/dataset_listing.h"
 #include "render/formats/mask_rle.h"
 #include "render/instances.h"
+#include "render/picture_quality.h"
 
 #include <chrono>
 #include <cstdint>
@@ -33,6 +34,7 @@ struct JournalEntry {
     std::vector<InstanceInFrame> instances;
     std::vector<ObjectView> views;  // those that decide about captures
     std::vector<int> well_shown;
+    std::optional<PictureQuality> quality;  // of the picture; none without a modality rgb
 };
 
 /// The journal's file in a dataset's folder.

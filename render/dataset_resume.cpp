@@ -68,8 +68,8 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
 }
 
 /// As far as can be said before it is rendered, the complete dataset must be the one wanted.
-Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
-                                     const JobContext& job) {
+Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
+                              const JobContext& job) {
     const Json found = readCard(folder);
     if (!found.is_object()) return damaged(folder, "dataset.json", 1);
     std::string differing;
@@ -104,7 +104,14 @@ Result<CaptureMetrics> checkComplete(const DatasetFolder& folder, const DatasetO
             return damaged(folder, files[static_cast<std::size_t>(first - whole.begin())].first,
                            static_cast<std::size_t>(std::count(whole.begin(), whole.end(), 0)));
         }
-        return captureMetricsFromJson(found.at("metrics").at("counted"));
+        const Json& metrics = found.at("metrics");
+        const Result<CaptureMetrics> captures = captureMetricsFromJson(metrics.at("counted"));
+        if (!captures) return tl::unexpected<Error>(captures.error());
+        Counted counted{*captures, {}};
+        if (metrics.contains("pictures")) {  // older datasets have none
+            counted.pictures = pictureTallyFrom(metrics["pictures"]);
+        }
+        return counted;
     } catch (const nlohmann::json::exception&) {
         return damaged(folder, "dataset.json", 1);
     }
@@ -127,7 +134,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
     journal = readJournal(folder.folder());
     const bool begun = journal.identity.has_value();
     if (folder.isComplete() && !(begun && folder.isStaged())) {
-        const Result<CaptureMetrics> counted = checkComplete(folder, order, job);
+        const Result<Counted> counted = checkComplete(folder, order, job);
         if (counted) {
             log::info("export", "the dataset in the folder is complete and whole");
             earlier.complete = *counted;

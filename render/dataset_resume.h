@@ -12,10 +12,16 @@
 
 namespace dollytrack::render {
 
+/// What dataset.json says was counted.
+struct Counted {
+    CaptureMetrics captures;
+    PictureTally pictures;
+};
+
 /// What an export that is to be continued finds in its folder.
 struct Earlier {
-    JournalContents journal;                 // entries only of frames whose files are whole
-    std::optional<CaptureMetrics> complete;  // counted in the complete dataset that is there
+    JournalContents journal;          // entries only of frames whose files are whole
+    std::optional<Counted> complete;  // the complete dataset is there
 };
 
 /// Looks for a dataset to continue; reads each of its files. Errors: Usage when it is of something

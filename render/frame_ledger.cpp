@@ -59,11 +59,12 @@ Status FrameLedger::addWritten(int index, std::map<std::string, std::string> sha
 }
 
 Status FrameLedger::addCounted(int index, std::vector<ObjectView> views,
-                               std::vector<int> well_shown) {
+                               std::vector<int> well_shown, std::optional<PictureQuality> quality) {
     const std::lock_guard lock(impl_->mutex);
     Row& row = impl_->row(index);
     row.entry.views = std::move(views);
     row.entry.well_shown = std::move(well_shown);
+    row.entry.quality = quality;
     row.counted = true;
     return impl_->finishIfComplete(row);
 }

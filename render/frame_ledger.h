@@ -22,7 +22,8 @@ class FrameLedger {
                                     std::vector<ObjectMask> masks,
                                     std::vector<InstanceInFrame> instances);
     [[nodiscard]] Status addCounted(int index, std::vector<ObjectView> views,
-                                    std::vector<int> well_shown);
+                                    std::vector<int> well_shown,
+                                    std::optional<PictureQuality> quality);
 
     /// Finished frames whose files are still in the folder.
     [[nodiscard]] int finishedCount(const io::GuardedFolder& folder) const;

@@ -136,14 +136,17 @@ Status FramePipeline::drawRig(FrameRecord& record) {
 }
 
 /// Every thing's silhouette at once, of which the counter gets those it wants.
-Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
-                                    const std::vector<int>& wanted) {
+Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view,
+                                                                FrameRecord& record,
+                                                                const std::vector<int>& wanted) {
     const std::vector<int> things = thingsSeen(contents_.scene, record);
     std::vector<int> all = things;
     for (const int id : wanted) {
         if (!std::ranges::binary_search(things, id)) all.push_back(id);
     }
-    if (Status status = renderer_->startSilhouettes(view, all); !status) return status;
+    if (Status status = renderer_->startSilhouettes(view, all); !status) {
+        return tl::unexpected(status.error());
+    }
     const std::vector<std::uint64_t> counts = renderer_->finishSilhouettes();
     const auto countOf = [&](int id) {
         return counts[static_cast<std::size_t>(std::ranges::find(all, id) - all.begin())];
@@ -156,8 +159,14 @@ Status FramePipeline::drawInstances(const View& view, FrameRecord& record,
     }
     std::vector<std::uint64_t> for_counter;
     for (const int id : wanted) for_counter.push_back(countOf(id));
-    counter_.addSilhouettes(for_counter);
-    return {};
+    return for_counter;
+}
+
+Status FramePipeline::count(int index, std::span<const std::uint64_t> silhouettes_px,
+                            FrameLedger& ledger) {
+    counter_.addSilhouettes(silhouettes_px, !quality_ || *quality_ == PictureQuality::Usable);
+    const std::span<const ObjectView> views = counter_.lastViews();
+    return ledger.addCounted(index, {views.begin(), views.end()}, counter_.wellShown(), quality_);
 }
 
 View FramePipeline::viewOf(int index) const {
@@ -211,14 +220,11 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     const std::vector<int> wanted = counter_.addFrame(record);
     placeObjects(record.index);
     if (needs(kNeedsLater)) lightFrame(record.index);
+    std::vector<std::uint64_t> silhouettes_px;
     if (needs(kNeedsWhole)) {
-        if (Status status = drawInstances(view, record, wanted); !status) return status;
-        const std::span<const ObjectView> views = counter_.lastViews();
-        if (Status status =
-                ledger.addCounted(record.index, {views.begin(), views.end()}, counter_.wellShown());
-            !status) {
-            return status;
-        }
+        Result<std::vector<std::uint64_t>> counts = drawInstances(view, record, wanted);
+        if (!counts) return tl::unexpected(counts.error());
+        silhouettes_px = std::move(*counts);
     } else {
         if (Status status = renderer_->startSilhouettes(view, wanted); !status) return status;
         silhouettes_of_ = record.index;
@@ -233,6 +239,11 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
             return status;
         }
     }
+    quality_.reset();
+    if (!record.rgb.empty()) quality_ = pictureQuality(record.width, record.height, record.rgb);
+    if (needs(kNeedsWhole)) {
+        if (Status status = count(record.index, silhouettes_px, ledger); !status) return status;
+    }
     if (needs(kNeedsSensorLight)) {
         Status status = sensor_->take(record, *renderer_, reference_ ? &*reference_ : nullptr,
                                       record.sensor_light);
@@ -246,10 +257,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
 
 Status FramePipeline::countLast(FrameLedger& ledger) {
     if (silhouettes_of_ < 0) return {};
-    counter_.addSilhouettes(renderer_->finishSilhouettes());
-    const std::span<const ObjectView> views = counter_.lastViews();
-    return ledger.addCounted(std::exchange(silhouettes_of_, -1), {views.begin(), views.end()},
-                             counter_.wellShown());
+    return count(std::exchange(silhouettes_of_, -1), renderer_->finishSilhouettes(), ledger);
 }
 
 void FramePipeline::countRestored(int before) {

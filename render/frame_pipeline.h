@@ -66,8 +66,13 @@ class FramePipeline {
     [[nodiscard]] Status startNext();
     /// What is drawn for some files only.
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
-    [[nodiscard]] Status drawInstances(const View& view, FrameRecord& record,
-                                       const std::vector<int>& wanted);
+    /// Returns the silhouettes' pixel counts that the counter wants.
+    [[nodiscard]] Result<std::vector<std::uint64_t>> drawInstances(const View& view,
+                                                                   FrameRecord& record,
+                                                                   const std::vector<int>& wanted);
+    /// Counts what a frame captures, when its picture is there.
+    [[nodiscard]] Status count(int index, std::span<const std::uint64_t> silhouettes_px,
+                               FrameLedger& ledger);
     [[nodiscard]] Status drawRig(FrameRecord& record);
     [[nodiscard]] bool needs(unsigned what) const { return (needs_ & what) != 0; }
 
@@ -91,8 +96,9 @@ class FramePipeline {
     std::vector<int> missing_;  // indices of frames
     std::size_t started_ = 0;   // of those missing
     std::size_t drawn_ = 0;
-    int silhouettes_of_ = -1;  // the frame whose silhouettes are being drawn
-    int restored_until_ = 0;   // the frames below are counted, if they were restored
+    int silhouettes_of_ = -1;                // the frame whose silhouettes are being drawn
+    std::optional<PictureQuality> quality_;  // of the last picture drawn
+    int restored_until_ = 0;                 // the frames below are counted, if they were restored
 };
 
 }  // namespace dollytrack::render

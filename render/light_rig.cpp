@@ -2,12 +2,14 @@
 
 #include "engine/scene/labels.h"
 #include "render/ray_distance.h"
+#include "render/unlit_places.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace dollytrack::render {
 namespace {
@@ -34,18 +36,26 @@ double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::Aligne
     return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
 }
 
-/// How far it is at least to what stands or hangs around a place, m, at most kFromWall. Not to
-/// lamps: the place may be in one.
-double clearAround(const Scene& scene, const RayCaster& rays, const Eigen::Vector3d& place) {
+/// The shortest and longest distance to what stands or hangs around a place, m, at most kFromWall.
+/// Not to lamps: the place may be in one.
+std::pair<double, double> reachAround(const Scene& scene, const RayCaster& rays,
+                                      const Eigen::Vector3d& place) {
     constexpr int kWays = 16;
     const auto other = [](const Object& object) { return object.nyu40 != kNyuLamp; };
-    double clear = kFromWall;
+    double shortest = kFromWall;
+    double longest = 0.0;
     for (int k = 0; k < kWays; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / kWays;
         const Eigen::Vector3d way(std::cos(angle), std::sin(angle), 0.0);
-        clear = std::min(clear, distanceTo(scene, rays, place, way, clear, other));
+        const double distance = distanceTo(scene, rays, place, way, kFromWall, other);
+        shortest = std::min(shortest, distance);
+        longest = std::max(longest, distance);
     }
-    return clear;
+    return {shortest, longest};
+}
+
+double clearAround(const Scene& scene, const RayCaster& rays, const Eigen::Vector3d& place) {
+    return reachAround(scene, rays, place).first;
 }
 
 /// A lamp at the place or, where walls or cupboards would cut through it, at the nearest one of
@@ -58,7 +68,8 @@ Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox
     constexpr double kSmallest = 0.15;
     const Eigen::Vector3d size = room.sizes();
     const double radius = std::clamp(0.12 * std::min(size.x(), size.y()), kSmallest, 0.6);
-    constexpr double kInWall = 0.1;  // m; any side of a wall will do from within it
+    constexpr double kInWall = 0.1;   // m; any side of a wall will do from within it
+    constexpr double kWithin = 0.75;  // m; what ends nearer on all sides is no room
     Lamp best;
     double most = -1.0;
     const auto behindWall = [&](const Eigen::Vector3d& place) {
@@ -76,12 +87,14 @@ Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox
             const Eigen::Vector3d place(at.x(), at.y(), lampHeight(scene, rays, room, at));
             if (ring > 0 && !room.contains(place)) continue;
             if (ring > 0 && most > kInWall && behindWall(place)) continue;
-            const double clear = clearAround(scene, rays, place);
-            if (clear <= most) continue;
+            const auto [clear, longest] = reachAround(scene, rays, place);
+            // Within a column or a cupboard a lamp would light nothing else.
+            if (clear <= most || longest < kWithin) continue;
             most = clear;
             best.position = place;
         }
     }
+    if (most < 0.0) best.position << wanted, lampHeight(scene, rays, room, wanted);
     best.radius_m = std::clamp(most - kAside, kSmallest, radius);
     return best;
 }
@@ -181,6 +194,8 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
             }
         }
     }
+    const std::vector<Lamp> more = lampsForUnlitPlaces(scene, rays, boxes, rig.lamps);
+    rig.lamps.insert(rig.lamps.end(), more.begin(), more.end());
     if (light.own_lamps > 0.0F) rig.own_lamps = findOwnLamps(scene, rays, taken);
     for (OwnLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
     rig.sun.shades = scene.room_bounds;

@@ -120,16 +120,21 @@ class Baker {
     }
 
     /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
-    /// a wall: the day there must not shine through where the wall is thinner than cells.
+    /// a wall: the day there must not shine through where the wall is thinner than cells. What no
+    /// light gets into at all is the inside of a column or a cupboard: nor must the night there.
     void leaveOutside() {
         std::vector<std::size_t> lit;
+        std::vector<std::size_t> bright;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
             if (volume_.lamps[i].squaredNorm() > 0.0F) lit.push_back(i);
+            if (volume_.lamps[i].squaredNorm() > 0.0F || balanced_[i] > 0.0F) bright.push_back(i);
         }
         if (lit.empty()) return;
-        const std::vector<char> reached = cells_.reachedFrom(lit);
-        for (std::size_t i = 0; i < reached.size(); ++i) {
-            if (reached[i] == 0 && sees_sky_[i] != 0) cells_.leaveAir(i);
+        const std::vector<char> in_rooms = cells_.reachedFrom(lit);
+        const std::vector<char> in_light = cells_.reachedFrom(bright);
+        for (std::size_t i = 0; i < in_rooms.size(); ++i) {
+            if (in_rooms[i] != 0) continue;
+            if (sees_sky_[i] != 0 || in_light[i] == 0) cells_.leaveAir(i);
         }
     }
 

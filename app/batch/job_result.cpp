@@ -1,8 +1,10 @@
 #include "app/batch/job_result.h"
 
+#include "app/cli/export_metrics.h"
 #include "engine/io/bounded_json.h"
 #include "engine/io/project_file.h"
 #include "engine/io/sha256.h"
+#include "render/formats/dataset_card.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +25,9 @@ Json readJson(const fs::path& path) {
     return io::readBoundedJson<Json>(path).value_or(Json());
 }
 
-void takeNumbers(const Json& from, const std::string& prefix, Json& to) {
+void takeNumbers(const Json& from, Json& to) {
     for (const auto& [key, value] : from.items()) {
-        if (value.is_number()) to[prefix + key] = value;
+        if (value.is_number()) to[key] = value;
     }
 }
 
@@ -104,10 +106,10 @@ JobResult readResult(const fs::path& folder) {
         result.arguments = json.at("arguments").get<std::vector<std::string>>();
         result.version = json.at("version").get<std::string>();
         // What is no number has not come from us.
-        takeNumbers(json.at("metrics"), "", result.metrics);
+        takeNumbers(json.at("metrics"), result.metrics);
         for (const Json& one : json.at("datasets")) {
-            result.datasets.push_back(
-                {one.at("folder").get<std::string>(), one.at("frames").get<int>()});
+            result.datasets.push_back({one.at("folder").get<std::string>(),
+                                       one.at("frames").get<int>(), one.value("unusable", "")});
         }
     } catch (const Json::exception&) {
         return {};
@@ -123,7 +125,8 @@ JobResult resultOf(const Job& job, const fs::path& batch_folder) {
 Status writeResult(const io::GuardedFolder& folder, const JobResult& result) {
     Json datasets = Json::array();
     for (const WrittenDataset& one : result.datasets) {
-        datasets.push_back({{"folder", one.folder}, {"frames", one.frames}});
+        datasets.push_back(
+            {{"folder", one.folder}, {"frames", one.frames}, {"unusable", one.unusable}});
     }
     const Json json = {{"state", name(result.state)},
                        {"exit_code", result.exit_code},
@@ -150,23 +153,17 @@ void readOutput(const fs::path& output, const fs::path& folder, JobResult& resul
     result.datasets.clear();
     try {
         if (!json.contains("out")) {  // of `plan`: metrics alone
-            takeNumbers(json, "", result.metrics);
+            takeNumbers(json, result.metrics);
             return;
         }
-        const bool one_a_room = json.contains("rooms");
-        const Json all = one_a_room ? json.at("rooms") : Json::array({json});
-        int frames = 0;
+        const Json all = json.contains("rooms") ? json.at("rooms") : Json::array({json});
         for (const Json& one : all) {
             const fs::path written = one.at("out").get<std::string>();
             result.datasets.push_back(
-                {written.lexically_relative(folder).string(), one.at("frames").get<int>()});
-            frames += result.datasets.back().frames;
+                {written.lexically_relative(folder).string(), one.at("frames").get<int>(),
+                 render::unusableText(render::pictureTallyFrom(one.at("pictures")))});
         }
-        if (all.empty()) return;
-        takeNumbers(all.front().at("planned"), "", result.metrics);
-        // A room's rates over the targets of all rooms would say little.
-        if (!one_a_room) takeNumbers(json.at("counted"), "counted.", result.metrics);
-        result.metrics["exported_frames"] = frames;
+        if (!all.empty()) takeNumbers(cli::exportMetrics(json), result.metrics);
     } catch (const Json::exception&) {
         return;
     }

@@ -32,6 +32,7 @@ enum class JobState {
 struct WrittenDataset {
     std::string folder;  // from the job's folder on
     int frames = 0;
+    std::string unusable;  // which pictures are dark, white or flat; empty if none is
 };
 
 /// Tells whether a job's files are still those that were used: its scene, for a project also that

@@ -1,10 +1,10 @@
 #include "app/batch/report.h"
 
 #include "app/batch/markup.h"
+#include "app/cli/export_metrics.h"
 #include "app/cli/requirement.h"
 #include "app/cli/rival_plan.h"
 #include "engine/io/guarded_folder.h"
-#include "engine/plan/plan_json.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,6 @@ namespace dollytrack::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kCounted = "counted.";
 
 std::string unmetText(const cli::Requirement& wanted, const Json& metrics) {
     const auto found = metrics.find(wanted.metric);
@@ -32,14 +30,8 @@ std::string unmetText(const cli::Requirement& wanted, const Json& metrics) {
 
 /// Names and values of no meaning, of all that a job's result can hold.
 nlohmann::json metricsOfJob(const Job& job) {
-    nlohmann::json metrics = cli::metricsOf(job.planner);
-    if (job.command != "export") return metrics;
-    metrics["exported_frames"] = 0;
-    const nlohmann::json counted = captureMetricsJson({});
-    for (const auto& [name, value] : counted.items()) {
-        metrics[kCounted + name] = value;
-    }
-    return metrics;
+    return job.command == "export" ? cli::exportMetricsOf(job.planner)
+                                   : cli::metricsOf(job.planner);
 }
 
 }  // namespace
@@ -107,6 +99,9 @@ const std::vector<ShownMetric>& shownMetrics() {
         {"well_captured_rate", "well captured", "%"},
         {"counted.capture_rate", "captured, by pixels", "%"},
         {"counted.well_captured_rate", "well, by pixels", "%"},
+        {"dark_rate", "dark pictures", "%"},
+        {"white_rate", "white pictures", "%"},
+        {"flat_rate", "flat pictures", "%"},
         {"area_share_box", "box area", "%"},
         {"repeat_rate", "repeats", "%"},
         {"move_collision_rate", "moves that hit", "%"},
@@ -145,6 +140,7 @@ Json reportJson(const Report& report) {
         for (const WrittenDataset& dataset : result.datasets) {
             one["datasets"].push_back(
                 {{"folder", row.job.name + "/" + dataset.folder}, {"frames", dataset.frames}});
+            if (!dataset.unusable.empty()) one["datasets"].back()["unusable"] = dataset.unusable;
         }
         jobs.push_back(std::move(one));
     }

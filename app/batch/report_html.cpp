@@ -177,9 +177,10 @@ std::string sheets(const Report& report) {
             const std::string link = report.linkTo(row, dataset.folder + "/contact_sheet.jpg");
             text += fmt::format(
                 "<figure><a href=\"{}\"><img loading=\"lazy\" src=\"{}\" alt=\"\"></a>"
-                "<figcaption>{}{}</figcaption></figure>\n",
+                "<figcaption>{}{}{}</figcaption></figure>\n",
                 link, link, asMarkup(row.job.name),
-                row.result.datasets.size() > 1 ? ", " + asMarkup(dataset.folder) : "");
+                row.result.datasets.size() > 1 ? ", " + asMarkup(dataset.folder) : "",
+                dataset.unusable.empty() ? "" : "; " + asMarkup(dataset.unusable));
         }
     }
     return text.empty() ? text : "<h2>Contact sheets</h2>\n" + text;

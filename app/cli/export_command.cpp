@@ -1,10 +1,12 @@
 #include "app/cli/backend_option.h"
 #include "app/cli/command_line.h"
+#include "app/cli/export_metrics.h"
 #include "app/cli/export_warnings.h"
 #include "app/cli/metrics_table.h"
 #include "app/cli/object_motions.h"
 #include "app/cli/object_relations.h"
 #include "app/cli/planned_scene.h"
+#include "app/cli/requirement.h"
 #include "app/cli/rival_plan.h"
 #include "app/cli/room_exports.h"
 #include "app/cli/scene_arguments.h"
@@ -14,6 +16,7 @@
 #include "engine/io/rig_file.h"
 #include "engine/plan/plan_json.h"
 #include "render/dataset_job.h"
+#include "render/formats/dataset_card.h"
 #include "render/formats/formats.h"
 #include "render/modalities.h"
 #include "render/sensors/sensor_lens.h"
@@ -43,6 +46,7 @@ struct ExportArguments {
     bool still = false;
     std::vector<int> flow_distances = {1};
     BackendOption backend;
+    std::vector<std::string> requirements;
     bool as_json = false;
 };
 
@@ -54,7 +58,23 @@ nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::str
                                   ? nlohmann::json()
                                   : nlohmann::json(summary.contact_sheet.string())},
             {"planned", planned},
-            {"counted", captureMetricsJson(summary.counted)}};
+            {"counted", captureMetricsJson(summary.counted)},
+            {"pictures", render::pictureTallyJson(summary.pictures)}};
+}
+
+/// Of datasets one a room: the rates over all of them; their lists of frames stay their own.
+nlohmann::json roomsJson(const std::string& folder, nlohmann::json rooms,
+                         const render::PictureTally& pictures) {
+    nlohmann::json rates = render::pictureTallyJson(pictures);
+    for (const char* list : {"dark", "white", "flat"}) rates.erase(list);
+    return {{"out", folder}, {"rooms", std::move(rooms)}, {"pictures", std::move(rates)}};
+}
+
+void addTally(render::PictureTally& all, const render::PictureTally& one) {
+    all.pictures += one.pictures;
+    all.dark.insert(all.dark.end(), one.dark.begin(), one.dark.end());
+    all.white.insert(all.white.end(), one.white.begin(), one.white.end());
+    all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
 }
 
 void printSummary(const render::DatasetSummary& summary, const std::string& folder,
@@ -78,6 +98,11 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
     rate("capture rate", "capture_rate", counted.capture_rate);
     rate("well captured rate", "well_captured_rate", counted.well_captured_rate);
     rate("area share (box)", "area_share_box", counted.area_share_box);
+    if (const render::PictureTally& pictures = summary.pictures; pictures.pictures > 0) {
+        fmt::print("  {:<22} {:>10} {:>10}\n", "unusable pictures", "-", pictures.unusable());
+        const std::string text = render::unusableText(pictures);
+        if (!text.empty()) fmt::print("\n{}\n", text);
+    }
     if (summary.frames < planned.value("frames", 0)) {
         fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
                    planned.value("frames", 0), summary.frames);
@@ -247,6 +272,11 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.resume = arguments.resume;
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
+    const auto requirements = parseRequirements(arguments.requirements);
+    if (!requirements) return tl::unexpected<Error>(requirements.error());
+    if (Status status = checkNames(*requirements, exportMetricsOf(arguments.planner)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     // What is mistyped before what is in the way: it has to be mended whichever folder is taken.
     if (Status status = render::checkChoices(settings); !status)
         return tl::unexpected<Error>(std::move(status.error()));
@@ -304,12 +334,13 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (exports->empty()) {
         const auto summary = render(planned->trajectory, arguments.out, rendering);
         if (!summary) return tl::unexpected<Error>(summary.error());
+        const nlohmann::json printed = summaryJson(*summary, arguments.out, planned->metrics);
         if (arguments.as_json) {
-            fmt::print("{}\n", jsonText(summaryJson(*summary, arguments.out, planned->metrics)));
+            fmt::print("{}\n", jsonText(printed));
         } else {
             printSummary(*summary, arguments.out, planned->metrics);
         }
-        return kDone;
+        return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
     }
     if (settings.root.empty()) settings.root = settings.folder;
     checked.root = settings.root;
@@ -324,6 +355,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         return tl::unexpected<Error>(std::move(status.error()));
     }
     nlohmann::json rooms = nlohmann::json::array();
+    render::PictureTally pictures;
     const int all = static_cast<int>(planned->trajectory.frames.size());
     int before = 0;
     for (const RoomExport& one : *exports) {
@@ -333,14 +365,14 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
                                     countedOn(rendering, session.cancelled, before, count, all));
         if (!summary) return tl::unexpected<Error>(summary.error());
         before += count;
+        addTally(pictures, summary->pictures);
         rooms.push_back(summaryJson(*summary, folder, planned->metrics));
         rooms.back()["room"] = one.room;
         if (!arguments.as_json) printRoom(one.room, *summary, folder);
     }
-    if (arguments.as_json) {
-        fmt::print("{}\n", jsonText({{"out", arguments.out}, {"rooms", std::move(rooms)}}));
-    }
-    return kDone;
+    const nlohmann::json printed = roomsJson(arguments.out, std::move(rooms), pictures);
+    if (arguments.as_json) fmt::print("{}\n", jsonText(printed));
+    return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
 }
 
 }  // namespace
@@ -421,6 +453,12 @@ void addExportCommand(CLI::App& app, Session& session) {
                      "A folder around --out: no symbolic link below it is followed (as in --out)")
         ->type_name("DIR");
     addBackendOption(*command, arguments->backend);
+    command
+        ->add_option("--require", arguments->requirements,
+                     "Exit with 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; may "
+                     "be repeated")
+        ->type_name("CONDITION")
+        ->allow_extra_args(false);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
         "How pictures are made and lit and what a real camera makes of them is set with --set:\n"

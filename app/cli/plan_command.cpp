@@ -118,16 +118,6 @@ Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, con
     return {};
 }
 
-Result<std::vector<Requirement>> parseAll(const std::vector<std::string>& texts) {
-    std::vector<Requirement> requirements;
-    for (const std::string& text : texts) {
-        Result<Requirement> one = parseRequirement(text);
-        if (!one) return tl::unexpected<Error>(std::move(one.error()));
-        requirements.push_back(std::move(*one));
-    }
-    return requirements;
-}
-
 /// Told before the work, not after it: a misspelt metric must not cost minutes.
 Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
     nlohmann::json metrics = metricsOf("dollytrack");
@@ -177,7 +167,7 @@ Result<ExitCode> runRival(const PlanArguments& arguments,
 }
 
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
-    const auto requirements = parseAll(arguments.requirements);
+    const auto requirements = parseRequirements(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());

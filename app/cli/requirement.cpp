@@ -48,6 +48,16 @@ Result<Requirement> parseRequirement(std::string_view text) {
     return requirement;
 }
 
+Result<std::vector<Requirement>> parseRequirements(const std::vector<std::string>& texts) {
+    std::vector<Requirement> requirements;
+    for (const std::string& text : texts) {
+        Result<Requirement> one = parseRequirement(text);
+        if (!one) return tl::unexpected<Error>(std::move(one.error()));
+        requirements.push_back(std::move(*one));
+    }
+    return requirements;
+}
+
 Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
     for (const Requirement& requirement : requirements) {
         const auto found = metrics.find(requirement.metric);
@@ -67,7 +77,7 @@ Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::
 bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics) {
     bool all = true;
     for (const Requirement& requirement : requirements) {
-        const nlohmann::json& value = metrics.at(requirement.metric);
+        const nlohmann::json value = metrics.value(requirement.metric, nlohmann::json());
         if (!value.is_number() && !value.is_array()) {
             all = false;
             log::warn("require", fmt::format("not met: {} has no value, for there is nothing to "

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dollytrack::cli {
 
@@ -20,6 +21,9 @@ struct Requirement {
 
 /// Error: Usage when it is not of that form.
 Result<Requirement> parseRequirement(std::string_view text);
+
+/// Error: Usage when one of them is not.
+Result<std::vector<Requirement>> parseRequirements(const std::vector<std::string>& texts);
 
 /// Error: Usage when a requirement names no number of the metrics; says the closest name.
 Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);

@@ -3,6 +3,7 @@
 #include "app/cli/metrics_table.h"
 #include "app/cli/room_exports.h"
 #include "app/cli/terminal_text.h"
+#include "render/formats/dataset_card.h"
 #include "render/verify/verify.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ struct Verified {
     std::size_t files = 0;
     std::vector<CheckResult> results;
     std::string no_scene;  // why there is none; what needs it is not proven
+    render::PictureTally pictures;
 
     /// Checks that a scene would allow.
     [[nodiscard]] std::ptrdiff_t unproven() const {
@@ -39,6 +41,16 @@ struct Verified {
                              [&](const CheckResult& result) { return result.skipped == no_scene; });
     }
 };
+
+/// The unusable pictures that dataset.json lists, which the check "usable" proves. They are no
+/// damage.
+render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
+    try {
+        return render::pictureTallyFrom(dataset.card.at("metrics").at("pictures"));
+    } catch (const nlohmann::json::exception&) {  // an older dataset, or a damaged one
+        return {};
+    }
+}
 
 /// "sound", and whether more could be known.
 std::string verdictOf(const Verified& verified) {
@@ -94,6 +106,7 @@ nlohmann::json toJson(const Verified& verified) {
             {"frames", verified.frames},
             {"files", verified.files},
             {"sound", verify::isSound(verified.results)},
+            {"pictures", render::pictureTallyJson(verified.pictures)},
             {"unproven_without_scene", verified.unproven()},
             {"checks", std::move(checks)}};
 }
@@ -129,6 +142,8 @@ void print(const Verified& verified, int show) {
             fmt::print("      and {} more\n", result.findings.count - shown);
         }
     }
+    const std::string unusable = render::unusableText(verified.pictures);
+    if (!unusable.empty()) fmt::print("\nnote: {}\n", unusable);
     fmt::print("\n{} passed, {} failed, {} skipped{}: {}\n\n", passed, failed, skipped,
                whySkipped(verified, skipped), verdictOf(verified));
 }
@@ -142,8 +157,8 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
     auto results = verify::verifyDataset({*dataset, scene->scene.get(), scene->rays.get()},
                                          scene->missing, job.stage(0.1, 1.0, "frames"));
     if (!results) return tl::unexpected<Error>(std::move(results.error()));
-    return Verified{folder.string(), dataset->frames.size(), dataset->sha256s.size() + 1,
-                    std::move(*results), scene->missing};
+    return Verified{folder.string(),     dataset->frames.size(), dataset->sha256s.size() + 1,
+                    std::move(*results), scene->missing,         picturesOf(*dataset)};
 }
 
 /// What is to be verified, and what should be there to be.

@@ -157,6 +157,28 @@ Json countedMetrics(const DatasetCard& card) {
 
 }  // namespace
 
+Json pictureTallyJson(const PictureTally& tally) {
+    const auto rate = [&](std::size_t count) {
+        return tally.pictures == 0 ? Json() : Json(static_cast<double>(count) / tally.pictures);
+    };
+    return {{"measured", tally.pictures},
+            {"dark", tally.dark},
+            {"white", tally.white},
+            {"flat", tally.flat},
+            {"dark_rate", rate(tally.dark.size())},
+            {"white_rate", rate(tally.white.size())},
+            {"flat_rate", rate(tally.flat.size())}};
+}
+
+PictureTally pictureTallyFrom(const Json& value) {
+    PictureTally tally;
+    tally.pictures = value.at("measured").get<int>();
+    tally.dark = value.at("dark").get<std::vector<int>>();
+    tally.white = value.at("white").get<std::vector<int>>();
+    tally.flat = value.at("flat").get<std::vector<int>>();
+    return tally;
+}
+
 Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     const Scene& scene = contents.scene;
     const Json frames = frameTable(contents);
@@ -187,7 +209,9 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     root["seed"] = card.seed;
     root["parameters"] = card.parameters;
     if (!card.edits.empty()) root["edits"] = card.edits;
-    root["metrics"] = {{"planned", card.planned_metrics}, {"counted", countedMetrics(card)}};
+    root["metrics"] = {{"planned", card.planned_metrics},
+                       {"counted", countedMetrics(card)},
+                       {"pictures", pictureTallyJson(card.pictures)}};
     root["objects"] = objectTable(scene, card.relations);
     root["classes"] = classTable(scene.classes());
     if (!scene.classes().isNyu40()) root["labels"] = io::classTableToJson(scene.classes());

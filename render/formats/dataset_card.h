@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -24,6 +25,7 @@ struct DatasetCard {
     nlohmann::json edits;            // made by hand; an empty object without any
     nlohmann::json planned_metrics;  // as planning estimated them, null when there are none
     CaptureMetrics counted;          // from the pixels
+    PictureTally pictures;
     std::vector<ObjectCapture> captures;
     FormatSet formats;
     std::vector<ObjectRelation> relations;
@@ -33,6 +35,15 @@ struct DatasetCard {
     std::string whole_motions_sha256;            // of objects
     std::map<std::string, std::string> sha256s;  // of every other file, by relative path
 };
+
+/// The shares of unusable pictures in what pictureTallyJson() gives, as --require names them.
+inline constexpr std::array<const char*, 3> kPictureRates = {"dark_rate", "white_rate",
+                                                             "flat_rate"};
+
+/// {"measured": 60, "dark": [3, 4], ..., "dark_rate": 0.033, ...}; without pictures rates are null.
+[[nodiscard]] nlohmann::ordered_json pictureTallyJson(const PictureTally& tally);
+/// What that says. Throws nlohmann's exceptions.
+[[nodiscard]] PictureTally pictureTallyFrom(const nlohmann::ordered_json& value);
 
 /// What dataset.json says: which conventions the files follow, what they show, and how they came
 /// to be. Holds no clock, so that equal input gives equal bytes.

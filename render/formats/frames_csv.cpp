@@ -47,6 +47,10 @@ std::string lightText(const LightParams& light, int trajectory_frame) {
                        drawn.exposure_ev);
 }
 
+std::string_view qualityText(const DatasetFrame& frame) {
+    return frame.quality ? kPictureQualities[static_cast<std::size_t>(*frame.quality)] : "";
+}
+
 }  // namespace
 
 std::string framesCsvText(const DatasetContents& contents) {
@@ -59,19 +63,19 @@ std::string framesCsvText(const DatasetContents& contents) {
     const std::vector<double> scores = imageScores(trajectory, boxes, contents.score);
     std::string text =
         "frame,time_s,trajectory_frame,room,path,key_frame,clearance_m,speed_mps,turn_dps,targets,"
-        "well_shown,score";
+        "well_shown,score,picture";
     const bool light_varies = variesByFrame(contents.light);
     text += light_varies ? fmt::format("{}\n", kLightColumns) : "\n";
     const TrajectoryFrame* before = nullptr;
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const DatasetFrame& frame = contents.frames[i];
         const TrajectoryFrame& camera = frame.camera;
-        fmt::format_to(std::back_inserter(text), "{},{:.9g},{},{},{},{},{:.6g},{}{},{},{:.6g}{}\n",
-                       i, camera.time_s, frame.source_frame, frame.room, camera.path,
-                       camera.position_point >= 0 ? 1 : 0, frame.clearance_m,
-                       motionText(before, camera), boxes[i].size(), frame.well_shown.size(),
-                       scores[i],
-                       light_varies ? lightText(contents.light, frame.source_frame) : "");
+        fmt::format_to(
+            std::back_inserter(text), "{},{:.9g},{},{},{},{},{:.6g},{}{},{},{:.6g},{}{}\n", i,
+            camera.time_s, frame.source_frame, frame.room, camera.path,
+            camera.position_point >= 0 ? 1 : 0, frame.clearance_m, motionText(before, camera),
+            boxes[i].size(), frame.well_shown.size(), scores[i], qualityText(frame),
+            light_varies ? lightText(contents.light, frame.source_frame) : "");
         before = &camera;
     }
     return text;

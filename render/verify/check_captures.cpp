@@ -24,6 +24,7 @@ struct Best {
 struct Captures {
     std::vector<std::vector<Best>> of_frame;
     std::set<int> shown_nowhere;  // object ids
+    std::set<int> unusable;       // frames whose pictures capture nothing
 };
 
 /// Pixels that count, of an image of this area; rules are for one of 640 x 480.
@@ -40,7 +41,14 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
         findings.add(
             {"dataset.json", {}, {}, "metrics.counted: " + std::move(found), std::move(expected)});
     };
-    const auto& counted = dataset.card.at("metrics").at("counted");
+    const auto& metrics = dataset.card.at("metrics");
+    const auto& counted = metrics.at("counted");
+    if (metrics.contains("pictures")) {
+        for (const char* kind : {"dark", "white", "flat"}) {
+            const auto frames = metrics["pictures"].at(kind).get<std::vector<int>>();
+            captures.unusable.insert(frames.begin(), frames.end());
+        }
+    }
     int captured = 0;
     int rows = 0;
     for (const auto& one : counted.at("per_object")) {
@@ -53,6 +61,10 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
             add(fmt::format("object {} twice", best.object_id), "each target once");
         }
         captured += best.captured ? 1 : 0;
+        if (captures.unusable.contains(frame)) {
+            add(fmt::format("best_frame {} of object {}", frame, best.object_id),
+                "a frame whose picture can be used");
+        }
         if (frame >= static_cast<int>(by_frame.size())) {
             add(fmt::format("best_frame {}", frame), fmt::format("below {}", by_frame.size()));
         } else if (frame >= 0) {
@@ -120,7 +132,7 @@ CheckWork beginCaptures(const Subject& subject, Findings& findings) {
     work.frame = [captures](FrameImages& images, Findings& found) {
         const auto& best = captures->of_frame[static_cast<std::size_t>(images.frame())];
         const Image16* ids = images.image16("instance");
-        if (!ids) return;
+        if (!ids || captures->unusable.contains(images.frame())) return;
         const double least_px = leastPixels(static_cast<double>(ids->width) * ids->height);
         for (const auto& [id, shown] : images.seen()) {
             if (shown.count < least_px || !captures->shown_nowhere.contains(id)) continue;

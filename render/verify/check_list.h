@@ -10,6 +10,7 @@ CheckWork beginCard(const Subject& subject, Findings& findings);
 CheckWork beginImages(const Subject& subject, Findings& findings);
 CheckWork beginClasses(const Subject& subject, Findings& findings);
 CheckWork beginHoles(const Subject& subject, Findings& findings);
+CheckWork beginUsable(const Subject& subject, Findings& findings);
 CheckWork beginPictures(const Subject& subject, Findings& findings);
 CheckWork beginObjectBoxes(const Subject& subject, Findings& findings);
 CheckWork beginCaptures(const Subject& subject, Findings& findings);

@@ -11,6 +11,7 @@ using Names = std::span<const char* const>;
 
 constexpr std::array kInstance = {"instance"};
 constexpr std::array kPictures = {"rgb", "instance"};
+constexpr std::array kRgb = {"rgb"};
 constexpr std::array kAnyDepth = {"depth", "depth_exr"};
 constexpr std::array kCoco = {"coco", "instance"};
 constexpr std::array kFrames = {"frames", "instance"};
@@ -57,6 +58,8 @@ constexpr std::array kChecks = {
           beginHoles},
     Check{"pictures", "edges in the pictures are where the objects in sight meet", kPictures,
           Names{}, false, beginPictures},
+    Check{"usable", "dark, white and flat pictures are those that dataset.json lists", kRgb,
+          Names{}, false, beginUsable},
     Check{"object_boxes", "depth unprojected lies in the box of the object seen", kInstance,
           kAnyDepth, false, beginObjectBoxes},
     Check{"captures", "the captures counted are those in the images", kInstance, Names{}, false,

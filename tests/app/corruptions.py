@@ -131,6 +131,22 @@ def share_of_the_box(copy):
     best["box_share"] *= 0.5
 
 
+@found_by("captures")
+def best_frame_without_a_usable_picture(copy):
+    best = max(copy.card["metrics"]["counted"]["per_object"], key=lambda row: row["best_frame"])
+    copy.card["metrics"]["pictures"]["dark"].append(best["best_frame"])
+
+
+@found_by("usable")
+def black_picture(copy):
+    copy.edit("rgb/000001.png", lambda image: image * 0)
+
+
+@found_by("usable")
+def dark_rate_of_another_dataset(copy):
+    copy.card["metrics"]["pictures"]["dark_rate"] = 0.5
+
+
 @found_by("scene")
 def box_of_an_object(copy):
     copy.card["objects"][-1]["box"]["center"][0] += 0.3

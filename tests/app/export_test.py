@@ -355,6 +355,31 @@ class Export(FolderCase):
         verified = run("verify", whole, "--scene", APARTMENT)
         self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
 
+    def test_dark_pictures_capture_nothing_and_are_counted(self):
+        out = self.new_folder()
+        arguments = ["export", self.project, "--out", out, "--range", "::32", "--json",
+                     "--modalities", "rgb,instance", "--formats", "frames",
+                     "--set", "exposure_ev=-10"]
+        result = run(*arguments, "--require", "dark_rate<=0.02")
+        self.assertFails(result, 3, "not met: dark_rate is 1", "3 dark (frames 0-2)")
+        summary = json.loads(result.stdout)
+        self.assertEqual(summary["pictures"]["dark"], [0, 1, 2])
+        self.assertEqual(summary["counted"]["captured"], 0)
+        card = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(card["metrics"]["pictures"], summary["pictures"])
+        rows = (out / "frames.csv").read_text().splitlines()
+        self.assertTrue(rows[0].endswith(",score,picture"))
+        self.assertTrue(all(row.endswith(",dark") for row in rows[1:]))
+        again = run(*arguments, "--resume", "--require", "dark_rate<=1")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(json.loads(again.stdout)["pictures"], summary["pictures"])
+        verified = run("verify", out)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        self.assertIn("note: 3 of 3 pictures are unusable: 3 dark (frames 0-2)",
+                      verified.stdout)
+        self.assertNotIn("DAMAGED", verified.stdout)
+        self.assertFails(run(*arguments, "--require", "darkrate<=1"), 2, "'dark_rate'")
+
     def test_unknown_choices_are_usage_errors(self):
         out = self.new_folder()
         self.assertFails(run("export", self.project, "--out", out, "--modalities", "rgb,dept"), 2,

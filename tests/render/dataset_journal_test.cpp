@@ -21,6 +21,7 @@ JournalEntry entryOf(int index) {
     // No short decimals: what is read must be the very numbers.
     entry.views = {{3, index, 1.0 / 3.0, 123.4567890123456789, 0.1 + 0.2, 1e-17 / 7.0}};
     entry.well_shown = {3, 9};
+    if (index > 0) entry.quality = PictureQuality::Flat;
     return entry;
 }
 
@@ -57,6 +58,8 @@ TEST_F(Journal, GivesBackWhatWasWritten) {
     const JournalEntry& entry = contents.entries.at(2);
     EXPECT_EQ(entry.sha256s, expected.sha256s);
     EXPECT_EQ(entry.well_shown, expected.well_shown);
+    EXPECT_EQ(entry.quality, PictureQuality::Flat);
+    EXPECT_FALSE(contents.entries.at(0).quality);
     ASSERT_EQ(entry.masks.size(), 2U);
     EXPECT_EQ(entry.masks[1].counts, expected.masks[1].counts);
     EXPECT_EQ(entry.masks[0].bbox, expected.masks[0].bbox);

@@ -55,7 +55,7 @@ TEST(FramesCsv, SaysWhatEachFrameShowsAndHowTheCameraCameThere) {
     ASSERT_EQ(rows.size(), 5U);
     const std::vector<std::vector<std::string>> expected = {
         {"frame", "time_s", "trajectory_frame", "room", "path", "key_frame", "clearance_m",
-         "speed_mps", "turn_dps", "targets", "well_shown", "score"},
+         "speed_mps", "turn_dps", "targets", "well_shown", "score", "picture"},
         {"0", "0", "0", "room 1", "0", "0", "0.25", "", "", "2", "0", "1.6"},
         {"1", "0.1", "0", "room 1", "0", "0", "0.25", "0.4", "0", "1", "0", "1.5"},
         {"2", "0.4", "4", "room 1", "0", "1", "0.25", "0.2", "0", "0", "1", "0"},

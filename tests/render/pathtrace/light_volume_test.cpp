@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -150,6 +151,96 @@ double errorInsideShelf(double cell_m) {
 TEST(LightVolume, InsideAShelfItIsAsDarkAsPathTraced) {
     EXPECT_LT(errorInsideShelf(LightVolumeParams{}.cell_m), 0.25);
     EXPECT_GT(errorInsideShelf(0.25), 0.4);
+}
+
+// Cells of a hall are about as wide as its columns: which of them lie within one changes along it.
+TEST(LightVolume, TheInsideOfAColumnDoesNotDarkenItsFaces) {
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 5, 4});
+    builder.object("column").box({3.0, 2.5, 2.0}, {0.4, 0.4, 4.0}, 0.2);
+    const Scene scene = builder.build();
+    const RayCaster rays(scene);
+    LightVolumeParams params;
+    params.cell_m = 0.28;
+    const LightVolume volume = bakeLightVolume(scene, rays, makeLightRig(scene, rays), params);
+    const auto ambientAt = [&](double x, double z) {
+        return volume.ambient[cellAt(volume, {x, 2.5, z})].mean();
+    };
+    for (double z = 0.5; z < 3.5; z += 0.25) {
+        const float beside = std::min(ambientAt(2.3, z), ambientAt(3.7, z));
+        EXPECT_GT(ambientAt(3.0, z), 0.5F * beside) << z;
+    }
+}
+
+/// A house of two storeys in one box, as it is for a camera that gets everywhere: a gallery over
+/// most of a hall, two rooms behind a wall on it, and a store room below that has no door.
+Scene houseWithGallery() {
+    SceneBuilder builder;
+    builder.room({0, 0, 0}, {8, 6, 5.4});
+    const SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
+    builder.object("gallery", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
+        .box({4.0, 2.4, 2.6}, {8.0, 4.8, 0.2});
+    builder.object("upper wall", wall).box({4.0, 4.7, 4.05}, {8.0, 0.1, 2.7});
+    builder.object("wall between", wall).box({3.0, 2.35, 4.05}, {0.1, 4.6, 2.7});
+    builder.object("store wall a", wall).box({1.45, 0.6, 1.25}, {0.1, 1.2, 2.5});
+    builder.object("store wall b", wall).box({0.75, 1.25, 1.25}, {1.5, 0.1, 2.5});
+    return builder.build();
+}
+
+TEST(LightVolume, EachStoreyAndClosedRoomIsAboutAsBright) {
+    Scene scene = houseWithGallery();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    LightVolumeParams params;
+    params.cell_m = 0.15;
+    const LightVolume volume = bakeLightVolume(scene, rays, rig, params);
+    const PathTracer tracer(scene, rays, balanced(rig, volume));
+    // The store room, the room below, the hall, and both rooms above: places on their floors.
+    const std::vector<Eigen::Vector3d> places = {
+        {0.7, 0.6, 0.1}, {5.0, 2.4, 0.1}, {4.0, 5.4, 0.1}, {1.5, 2.4, 2.8}, {5.5, 2.4, 2.8}};
+    std::vector<double> light;
+    for (const Eigen::Vector3d& at : places) {
+        const std::size_t cell = cellAt(volume, at);
+        const double bounced = volume.ambient[cell].mean() * (1.0 + volume.slope[cell].z());
+        const double expected =
+            irradianceByPaths(tracer, centerOf(volume, at), Eigen::Vector3d::UnitZ());
+        EXPECT_NEAR(bounced, expected, 0.3 * expected) << at.transpose();
+        light.push_back(bounced + volume.lamps[cell].z() * rig.lampLight().mean());
+    }
+    std::vector<double> sorted = light;
+    std::ranges::sort(sorted);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        EXPECT_GT(light[i], sorted[2] / 3.0) << places[i].transpose();
+        EXPECT_LT(light[i], sorted[2] * 3.0) << places[i].transpose();
+    }
+}
+
+TEST(LightRig, ALampWithinAColumnOrCupboardLeavesTheRoomToAnother) {
+    for (const double side : {0.6, 3.2}) {
+        SceneBuilder builder;
+        builder.room({0, 0, 0}, {5, 5, 2.6});
+        builder.object("block").box({2.5, 2.5, 1.3}, {side, side, 2.6});
+        const Scene scene = builder.build();
+        const RayCaster rays(scene);
+        const LightRig rig = makeLightRig(scene, rays);
+        for (const double x : {0.45, 4.55}) {
+            for (const double y : {0.45, 4.55}) {
+                const Eigen::Vector3d place(x, y, 1.0);
+                EXPECT_TRUE(std::ranges::any_of(rig.lamps,
+                                                [&](const Lamp& lamp) {
+                                                    return (lamp.position - place).norm() < 4.5 &&
+                                                           rays.sees(place, lamp.position);
+                                                }))
+                    << side << ": " << place.transpose();
+            }
+        }
+    }
+}
+
+TEST(LightRig, ARoomThatIsLitGetsNoFurtherLamp) {
+    const Scene scene = furnishedRoom();
+    EXPECT_EQ(makeLightRig(scene, RayCaster(scene)).lamps.size(), 1U);
 }
 
 TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
