@@ -1,7 +1,7 @@
 #include "app/batch/batch_folder.h"
 
-#include "engine/io/bounded_json.h"
-#include "engine/io/text_file.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/text_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -2,7 +2,7 @@
 
 #include "app/batch/job.h"
 #include "engine/core/result.h"
-#include "engine/io/guarded_folder.h"
+#include "engine/io/files/guarded_folder.h"
 
 #include <filesystem>
 #include <string>

@@ -1,10 +1,10 @@
 #include "app/batch/job_result.h"
 
-#include "app/cli/export_metrics.h"
-#include "engine/io/bounded_json.h"
-#include "engine/io/project_file.h"
-#include "engine/io/sha256.h"
-#include "render/formats/dataset_card.h"
+#include "app/cli/export/export_metrics.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
+#include "engine/io/settings/project_file.h"
+#include "render/formats/tables/dataset_card.h"
 
 #include <fmt/format.h>
 

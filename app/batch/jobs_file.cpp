@@ -4,13 +4,13 @@
 #include "app/batch/toml_depth.h"
 #include "app/cli/requirement.h"
 #include "engine/core/field_list.h"
-#include "engine/io/text_file.h"
+#include "engine/io/files/text_file.h"
 #include "engine/math/up_axis.h"
+#include "planning/baselines/planner.h"
 #include "planning/plan_params.h"
-#include "planning/rivals/planner.h"
+#include "render/dataset/frame_range.h"
+#include "render/dataset/modalities.h"
 #include "render/formats/formats.h"
-#include "render/frame_range.h"
-#include "render/modalities.h"
 
 #include <fmt/format.h>
 

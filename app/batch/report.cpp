@@ -1,10 +1,10 @@
 #include "app/batch/report.h"
 
 #include "app/batch/markup.h"
-#include "app/cli/export_metrics.h"
+#include "app/cli/compare/rival_plan.h"
+#include "app/cli/export/export_metrics.h"
 #include "app/cli/requirement.h"
-#include "app/cli/rival_plan.h"
-#include "engine/io/guarded_folder.h"
+#include "engine/io/files/guarded_folder.h"
 
 #include <fmt/format.h>
 

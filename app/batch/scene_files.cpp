@@ -3,7 +3,7 @@
 #include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
-#include "engine/io/scene_format.h"
+#include "engine/io/import/scene_format.h"
 
 #include <fmt/ranges.h>
 

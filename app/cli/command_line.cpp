@@ -1,7 +1,7 @@
 #include "app/cli/command_line.h"
 
-#include "app/cli/progress_bar.h"
-#include "app/cli/progress_lines.h"
+#include "app/cli/terminal/progress_bar.h"
+#include "app/cli/terminal/progress_lines.h"
 
 namespace dollytrack::cli {
 

@@ -1,8 +1,8 @@
 #include "app/cli/command_line.h"
-#include "app/cli/help_formatter.h"
-#include "app/cli/progress_lines.h"
-#include "app/cli/standard_streams.h"
-#include "app/cli/suggestion.h"
+#include "app/cli/terminal/help_formatter.h"
+#include "app/cli/terminal/progress_lines.h"
+#include "app/cli/terminal/standard_streams.h"
+#include "app/cli/terminal/suggestion.h"
 #include "engine/core/log.h"
 #include "engine/jobs/parallel.h"
 

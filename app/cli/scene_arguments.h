@@ -2,8 +2,8 @@
 
 #include "app/cli/command_line.h"
 #include "engine/document/edits.h"
-#include "engine/io/project_file.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
+#include "engine/io/settings/project_file.h"
 #include "engine/scene/scene.h"
 #include "planning/plan_params.h"
 
@@ -50,7 +50,8 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments);
 /// --unit, --up, --labels, --models, --annotations, --keep-meshes, --cloud: part of the above, for
 /// commands that take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
-/// --set, --seed, --max-frames, --max-length, --fps, --duration; --ignore, --only, --start, --end, --loop
+/// --set, --seed, --max-frames, --max-length, --fps, --duration; --ignore, --only, --start, --end,
+/// --loop
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 
 /// A scene with the parameters to plan it with, from a scene file or a project.

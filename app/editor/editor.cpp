@@ -2,7 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
-#include "render/look_inside.h"
+#include "render/draw/look_inside.h"
 #include "ui/theme.h"
 #include "ui/viewport/clear_look.h"
 #include "ui/widgets/splitter.h"

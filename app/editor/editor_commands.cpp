@@ -2,8 +2,8 @@
 
 #include "engine/document/object_key.h"
 #include "planning/free_space/free_space.h"
-#include "ui/panels/edit_parts.h"
-#include "ui/panels/region_rows.h"
+#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/selection/region_rows.h"
 #include "ui/widgets/item_map.h"
 
 #include <GLFW/glfw3.h>

@@ -1,8 +1,8 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
-#include "engine/io/annotation_file.h"
-#include "engine/io/scene_format.h"
+#include "engine/io/import/scene_format.h"
+#include "engine/io/settings/annotation_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "engine/document/object_key.h"
 #include "engine/document/object_track.h"
-#include "ui/panels/edit_parts.h"
-#include "ui/panels/track_bar.h"
+#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/timeline/track_bar.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

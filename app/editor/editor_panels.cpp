@@ -4,13 +4,13 @@
 #include "planning/free_space/free_space.h"
 #include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
-#include "ui/panels/edit_parts.h"
-#include "ui/panels/edits_panel.h"
-#include "ui/panels/layers_panel.h"
-#include "ui/panels/metrics_panel.h"
-#include "ui/panels/parameters_panel.h"
+#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/plan/edits_panel.h"
+#include "ui/panels/plan/metrics_panel.h"
+#include "ui/panels/plan/parameters_panel.h"
+#include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"
-#include "ui/widgets/form.h"
+#include "ui/widgets/forms/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

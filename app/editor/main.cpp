@@ -1,5 +1,5 @@
 #include "app/editor/editor.h"
-#include "app/editor/inspector.h"
+#include "app/editor/shell/inspector.h"
 #include "engine/core/log.h"
 #include "ui/widgets/item_map.h"
 

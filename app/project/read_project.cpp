@@ -2,11 +2,11 @@
 
 #include "engine/document/edits_json.h"
 #include "engine/document/object_numbers.h"
-#include "engine/io/annotation_file.h"
-#include "engine/io/import_settings.h"
-#include "engine/io/input_check.h"
-#include "engine/io/project_file.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
+#include "engine/io/settings/annotation_file.h"
+#include "engine/io/settings/import_settings.h"
+#include "engine/io/settings/input_check.h"
+#include "engine/io/settings/project_file.h"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/document/edits.h"
-#include "engine/io/project_file.h"
+#include "engine/io/settings/project_file.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "planning/plan_params.h"
@@ -37,8 +37,8 @@ struct ProjectContent {
 [[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
 
 /// A scene file is not looked at, but for the edits in its annotations: `annotations`, or the file
-/// beside it (engine/io/annotation_file.h). Errors: as io::loadProject(); BadInput for parameters
-/// and edits that do not fit, with the file and the place in it.
+/// beside it (engine/io/settings/annotation_file.h). Errors: as io::loadProject(); BadInput for
+/// parameters and edits that do not fit, with the file and the place in it.
 Result<ProjectContent> readProject(const std::filesystem::path& path,
                                    const std::optional<std::filesystem::path>& annotations = {});
 

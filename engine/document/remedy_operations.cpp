@@ -1,7 +1,7 @@
 #include "engine/document/remedy_operations.h"
 
 #include "engine/document/object_key.h"
-#include "engine/io/bounded_json.h"
+#include "engine/io/files/bounded_json.h"
 
 #include <string>
 

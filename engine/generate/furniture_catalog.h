@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/generate/catalog_text.h"
-#include "engine/io/file_source.h"
+#include "engine/io/files/file_source.h"
 
 #include <filesystem>
 #include <memory>

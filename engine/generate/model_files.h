@@ -2,7 +2,7 @@
 
 #include "engine/generate/furniture_catalog.h"
 #include "engine/generate/room_layout.h"
-#include "engine/io/zip_writer.h"
+#include "engine/io/files/zip_writer.h"
 
 #include <cstddef>
 #include <string>

@@ -3,8 +3,8 @@
 #include "engine/core/random.h"
 #include "engine/generate/room_layout.h"
 #include "engine/generate/room_spec.h"
+#include "engine/io/files/zip_writer.h"
 #include "engine/io/homes/home.h"
-#include "engine/io/zip_writer.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "engine/generate/surface_pictures.h"
 
-#include "engine/io/png_writer.h"
+#include "engine/io/files/png_writer.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #include "planning/metrics/coverage_curve.h"
 
 #include "engine/plan/plan.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include <map>
 #include <memory>

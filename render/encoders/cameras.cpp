@@ -1,9 +1,9 @@
-#include "engine/io/png_writer.h"
+#include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
-#include "render/formats/rig_card.h"
-#include "render/rig_files.h"
-#include "render/rig_labels.h"
+#include "render/formats/tables/rig_card.h"
+#include "render/rig/rig_files.h"
+#include "render/rig/rig_labels.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

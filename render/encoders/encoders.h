@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/frame_context.h"
-#include "render/frame_file.h"
-#include "render/frame_record.h"
+#include "render/frames/frame_context.h"
+#include "render/frames/frame_file.h"
+#include "render/frames/frame_record.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/frame_file.h"
+#include "render/frames/frame_file.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 #include "engine/camera/intrinsics.h"
-#include "engine/io/png_writer.h"
+#include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
 #include "render/truth/motion_field.h"

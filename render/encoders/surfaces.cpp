@@ -1,4 +1,4 @@
-#include "engine/io/png_writer.h"
+#include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/dataset_contents.h"
+#include "render/dataset/dataset_contents.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 #include "render/overlays/overlay_renderer.h"
 
+#include "render/draw/view_uniforms.h"
 #include "render/gl/context.h"
 #include "render/gl/shader.h"
-#include "render/view_uniforms.h"
 
 #include <GL/glew.h>
 

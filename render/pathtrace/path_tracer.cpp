@@ -2,11 +2,11 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
+#include "render/draw/tone_curve.h"
 #include "render/pathtrace/sample_sequence.h"
 #include "render/pathtrace/scene_lights.h"
 #include "render/pathtrace/sun_rays.h"
 #include "render/pathtrace/surface_brdf.h"
-#include "render/tone_curve.h"
 
 #include <algorithm>
 #include <cmath>

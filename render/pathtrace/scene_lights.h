@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/scene.h"
-#include "render/light_rig.h"
+#include "render/light/light_rig.h"
 #include "render/pathtrace/traced_surface.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/light_rig.h"
+#include "render/light/light_rig.h"
 #include "render/pathtrace/traced_surface.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/surface_kind.h"
+#include "render/draw/surface_kind.h"
 
 #include <Eigen/Core>
 

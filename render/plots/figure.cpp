@@ -1,6 +1,6 @@
 #include "render/plots/figure.h"
 
-#include "engine/io/durable_file.h"
+#include "engine/io/files/durable_file.h"
 #include "render/plots/canvas.h"
 
 #include <fmt/format.h>

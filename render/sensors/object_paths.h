@@ -2,7 +2,7 @@
 
 #include "engine/camera/trajectory.h"
 #include "engine/scene/scene.h"
-#include "render/object_motion.h"
+#include "render/frames/object_motion.h"
 
 #include <vector>
 

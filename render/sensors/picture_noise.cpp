@@ -1,7 +1,7 @@
 #include "render/sensors/picture_noise.h"
 
+#include "render/draw/tone_curve.h"
 #include "render/sensors/pixel_random.h"
-#include "render/tone_curve.h"
 
 #include <algorithm>
 

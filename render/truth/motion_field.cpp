@@ -1,7 +1,7 @@
 #include "render/truth/motion_field.h"
 
 #include "engine/camera/intrinsics.h"
-#include "render/moving_objects.h"
+#include "render/frames/moving_objects.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/frame_context.h"
-#include "render/frame_record.h"
+#include "render/frames/frame_context.h"
+#include "render/frames/frame_record.h"
 #include "render/truth/sight_mask.h"
 
 #include <Eigen/Core>

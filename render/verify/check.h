@@ -3,8 +3,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
 #include "render/verify/finding.h"
-#include "render/verify/frame_images.h"
-#include "render/verify/stored_dataset.h"
+#include "render/verify/read/frame_images.h"
+#include "render/verify/read/stored_dataset.h"
 
 #include <functional>
 #include <span>

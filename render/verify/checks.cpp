@@ -1,5 +1,5 @@
-#include "render/verify/check_cameras.h"
-#include "render/verify/check_euroc.h"
+#include "render/verify/check/check_cameras.h"
+#include "render/verify/check/check_euroc.h"
 #include "render/verify/check_list.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/verify/image_files.h"
+#include "render/verify/read/image_files.h"
 
 #include <array>
 #include <map>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "render/verify/finding.h"
-#include "render/verify/object_colours.h"
 #include "render/verify/picture_edges.h"
+#include "render/verify/read/object_colours.h"
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "render/verify/seen_surface.h"
 
 #include "engine/jobs/parallel.h"
-#include "render/verify/frame_images.h"
+#include "render/verify/read/frame_images.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/verify/stored_dataset.h"
+#include "render/verify/read/stored_dataset.h"
 
 #include <vector>
 

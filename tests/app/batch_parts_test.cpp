@@ -5,7 +5,7 @@
 #include "app/batch/name_pattern.h"
 #include "app/batch/scene_files.h"
 #include "app/batch/toml_depth.h"
-#include "engine/io/text_file.h"
+#include "engine/io/files/text_file.h"
 #include "tests/support/temp_folder.h"
 
 #include <fnmatch.h>

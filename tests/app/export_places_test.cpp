@@ -1,5 +1,5 @@
-#include "app/editor/export_places.h"
-#include "app/editor/export_program.h"
+#include "app/editor/export/export_places.h"
+#include "app/editor/export/export_program.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/editor/export_progress.h"
+#include "app/editor/export/export_progress.h"
 
 #include <gtest/gtest.h>
 

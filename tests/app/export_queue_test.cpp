@@ -1,9 +1,9 @@
-#include "app/editor/export_queue.h"
+#include "app/editor/export/export_queue.h"
 
-#include "app/editor/export_note.h"
-#include "app/editor/export_places.h"
-#include "app/editor/owner_mark.h"
-#include "engine/io/project_file.h"
+#include "app/editor/export/export_note.h"
+#include "app/editor/export/export_places.h"
+#include "app/editor/export/owner_mark.h"
+#include "engine/io/settings/project_file.h"
 #include "tests/app/fake_program.h"
 #include "tests/support/obj_writer.h"
 

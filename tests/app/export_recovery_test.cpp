@@ -1,6 +1,6 @@
-#include "app/editor/export_note.h"
-#include "app/editor/owner_mark.h"
-#include "engine/io/project_file.h"
+#include "app/editor/export/export_note.h"
+#include "app/editor/export/owner_mark.h"
+#include "engine/io/settings/project_file.h"
 #include "tests/app/fake_program.h"
 
 #include <gtest/gtest.h>

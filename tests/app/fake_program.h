@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/export_queue.h"
+#include "app/editor/export/export_queue.h"
 #include "tests/support/temp_folder.h"
 
 #include <chrono>

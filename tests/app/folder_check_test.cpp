@@ -1,4 +1,4 @@
-#include "app/editor/folder_check.h"
+#include "app/editor/export/folder_check.h"
 
 #include "tests/support/temp_folder.h"
 

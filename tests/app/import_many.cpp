@@ -2,8 +2,8 @@
 // JSON about each. Usage: import_many [--here] [--cache] [--models DIR] < list of files, one a line
 
 #include "engine/core/log.h"
-#include "engine/io/scene_import.h"
-#include "engine/io/sha256.h"
+#include "engine/io/files/sha256.h"
+#include "engine/io/import/scene_import.h"
 
 #include <nlohmann/json.hpp>
 

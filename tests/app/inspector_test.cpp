@@ -1,4 +1,4 @@
-#include "app/editor/inspector.h"
+#include "app/editor/shell/inspector.h"
 
 #include "tests/support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "app/editor/piece_count.h"
+#include "app/editor/objects/piece_count.h"
 
 #include "tests/support/scene_builder.h"
 

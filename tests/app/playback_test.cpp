@@ -1,6 +1,6 @@
-#include "app/editor/playback.h"
+#include "app/editor/timeline/playback.h"
 
-#include "app/editor/step_playback.h"
+#include "app/editor/timeline/step_playback.h"
 
 #include <gtest/gtest.h>
 

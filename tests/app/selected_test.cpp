@@ -1,4 +1,4 @@
-#include "app/editor/selected.h"
+#include "app/editor/objects/selected.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/track_time.h"
+#include "app/editor/timeline/track_time.h"
 
 #include "engine/document/object_track.h"
 

@@ -1,7 +1,7 @@
 // How planning grows with the number of objects: buildings of rooms with 25 objects each. The last
 // line gives the growth of real time (BigO), and the counters the stages that take most of it.
 #include "engine/core/log.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/furnished_building.h"
 
 #include <benchmark/benchmark.h>

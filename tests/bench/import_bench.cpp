@@ -1,6 +1,6 @@
-#include "engine/io/input_check.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/scene_reading.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/settings/input_check.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 

@@ -3,7 +3,7 @@
 
 #include "engine/core/log.h"
 #include "engine/core/random.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "planning/collision/shortcut.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"

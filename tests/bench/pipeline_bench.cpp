@@ -1,8 +1,8 @@
 // Planning as a user waits for it. DOLLYTRACK_BENCH_SCENE names a scene; else the apartment.
 #include "engine/core/log.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/scene/move_object.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,10 +3,10 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/core/random.h"
-#include "engine/io/scene_import.h"
-#include "render/dataset_job.h"
+#include "engine/io/import/scene_import.h"
+#include "render/dataset/dataset_job.h"
 #include "render/gl/osmesa_context.h"
-#include "render/light_volume.h"
+#include "render/light/light_volume.h"
 #include "render/overlays/overlay_renderer.h"
 #include "tests/support/scene_builder.h"
 

@@ -45,10 +45,10 @@ endforeach()
 # Files of any origin are opened by engine/io/sandbox/input_file.h, which waits for no pipe, and JSON
 # is measured before it is parsed: "call|the only files that may contain it". What is below /proc is
 # the system's own.
-foreach(rule "[jJ]son::parse\\(|engine/io/bounded_json.cpp"
+foreach(rule "[jJ]son::parse\\(|engine/io/files/bounded_json.cpp"
              "json::accept\\(|"
              "toml::parse\\(|app/batch/jobs_file.cpp"
-             "ifstream|app/editor/owner_mark.cpp,engine/io/sandbox/processor_wait.cpp"
+             "ifstream|app/editor/export/owner_mark.cpp,engine/io/sandbox/processor_wait.cpp"
              "fopen\\(|"
              "cv::imread\\(|")
     string(REPLACE "|" ";" parts "${rule}")
@@ -62,7 +62,7 @@ foreach(rule "[jJ]son::parse\\(|engine/io/bounded_json.cpp"
             file(STRINGS ${ROOT}/${file} lines REGEX "^[^/]*${call}")
             foreach(line ${lines})
                 message("${file}: ${line}: files are opened by engine/io/sandbox/input_file.h, and "
-                        "JSON is parsed by engine/io/bounded_json.h")
+                        "JSON is parsed by engine/io/files/bounded_json.h")
                 math(EXPR wrong "${wrong} + 1")
             endforeach()
         endforeach()

@@ -5,7 +5,7 @@ check=$1
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 mkdir -p "$root/engine"
-printf '#include "planning/pipeline.h"\n' > "$root/engine/leak.h"
+printf '#include "planning/pipeline/pipeline.h"\n' > "$root/engine/leak.h"
 cmake -DROOT="$root" -P "$check" 2>&1 | grep -q "engine may not know"
 rm "$root/engine/leak.h"
 printf 'const auto card = nlohmann::json::parse(text);\n' > "$root/engine/card.cpp"

@@ -1,6 +1,6 @@
 #include "engine/document/apply_scene_edits.h"
-#include "engine/io/oddity_notes.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/oddity_notes.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"

@@ -1,4 +1,4 @@
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "engine/scene/class_table.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/target_filter.h"
-#include "engine/io/class_table_file.h"
+#include "engine/io/settings/class_table_file.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/scene.h"
 

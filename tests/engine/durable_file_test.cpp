@@ -1,6 +1,6 @@
-#include "engine/io/durable_file.h"
+#include "engine/io/files/durable_file.h"
 
-#include "engine/io/sha256.h"
+#include "engine/io/files/sha256.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-#include "engine/io/guarded_folder.h"
+#include "engine/io/files/guarded_folder.h"
 
 #include "tests/support/temp_folder.h"
 

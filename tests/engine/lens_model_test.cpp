@@ -1,6 +1,6 @@
 #include "engine/camera/lens_model.h"
 
-#include "engine/io/rig_file.h"
+#include "engine/io/settings/rig_file.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Which of a material's pictures arrive, and as what.
 
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"

@@ -1,4 +1,4 @@
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"

@@ -1,4 +1,4 @@
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/scene_report.h"

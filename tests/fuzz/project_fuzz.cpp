@@ -1,6 +1,6 @@
 #include "engine/document/edits_json.h"
-#include "engine/io/import_settings.h"
-#include "engine/io/project_file.h"
+#include "engine/io/settings/import_settings.h"
+#include "engine/io/settings/project_file.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 #include "engine/jobs/parallel.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

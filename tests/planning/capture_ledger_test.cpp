@@ -3,7 +3,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

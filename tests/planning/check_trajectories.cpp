@@ -2,8 +2,8 @@
 // slow checker. Exit code 1 when one touches anything.
 
 #include "engine/core/log.h"
-#include "engine/io/scene_import.h"
-#include "planning/pipeline.h"
+#include "engine/io/import/scene_import.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/planning/slow_checker.h"
 
 #include <cstdio>

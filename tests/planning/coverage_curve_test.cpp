@@ -1,6 +1,6 @@
 #include "planning/metrics/coverage_curve.h"
 
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "planning/timing/drop_repeats.h"
 
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include "engine/core/random.h"
 #include "engine/document/apply_scene_edits.h"

@@ -3,7 +3,7 @@
 #include "engine/core/random.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"

@@ -1,10 +1,10 @@
-#include "planning/rivals/judge.h"
+#include "planning/baselines/judge.h"
 
 #include "engine/geometry/ray_caster.h"
+#include "planning/baselines/ours.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
-#include "planning/rivals/ours.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/smoothing/smooth_path.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/viewpoints/viewpoint_search.h"

@@ -1,7 +1,7 @@
 #include "planning/path/length_budget.h"
 
 #include "engine/core/random.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

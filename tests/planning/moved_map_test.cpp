@@ -1,7 +1,7 @@
 // The map that is made anew only where things have moved, against the one from scratch.
 
 #include "engine/document/apply_scene_edits.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/move_object.h"
 #include "planning/free_space/distance_field.h"

@@ -6,7 +6,7 @@
 #include "engine/scene/move_object.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/targets/observation_points.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"

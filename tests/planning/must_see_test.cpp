@@ -4,7 +4,7 @@
 #include "planning/coverage/region_weights.h"
 #include "planning/coverage/surface_patches.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/viewpoints/key_frames.h"
 #include "tests/support/scene_builder.h"
 

@@ -1,7 +1,7 @@
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
-#include "engine/io/stored_plan.h"
+#include "engine/io/settings/stored_plan.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
 #include "tests/support/scene_builder.h"

@@ -1,5 +1,5 @@
 #include "engine/core/random.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/timing/turn.h"
 #include "tests/support/scene_builder.h"
 

@@ -3,7 +3,7 @@
 #include "engine/document/operation.h"
 #include "engine/document/remedy_operations.h"
 
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "planning/linking/rrt_star.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/planning/slow_checker.h"
 #include "tests/support/scene_builder.h"
 

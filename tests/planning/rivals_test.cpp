@@ -1,8 +1,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
+#include "planning/baselines/delaunay.h"
+#include "planning/baselines/planner.h"
 #include "planning/free_space/free_space.h"
-#include "planning/rivals/delaunay.h"
-#include "planning/rivals/planner.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

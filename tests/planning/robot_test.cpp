@@ -1,4 +1,4 @@
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 
 #include "engine/geometry/ray_caster.h"
 #include "planning/plan_params.h"

@@ -1,7 +1,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/rooms/room_plan.h"
 #include "tests/support/scene_builder.h"
 

@@ -1,6 +1,6 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/swept_sphere.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/viewpoints/gap_test.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/map_support.h"

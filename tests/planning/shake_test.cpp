@@ -3,7 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/slow_checker.h"
 #include "tests/support/scene_builder.h"

@@ -1,6 +1,6 @@
 #include "engine/core/random.h"
 #include "planning/path/tour.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

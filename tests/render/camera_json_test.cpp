@@ -1,4 +1,4 @@
-#include "render/formats/camera_json.h"
+#include "render/formats/poses/camera_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

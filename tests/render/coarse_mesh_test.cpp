@@ -1,7 +1,7 @@
-#include "render/coarse_mesh.h"
+#include "render/draw/coarse_mesh.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/crack_filling.h"
+#include "render/draw/crack_filling.h"
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset_job.h"
+#include "render/dataset/dataset_job.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 

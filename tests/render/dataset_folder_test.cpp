@@ -1,6 +1,6 @@
-#include "render/dataset_folder.h"
+#include "render/dataset/dataset_folder.h"
 
-#include "render/dataset_journal.h"
+#include "render/dataset/dataset_journal.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>

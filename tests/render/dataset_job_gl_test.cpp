@@ -1,9 +1,9 @@
-#include "render/dataset_job.h"
+#include "render/dataset/dataset_job.h"
 
 #include "engine/camera/intrinsics.h"
-#include "engine/io/sha256.h"
+#include "engine/io/files/sha256.h"
 #include "engine/jobs/parallel.h"
-#include "render/formats/mask_rle.h"
+#include "render/formats/labels/mask_rle.h"
 #include "tests/render/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>

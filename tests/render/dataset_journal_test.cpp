@@ -1,4 +1,4 @@
-#include "render/dataset_journal.h"
+#include "render/dataset/dataset_journal.h"
 
 #include "tests/support/temp_folder.h"
 

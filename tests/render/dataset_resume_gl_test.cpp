@@ -1,6 +1,6 @@
-#include "render/frame_context.h"
-#include "render/frame_file.h"
-#include "render/modalities.h"
+#include "render/dataset/modalities.h"
+#include "render/frames/frame_context.h"
+#include "render/frames/frame_file.h"
 #include "tests/render/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
-#include "render/frame_folds.h"
+#include "render/dataset/frame_folds.h"
 
-#include "render/dataset_contents.h"
-#include "render/formats/fold_files.h"
+#include "render/dataset/dataset_contents.h"
+#include "render/formats/tables/fold_files.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "render/frame_range.h"
+#include "render/dataset/frame_range.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "render/frame_writer.h"
+#include "render/frames/frame_writer.h"
 
-#include "render/moving_objects.h"
+#include "render/frames/moving_objects.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "render/formats/frames_csv.h"
+#include "render/formats/tables/frames_csv.h"
 
 #include "tests/support/scene_builder.h"
 

@@ -2,8 +2,8 @@
 
 #include "engine/camera/camera_params.h"
 #include "engine/geometry/ray_caster.h"
+#include "render/draw/offscreen_renderer.h"
 #include "render/gl/osmesa_context.h"
-#include "render/offscreen_renderer.h"
 
 #include <gtest/gtest.h>
 

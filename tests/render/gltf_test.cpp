@@ -1,6 +1,6 @@
-#include "render/formats/gltf.h"
+#include "render/formats/scenes/gltf.h"
 
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "render/light_cache.h"
+#include "render/light/light_cache.h"
 
 #include "tests/render/sunny_room.h"
 #include "tests/support/temp_folder.h"

@@ -1,4 +1,4 @@
-#include "render/light_cells.h"
+#include "render/light/light_cells.h"
 
 #include "tests/support/scene_builder.h"
 

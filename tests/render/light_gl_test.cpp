@@ -1,9 +1,9 @@
 // The sun and the light's settings, in drawn pictures.
 
 #include "engine/scene/varied_materials.h"
+#include "render/draw/tone_curve.h"
 #include "render/pathtrace/path_tracer.h"
 #include "render/pathtrace/surface_brdf.h"
-#include "render/tone_curve.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
 #include "tests/render/sunny_room.h"

@@ -1,4 +1,4 @@
-#include "render/formats/mask_rle.h"
+#include "render/formats/labels/mask_rle.h"
 
 #include "engine/core/random.h"
 

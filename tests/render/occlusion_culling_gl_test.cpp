@@ -1,4 +1,4 @@
-#include "render/scene_renderer.h"
+#include "render/draw/scene_renderer.h"
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"

@@ -1,5 +1,5 @@
+#include "render/draw/overview.h"
 #include "render/overlays/overlay_painter.h"
-#include "render/overview.h"
 #include "render/pathtrace/path_tracer.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"

@@ -1,4 +1,4 @@
-#include "render/picture_quality.h"
+#include "render/dataset/picture_quality.h"
 
 #include <gtest/gtest.h>
 

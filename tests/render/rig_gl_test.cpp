@@ -1,9 +1,9 @@
-#include "render/frame_file.h"
-#include "render/light_rig.h"
-#include "render/light_volume.h"
-#include "render/rig_clearance.h"
-#include "render/rig_files.h"
-#include "render/rig_pictures.h"
+#include "render/frames/frame_file.h"
+#include "render/light/light_rig.h"
+#include "render/light/light_volume.h"
+#include "render/rig/rig_clearance.h"
+#include "render/rig/rig_files.h"
+#include "render/rig/rig_pictures.h"
 #include "tests/render/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "render/size_estimate.h"
+#include "render/dataset/size_estimate.h"
 
 #include <gtest/gtest.h>
 

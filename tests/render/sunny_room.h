@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/light_rig.h"
+#include "render/light/light_rig.h"
 #include "tests/support/scene_builder.h"
 
 #include <cmath>

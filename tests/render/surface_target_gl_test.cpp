@@ -1,6 +1,6 @@
 // Normals and base colours of what is labelled, drawn along with the labels.
 
-#include "render/surface_target.h"
+#include "render/draw/surface_target.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 

@@ -1,4 +1,4 @@
-#include "render/traced_reflections.h"
+#include "render/light/traced_reflections.h"
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"

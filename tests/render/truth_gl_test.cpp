@@ -1,6 +1,6 @@
-#include "render/formats/mask_rle.h"
-#include "render/frame_file.h"
-#include "render/modalities.h"
+#include "render/dataset/modalities.h"
+#include "render/formats/labels/mask_rle.h"
+#include "render/frames/frame_file.h"
 #include "render/truth/sight_mask.h"
 #include "tests/render/dataset_fixture.h"
 

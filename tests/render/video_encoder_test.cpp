@@ -1,4 +1,4 @@
-#include "render/formats/video_encoder.h"
+#include "render/formats/media/video_encoder.h"
 
 #include <gtest/gtest.h>
 

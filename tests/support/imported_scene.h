@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "engine/scene/room_bounds.h"
 #include "engine/scene/storeys.h"
-#include "render/look_inside.h"
+#include "render/draw/look_inside.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/widgets/command_palette.h"
+#include "ui/widgets/commands/command_palette.h"
 
 #include "tests/support/scene_builder.h"
 #include "tests/ui/screen.h"

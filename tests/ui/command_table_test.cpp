@@ -1,4 +1,4 @@
-#include "ui/widgets/command_table.h"
+#include "ui/widgets/commands/command_table.h"
 
 #include "tests/ui/screen.h"
 

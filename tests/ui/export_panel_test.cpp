@@ -1,4 +1,4 @@
-#include "ui/panels/export_panel.h"
+#include "ui/panels/export/export_panel.h"
 
 #include "engine/camera/picture_params.h"
 #include "engine/camera/sensor_params.h"

@@ -1,9 +1,9 @@
-#include "ui/widgets/file_browser.h"
+#include "ui/widgets/files/file_browser.h"
 
 #include "tests/support/temp_folder.h"
 #include "tests/ui/screen.h"
-#include "ui/widgets/file_list.h"
-#include "ui/widgets/folder_reader.h"
+#include "ui/widgets/files/file_list.h"
+#include "ui/widgets/files/folder_reader.h"
 #include "ui/widgets/keyboard_wait.h"
 
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "ui/widgets/help_overlay.h"
+#include "ui/widgets/commands/help_overlay.h"
 
 #include "tests/ui/screen.h"
 

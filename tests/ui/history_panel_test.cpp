@@ -1,4 +1,4 @@
-#include "ui/panels/history_panel.h"
+#include "ui/panels/plan/history_panel.h"
 
 #include "tests/ui/screen.h"
 

@@ -1,4 +1,4 @@
-#include "ui/panels/layers_panel.h"
+#include "ui/panels/scene/layers_panel.h"
 
 #include "tests/ui/screen.h"
 

@@ -1,7 +1,7 @@
-#include "ui/panels/preview_panel.h"
+#include "ui/panels/scene/preview_panel.h"
 
 #include "tests/ui/screen.h"
-#include "ui/panels/image_viewer.h"
+#include "ui/panels/scene/image_viewer.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

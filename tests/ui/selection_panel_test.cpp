@@ -1,4 +1,4 @@
-#include "ui/panels/selection_panel.h"
+#include "ui/panels/selection/selection_panel.h"
 
 #include "engine/document/operation.h"
 #include "tests/support/scene_builder.h"

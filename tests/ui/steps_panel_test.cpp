@@ -1,4 +1,4 @@
-#include "ui/panels/steps_panel.h"
+#include "ui/panels/timeline/steps_panel.h"
 
 #include "tests/ui/screen.h"
 

@@ -1,4 +1,4 @@
-#include "ui/panels/timeline_data.h"
+#include "ui/panels/timeline/timeline_data.h"
 
 #include "tests/support/scene_builder.h"
 

@@ -1,6 +1,6 @@
-#include "ui/panels/timeline_panel.h"
+#include "ui/panels/timeline/timeline_panel.h"
 
-#include "ui/panels/timeline_time.h"
+#include "ui/panels/timeline/timeline_time.h"
 
 #include "tests/ui/screen.h"
 

@@ -1,4 +1,4 @@
-#include "ui/panels/track_bar.h"
+#include "ui/panels/timeline/track_bar.h"
 
 #include "tests/ui/screen.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/frame_record.h"
+#include "render/frames/frame_record.h"
 #include "ui/viewport/render_thread.h"
 
 #include <cstdint>

@@ -1,11 +1,11 @@
 #include "ui/viewport/render_thread.h"
 
 #include "engine/scene/scene.h"
+#include "render/draw/render_target.h"
+#include "render/draw/scene_renderer.h"
 #include "render/gl/picture_texture.h"
+#include "render/light/traced_reflections.h"
 #include "render/overlays/overlay_renderer.h"
-#include "render/render_target.h"
-#include "render/scene_renderer.h"
-#include "render/traced_reflections.h"
 #include "ui/viewport/false_color.h"
 #include "ui/viewport/view_pace.h"
 

@@ -1,9 +1,9 @@
 #include "engine/io/datasets/front3d_architecture.h"
 
-#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/front3d_materials.h"
 #include "engine/io/datasets/object_names.h"
-#include "engine/io/mesh_part_builder.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/import/mesh_part_builder.h"
 #include "engine/scene/labels.h"
 
 #include <limits>

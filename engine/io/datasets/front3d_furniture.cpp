@@ -3,7 +3,7 @@
 #include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
-#include "engine/io/model_placement.h"
+#include "engine/io/import/model_placement.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "engine/io/datasets/front3d_materials.h"
 
-#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/model_library.h"
+#include "engine/io/files/bounded_json.h"
 #include "engine/scene/srgb.h"
 
 #include <algorithm>

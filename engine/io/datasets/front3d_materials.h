@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/raw_scene.h"
+#include "engine/io/import/raw_scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 

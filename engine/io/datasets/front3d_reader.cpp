@@ -1,13 +1,13 @@
 #include "engine/io/datasets/front3d_reader.h"
 
-#include "engine/io/bounded_json.h"
 #include "engine/io/datasets/front3d_architecture.h"
 #include "engine/io/datasets/front3d_furniture.h"
 #include "engine/io/datasets/front3d_scene.h"
 #include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
-#include "engine/io/import_labels.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/import/import_labels.h"
 
 #include <algorithm>
 #include <array>

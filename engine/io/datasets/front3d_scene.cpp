@@ -1,6 +1,6 @@
 #include "engine/io/datasets/front3d_scene.h"
 
-#include "engine/io/bounded_json.h"
+#include "engine/io/files/bounded_json.h"
 
 namespace dollytrack::io {
 namespace {

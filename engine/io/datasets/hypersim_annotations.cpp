@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/datasets/object_names.h"
-#include "engine/io/hdf5_reader.h"
+#include "engine/io/files/hdf5_reader.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"

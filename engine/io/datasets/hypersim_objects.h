@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/datasets/hypersim_annotations.h"
-#include "engine/io/raw_scene.h"
+#include "engine/io/import/raw_scene.h"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/model_info.h"
 
-#include "engine/io/bounded_json.h"
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 namespace dollytrack::io {

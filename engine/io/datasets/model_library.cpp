@@ -1,6 +1,6 @@
 #include "engine/io/datasets/model_library.h"
 
-#include "engine/io/assimp_reader.h"
+#include "engine/io/import/assimp_reader.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
 

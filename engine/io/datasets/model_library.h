@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/raw_scene.h"
+#include "engine/io/import/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <cstddef>

@@ -1,13 +1,13 @@
 #include "engine/io/datasets/scenenet_reader.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/assimp_reader.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/datasets/scenenet_description.h"
-#include "engine/io/import_labels.h"
-#include "engine/io/model_placement.h"
-#include "engine/io/object_grouping.h"
+#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/import_labels.h"
+#include "engine/io/import/model_placement.h"
+#include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/io/file_source.h"
+#include "engine/io/files/file_source.h"
 #include "engine/io/homes/home.h"
-#include "engine/io/raw_scene.h"
+#include "engine/io/import/raw_scene.h"
 
 #include <map>
 #include <string>

@@ -1,11 +1,11 @@
 #include "engine/io/homes/home_reader.h"
 
-#include "engine/io/file_source.h"
+#include "engine/io/files/file_source.h"
 #include "engine/io/homes/furniture_builder.h"
 #include "engine/io/homes/home_xml.h"
 #include "engine/io/homes/room_builder.h"
 #include "engine/io/homes/wall_builder.h"
-#include "engine/io/import_labels.h"
+#include "engine/io/import/import_labels.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
 

@@ -1,8 +1,8 @@
 #include "engine/io/homes/model_library.h"
 
-#include "engine/io/assimp_reader.h"
 #include "engine/io/homes/standard_colors.h"
-#include "engine/io/scene_format.h"
+#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/scene_format.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "engine/io/pointcloud/cloud_file.h"
 
+#include "engine/io/import/scene_format.h"
 #include "engine/io/pointcloud/pcd_points.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
 #include "engine/io/sandbox/input_file.h"
-#include "engine/io/scene_format.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "engine/io/pointcloud/cloud_floor.h"
 
-#include "engine/io/mesh_part_builder.h"
+#include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/pointcloud/unseen_floor.h"
 #include "engine/scene/labels.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/io/import/raw_scene.h"
 #include "engine/io/pointcloud/cloud_objects.h"
 #include "engine/io/pointcloud/cloud_samples.h"
-#include "engine/io/raw_scene.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #include "engine/io/pointcloud/cloud_scene.h"
 
 #include "engine/geometry/cloud_error.h"
-#include "engine/io/mesh_part_builder.h"
+#include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/pointcloud/cloud_depths.h"
 #include "engine/io/pointcloud/cloud_file.h"
 #include "engine/io/pointcloud/cloud_floor.h"

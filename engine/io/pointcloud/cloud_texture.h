@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/io/import/raw_scene.h"
 #include "engine/io/pointcloud/point_cloud.h"
-#include "engine/io/raw_scene.h"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/folder_rules.h"
 
-#include "engine/io/file_descriptor.h"
+#include "engine/io/files/file_descriptor.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>

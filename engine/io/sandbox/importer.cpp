@@ -1,16 +1,16 @@
 #include "engine/io/sandbox/importer.h"
 
 #include "engine/core/result.h"
-#include "engine/io/bounded_json.h"
-#include "engine/io/import_settings.h"
-#include "engine/io/input_check.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/importer_protocol.h"
 #include "engine/io/sandbox/input_list.h"
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/read_scene.h"
 #include "engine/io/sandbox/scene_frame.h"
-#include "engine/io/scene_format.h"
+#include "engine/io/settings/import_settings.h"
+#include "engine/io/settings/input_check.h"
 #include "engine/jobs/parallel.h"
 
 #include <nlohmann/json.hpp>

@@ -1,13 +1,13 @@
 #include "engine/io/sandbox/importer_process.h"
 
 #include "engine/core/log.h"
-#include "engine/io/import_settings.h"
 #include "engine/io/sandbox/input_list.h"
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/processor_wait.h"
 #include "engine/io/sandbox/reading_clock.h"
 #include "engine/io/sandbox/scene_frame.h"
 #include "engine/io/sandbox/spawned_importer.h"
+#include "engine/io/settings/import_settings.h"
 
 #include <nlohmann/json.hpp>
 

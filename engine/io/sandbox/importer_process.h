@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/frame_memory.h"
 #include "engine/io/sandbox/input_record.h"
-#include "engine/io/scene_import.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/file_descriptor.h"
+#include "engine/io/files/file_descriptor.h"
 
 #include <compare>
 #include <cstddef>

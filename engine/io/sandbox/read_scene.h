@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/scene_frame.h"
-#include "engine/io/scene_format.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>

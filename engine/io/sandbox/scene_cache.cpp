@@ -1,15 +1,15 @@
 #include "engine/io/sandbox/scene_cache.h"
 
-#include "engine/io/cache_room.h"
-#include "engine/io/file_descriptor.h"
-#include "engine/io/guarded_folder.h"
-#include "engine/io/import_settings.h"
+#include "engine/io/files/cache_room.h"
+#include "engine/io/files/file_descriptor.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/sha256.h"
+#include "engine/io/files/user_cache.h"
+#include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/frame_archive.h"
 #include "engine/io/sandbox/importer_process.h"
 #include "engine/io/sandbox/input_file.h"
-#include "engine/io/scene_format.h"
-#include "engine/io/sha256.h"
-#include "engine/io/user_cache.h"
+#include "engine/io/settings/import_settings.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/kept_inputs.h"
 #include "engine/io/sandbox/scene_frame.h"
-#include "engine/io/scene_import.h"
 
 #include <chrono>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "engine/io/sandbox/scene_check.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/mesh_part_builder.h"
+#include "engine/io/import/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>

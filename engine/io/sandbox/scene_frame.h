@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/raw_scene.h"
-#include "engine/io/texture_loader.h"
+#include "engine/io/import/raw_scene.h"
+#include "engine/io/import/texture_loader.h"
 
 #include <cstddef>
 #include <cstdint>

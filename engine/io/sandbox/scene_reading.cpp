@@ -1,10 +1,10 @@
 #include "engine/io/sandbox/scene_reading.h"
 
+#include "engine/io/files/sha256.h"
 #include "engine/io/sandbox/importer_process.h"
 #include "engine/io/sandbox/read_scene.h"
 #include "engine/io/sandbox/scene_cache.h"
 #include "engine/io/sandbox/scene_check.h"
-#include "engine/io/sha256.h"
 
 #include <exception>
 #include <future>

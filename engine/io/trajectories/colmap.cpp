@@ -1,5 +1,5 @@
 #include "engine/core/natural_order.h"
-#include "engine/io/text_file.h"
+#include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 

@@ -1,4 +1,4 @@
-#include "engine/io/hdf5_reader.h"
+#include "engine/io/files/hdf5_reader.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 

@@ -1,4 +1,4 @@
-#include "engine/io/text_file.h"
+#include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 

@@ -1,6 +1,6 @@
 #include "engine/io/trajectories/trajectory_file.h"
 
-#include "engine/io/text_file.h"
+#include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>

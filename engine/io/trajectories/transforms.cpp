@@ -1,4 +1,4 @@
-#include "engine/io/bounded_json.h"
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 

@@ -1,5 +1,5 @@
-#include "engine/io/bounded_json.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"

@@ -1,4 +1,4 @@
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/obj_writer.h"
 

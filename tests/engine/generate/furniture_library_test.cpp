@@ -1,8 +1,8 @@
 #include "engine/generate/furniture_role.h"
 #include "engine/generate/room_spec.h"
+#include "engine/io/files/zip_writer.h"
 #include "engine/io/homes/home_writer.h"
 #include "engine/io/homes/home_xml.h"
-#include "engine/io/zip_writer.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>

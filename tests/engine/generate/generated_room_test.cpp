@@ -1,6 +1,6 @@
 #include "engine/generate/room_generator.h"
 #include "engine/geometry/ray_caster.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/generate/mesh_collision.h"
 #include "tests/support/temp_folder.h"

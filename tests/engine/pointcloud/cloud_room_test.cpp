@@ -1,7 +1,7 @@
 #include "engine/core/random.h"
+#include "engine/io/import/scene_import.h"
 #include "engine/io/pointcloud/cloud_depths.h"
 #include "engine/io/pointcloud/hole_filler.h"
-#include "engine/io/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,6 +1,6 @@
 #include "tests/engine/sandbox/frames.h"
 
-#include "engine/io/mesh_part_builder.h"
+#include "engine/io/import/mesh_part_builder.h"
 
 namespace dollytrack::test {
 

@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/scene_cache.h"
+#include "engine/io/files/sha256.h"
 #include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sha256.h"
 #include "tests/engine/sandbox/frames.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "render/light_volume.h"
+#include "render/light/light_volume.h"
 
 #include "engine/core/random.h"
 #include "render/pathtrace/path_tracer.h"

@@ -1,6 +1,6 @@
-#include "render/own_lamps.h"
+#include "render/light/own_lamps.h"
 
-#include "render/light_volume.h"
+#include "render/light/light_volume.h"
 #include "render/pathtrace/path_tracer.h"
 #include "tests/render/lamp_room.h"
 

@@ -1,7 +1,7 @@
 #include "render/pathtrace/sun_rays.h"
 
 #include "engine/core/random.h"
-#include "render/light_volume.h"
+#include "render/light/light_volume.h"
 #include "render/pathtrace/path_tracer.h"
 #include "tests/render/sunny_room.h"
 

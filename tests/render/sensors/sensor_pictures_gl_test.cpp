@@ -1,7 +1,7 @@
 // Whole exports of a board in front of a wall, whose edge tells what happened to it.
-#include "render/frame_file.h"
+#include "render/draw/tone_curve.h"
+#include "render/frames/frame_file.h"
 #include "render/sensors/sensor_lens.h"
-#include "render/tone_curve.h"
 #include "tests/render/dataset_fixture.h"
 
 #include "engine/scene/srgb.h"

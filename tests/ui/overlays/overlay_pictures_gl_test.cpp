@@ -2,11 +2,11 @@
 // DOLLYTRACK_PICTURES=folder the pictures are kept for people to judge, and
 // DOLLYTRACK_PICTURE_SCENE names another scene than the apartment.
 
-#include "engine/io/durable_file.h"
-#include "engine/io/png_writer.h"
-#include "engine/io/scene_import.h"
+#include "engine/io/files/durable_file.h"
+#include "engine/io/files/png_writer.h"
+#include "engine/io/import/scene_import.h"
+#include "render/draw/overview.h"
 #include "render/overlays/overlay_renderer.h"
-#include "render/overview.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/ui/overlays/planned_room.h"
 #include "ui/overlays/candidates_overlay.h"

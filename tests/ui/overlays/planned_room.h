@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline.h"
+#include "planning/pipeline/pipeline.h"
 #include "tests/support/scene_builder.h"
 
 #include <memory>

@@ -1,0 +1,313 @@
+#include "app/cli/command_line.h"
+#include "app/cli/compare/comparison.h"
+#include "app/cli/plan/metrics_table.h"
+#include "app/cli/scene_arguments.h"
+#include "app/cli/terminal/output_file.h"
+#include "engine/core/log.h"
+#include "engine/io/files/durable_file.h"
+#include "engine/io/trajectories/trajectory_file.h"
+#include "render/formats/poses/camera_json.h"
+#include "render/plots/figure.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace dollytrack::cli {
+namespace {
+
+struct CompareArguments {
+    SceneArguments each;  // how to read and plan every scene; its path is set in turn
+    std::vector<std::string> scenes;
+    std::vector<std::string> planners = {"all"};
+    std::vector<std::string> trajectories;
+    std::string trajectory_format;
+    std::string trajectory_world;
+    std::string csv;
+    std::string picture;
+    int seeds = 1;
+    bool as_json = false;
+    bool bound = false;
+    bool list = false;
+};
+
+nlohmann::ordered_json rowsJson(const ComparedScene& scene) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    const auto& metrics = planning::judgedMetrics();
+    for (const ComparedRow& row : scene.rows) {
+        nlohmann::ordered_json one = {{"planner", row.planner}};
+        for (std::size_t i = 0; i < metrics.size(); ++i) {
+            nlohmann::ordered_json value;  // null where the metric does not apply
+            if (row.values[i]) value = *row.values[i];
+            one[std::string(metrics[i].name)] = std::move(value);
+        }
+        rows.push_back(std::move(one));
+    }
+    return rows;
+}
+
+std::string comparisonJson(const std::vector<ComparedScene>& scenes, const ComparisonOrder& order) {
+    nlohmann::ordered_json json;
+    json["seeds"] = order.seeds;
+    for (const planning::Planner* planner : order.planners) {
+        json["planners"].push_back({{"name", planner->name},
+                                    {"text", planner->text},
+                                    {"source", planner->source},
+                                    {"collision_promise", planner->collision_promise}});
+    }
+    json["scenes"] = nlohmann::ordered_json::array();
+    for (const ComparedScene& scene : scenes) {
+        json["scenes"].push_back(
+            {{"scene", scene.scene}, {"map_ms", scene.map_ms}, {"rows", rowsJson(scene)}});
+    }
+    json["mean"] = rowsJson(meanOver(scenes));
+    return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+ExitCode listPlanners() {
+    for (const planning::Planner& planner : planning::planners()) {
+        fmt::print("{:<18} {}\n{:<18}   from: {}\n{:<18}   collisions: {}\n", planner.name,
+                   planner.text, "", planner.source, "", planner.collision_promise);
+    }
+    return kDone;
+}
+
+/// What each trajectory is called in the tables: its file's name, with the folder's and then a
+/// number where something else has that name already.
+std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
+    std::vector<std::string> taken = {"bound"};
+    for (const planning::Planner& planner : planning::planners()) taken.emplace_back(planner.name);
+    const auto isFree = [&](const std::string& name) {
+        return std::find(taken.begin(), taken.end(), name) == taken.end();
+    };
+    std::vector<std::string> names;
+    for (const std::string& path : paths) {
+        const std::filesystem::path file = std::filesystem::absolute(path).lexically_normal();
+        const std::string longer = (file.parent_path().filename() / file.filename()).string();
+        std::string name = file.filename().string();
+        if (!isFree(name)) name = longer;
+        for (int i = 2; !isFree(name); ++i) name = fmt::format("{} ({})", longer, i);
+        taken.push_back(name);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+/// The trajectories that come with the scene, in its world.
+Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
+                                           const OpenedScene& opened) {
+    std::vector<GivenFlight> given;
+    const std::vector<std::string> names = givenNames(arguments.trajectories);
+    for (const std::string& path : arguments.trajectories) {
+        io::TrajectoryReading reading;
+        reading.format = arguments.trajectory_format;
+        reading.world = arguments.trajectory_world;
+        reading.source_from_world = opened.scene->source_from_world;
+        reading.camera_json_from_world = render::cameraJsonFromWorld(*opened.scene);
+        reading.interval_s = 1.0 / opened.params.timing.frame_rate;
+        Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
+        if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
+        log::info("compare",
+                  fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
+                              loaded->format,
+                              loaded->timed ? "" : ", without times: as if at frame_rate"));
+        constexpr double kNoticeable = 0.5;  // degrees
+        const double hfov = opened.params.camera.hfov_deg;
+        if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
+            log::warn("compare", fmt::format("{}: its images show {:.1f} degrees, but are judged "
+                                             "as if {:.1f}; give --set hfov_deg={:.1f}",
+                                             path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
+        }
+        given.push_back({names[given.size()], {std::move(loaded->trajectory), {}, {}, {}}});
+    }
+    return given;
+}
+
+/// Bars for the figures that tell planners apart.
+render::Figure comparisonFigure(const ComparedScene& scene) {
+    render::Figure figure;
+    figure.title = scene.scene;
+    const auto& metrics = planning::judgedMetrics();
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        const planning::MetricInfo& metric = metrics[m];
+        if (metric.better == planning::Better::Neither) continue;
+        const bool rate = metric.unit == "%";
+        render::BarChart chart;
+        chart.title = fmt::format("{} ({})", metric.name, metric.unit);
+        bool any = false;
+        for (const ComparedRow& row : scene.rows) {
+            chart.names.push_back(row.planner);
+            std::optional<double> value = row.values[m];
+            if (value && rate) *value *= 100.0;
+            any |= value.has_value();
+            chart.values.push_back(value);
+        }
+        if (any) figure.bars.push_back(std::move(chart));
+    }
+    return figure;
+}
+
+/// What a scene is called in the tables: its file's name, with the folder's where files of several
+/// folders have the same.
+std::string tableName(const std::string& path, const std::vector<std::string>& all) {
+    const std::filesystem::path file = std::filesystem::absolute(path);
+    const auto same = std::count_if(all.begin(), all.end(), [&](const std::string& other) {
+        return std::filesystem::path(other).stem() == file.stem();
+    });
+    const std::string name = file.stem().string();
+    return same > 1 ? (file.parent_path().filename() / name).string() : name;
+}
+
+/// What would be in vain or in doubt only after long work.
+Status checkUsage(const CompareArguments& arguments) {
+    if (arguments.scenes.empty()) {
+        return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
+    }
+    if (!arguments.trajectories.empty() && arguments.scenes.size() > 1) {
+        return fail(ErrorCode::Usage, "A trajectory belongs to one scene; name only that one.",
+                    "--trajectory");
+    }
+    if (!arguments.picture.empty()) {
+        if (Status status = render::checkFigureName(arguments.picture); !status) return status;
+    }
+    if (Status status = checkWritable(arguments.csv); !status) return status;
+    return checkWritable(arguments.picture);
+}
+
+Status writeFiles(const CompareArguments& arguments, const std::vector<ComparedScene>& compared) {
+    if (!arguments.csv.empty()) {
+        if (Status status = io::writeWhole(arguments.csv, comparisonCsv(compared)); !status) {
+            return status;
+        }
+    }
+    if (arguments.picture.empty()) return {};
+    return render::writeFigure(
+        comparisonFigure(compared.size() == 1 ? compared.front() : meanOver(compared)),
+        arguments.picture);
+}
+
+/// The usual 300, unless the command line says otherwise. Without a limit planners would be
+/// compared that show whatever they like.
+SceneArguments withFrames(SceneArguments each) {
+    const auto sets = [](const std::string& text) { return text.starts_with("max_frames="); };
+    const bool set = std::ranges::any_of(each.assignments, sets);
+    if (!each.max_frames && !set) each.max_frames = 300;
+    const bool none = each.max_frames ? *each.max_frames == 0
+                                      : std::ranges::find(each.assignments, "max_frames=0") !=
+                                            each.assignments.end();
+    if (none)
+        log::warn("compare", "max_frames=0 is no limit here: all planners keep to 300 frames");
+    return each;
+}
+
+Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
+    if (arguments.list) return listPlanners();
+    if (Status status = checkUsage(arguments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    auto planners = planning::choosePlanners(arguments.planners);
+    if (!planners) return tl::unexpected<Error>(std::move(planners.error()));
+    const ComparisonOrder order{std::move(*planners), arguments.seeds, arguments.bound};
+    const SceneArguments each = withFrames(arguments.each);
+    const JobContext job = session.job();
+    std::vector<ComparedScene> compared;
+    int failures = 0;
+    Error last;
+    for (std::size_t i = 0; i < arguments.scenes.size(); ++i) {
+        const auto count = static_cast<double>(arguments.scenes.size());
+        const std::string& path = arguments.scenes[i];
+        const JobContext part =
+            job.stage(static_cast<double>(i) / count, static_cast<double>(i + 1) / count, path);
+        SceneArguments one = each;
+        one.path = path;
+        one.one_of_several = arguments.scenes.size() > 1;
+        Result<ComparedScene> scene =
+            openScene(one, part.stage(0.0, 0.1, "loading")).and_then([&](const auto& opened) {
+                return loadGiven(arguments, opened).and_then([&](const auto& given) {
+                    return compareIn(opened.scene, opened.plan_edits, opened.params, order, given,
+                                     part.stage(0.1, 1.0, "comparing"));
+                });
+            });
+        if (!scene) {
+            // What is wrong with the command, or stops it, concerns all scenes alike.
+            const ErrorCode code = scene.error().code;
+            if (code == ErrorCode::Cancelled || code == ErrorCode::Usage) {
+                return tl::unexpected<Error>(std::move(scene.error()));
+            }
+            last = scene.error();
+            if (arguments.scenes.size() > 1) log::error("compare", path + ": " + describe(last));
+            ++failures;
+            continue;
+        }
+        failures += scene->failures;
+        scene->scene = tableName(path, arguments.scenes);
+        compared.push_back(std::move(*scene));
+    }
+    if (compared.empty()) return tl::unexpected<Error>(std::move(last));
+    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    if (arguments.as_json) {
+        fmt::print("{}\n", comparisonJson(compared, order));
+    } else {
+        for (const ComparedScene& scene : compared) fmt::print("{}\n", comparisonTable(scene));
+        if (compared.size() > 1) fmt::print("{}", comparisonTable(meanOver(compared)));
+    }
+    if (Status status = writeFiles(arguments, compared); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    return failures == 0 ? kDone : kPartial;
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand(
+        "compare", "Plan with several published methods and judge all trajectories alike");
+    auto arguments = std::make_shared<CompareArguments>();
+    command->add_option("scenes", arguments->scenes, "Scenes or .dolly projects")
+        ->type_name("SCENE...");
+    command
+        ->add_option("--planners", arguments->planners,
+                     "Which, separated by commas; 'all' by default, --list says what there is")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command->add_flag("--list", arguments->list, "List the planners and where they come from");
+    addImportArguments(*command, arguments->each);
+    addParameterArguments(*command, arguments->each);
+    command->add_option("--seeds", arguments->seeds, "Plan with this many seeds and give medians")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command->add_flag("--bound", arguments->bound,
+                      "Also search densely for what could be captured at all (takes a while)");
+    command->add_flag("--json", arguments->as_json, "Print everything as JSON");
+    command->add_option("--csv", arguments->csv, "Write everything as a table")->type_name("FILE");
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Draw it as bars; the mean when there are several scenes")
+        ->type_name("FILE.svg|png");
+    command
+        ->add_option("--trajectory", arguments->trajectories,
+                     "Also judge a trajectory from elsewhere; again for more")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--trajectory-format", arguments->trajectory_format,
+                     "Its format, else found out: " + io::trajectoryFormatNames())
+        ->type_name("NAME");
+    command
+        ->add_option("--trajectory-world", arguments->trajectory_world,
+                     "What its positions are measured in, else the format's habit: scene (the "
+                     "scene file's axes and unit), y-up, z-up, ned, camera")
+        ->type_name("NAME");
+    command->footer(
+        "Rates are in %. 'hit frames' have a surface inside the camera's sphere, 'hit moves' meet\n"
+        "one on the way to the next frame. Where no motion joins the frames there is no path.\n"
+        "Example: dollytrack compare room.glb --planners all --max-frames 300 --bound");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runCompare(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,81 @@
+#include "app/cli/compare/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack::cli {
+namespace {
+
+std::string cell(const planning::MetricInfo& metric, const std::optional<double>& value) {
+    if (!value) return "-";
+    if (metric.unit == "%") return fmt::format("{:.1f}", 100.0 * *value);
+    if (metric.unit.empty() || metric.unit == "ms") return fmt::format("{:.0f}", *value);
+    if (metric.unit == "deg/s") return fmt::format("{:.1f}", *value);
+    if (metric.name == "path_length_m") return fmt::format("{:.1f}", *value);
+    return fmt::format("{:.2f}", *value);
+}
+
+/// Commas and quotes of file names must not break the table.
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + "\"";
+}
+
+}  // namespace
+
+std::string comparisonTable(const ComparedScene& scene) {
+    const auto& metrics = planning::judgedMetrics();
+    std::vector<std::string> lines(scene.rows.size() + 2);
+    std::size_t widest = 7;
+    for (const ComparedRow& row : scene.rows) widest = std::max(widest, row.planner.size());
+    lines[0] = fmt::format("  {:<{}}", "", widest);
+    lines[1] = fmt::format("  {:<{}}", "planner", widest);
+    for (std::size_t i = 0; i < scene.rows.size(); ++i) {
+        lines[i + 2] = fmt::format("  {:<{}}", scene.rows[i].planner, widest);
+    }
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        const bool used = std::any_of(scene.rows.begin(), scene.rows.end(),
+                                      [&](const ComparedRow& row) { return row.values[m]; });
+        if (!used || metrics[m].name == "objects") continue;
+        std::size_t width = std::max(metrics[m].title.size(), metrics[m].unit.size());
+        std::vector<std::string> cells;
+        for (const ComparedRow& row : scene.rows) {
+            cells.push_back(cell(metrics[m], row.values[m]));
+            width = std::max(width, cells.back().size());
+        }
+        lines[0] += fmt::format("  {:>{}}", metrics[m].title, width);
+        lines[1] += fmt::format("  {:>{}}", metrics[m].unit, width);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            lines[i + 2] += fmt::format("  {:>{}}", cells[i], width);
+        }
+    }
+    double objects = 0.0;
+    for (const ComparedRow& row : scene.rows)
+        objects = std::max(objects, row.values[0].value_or(0));
+    std::string text =
+        fmt::format("{}: {:.3g} objects, {:.0f} ms map\n", scene.scene, objects, scene.map_ms);
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+std::string comparisonCsv(const std::vector<ComparedScene>& scenes) {
+    const auto& metrics = planning::judgedMetrics();
+    std::string text = "scene,planner";
+    for (const planning::MetricInfo& metric : metrics) text += fmt::format(",{}", metric.name);
+    text += "\n";
+    for (const ComparedScene& scene : scenes) {
+        for (const ComparedRow& row : scene.rows) {
+            text += quoted(scene.scene) + "," + quoted(row.planner);
+            for (const auto& value : row.values) {
+                text += value ? fmt::format(",{:.9g}", *value) : ",";
+            }
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,99 @@
+#include "app/cli/compare/rival_plan.h"
+
+#include "engine/plan/plan_json.h"
+#include "planning/baselines/judge.h"
+#include "planning/baselines/planner.h"
+#include "planning/free_space/free_space.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace dollytrack::cli {
+namespace {
+
+Result<const planning::Planner*> findPlanner(const std::string& name) {
+    std::string known;
+    for (const planning::Planner& planner : planning::planners()) {
+        if (planner.name == name) return &planner;
+        known += (known.empty() ? "" : ", ") + std::string(planner.name);
+    }
+    if (name == "all" || name.empty()) {
+        return fail(ErrorCode::Usage, "Name one planner of " + known + ".", "--planner");
+    }
+    auto refused = planning::choosePlanners({name});
+    return fail(ErrorCode::Usage, refused ? "" : refused.error().message, name);
+}
+
+nlohmann::json judgedJson(const planning::Judgement& judgement, const std::string& planner) {
+    nlohmann::json metrics = captureMetricsJson(judgement.captures);
+    const auto& infos = planning::judgedMetrics();
+    const planning::JudgedRow row = planning::toRow(judgement);
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        nlohmann::json value;
+        if (row[i]) value = *row[i];
+        metrics[std::string(infos[i].name)] = std::move(value);
+    }
+    // Counts, not the numbers of a table.
+    metrics["objects"] = judgement.captures.objects;
+    metrics["frames"] = judgement.frames;
+    metrics["planner"] = planner;
+    return metrics;
+}
+
+}  // namespace
+
+void addPlannerArgument(CLI::App& command, std::string& planner) {
+    command
+        .add_option("--planner", planner,
+                    "Who plans: dollytrack, or another of 'dollytrack compare --list'")
+        ->type_name("NAME");
+}
+
+Result<bool> namesRival(const std::string& planner) {
+    return findPlanner(planner).map(
+        [](const planning::Planner* found) { return found != &planning::planners().front(); });
+}
+
+Result<PlannedScene> planAsRival(const std::string& name, const OpenedScene& opened,
+                                 const JobContext& job) {
+    const auto planner = findPlanner(name);
+    if (!planner) return tl::unexpected<Error>(planner.error());
+    const auto map = planning::mapRivalScene(opened.scene, opened.plan_edits, opened.params,
+                                             job.stage(0.0, 0.2, "free space"));
+    if (!map) return tl::unexpected<Error>(map.error());
+    Result<planning::Flight> flight =
+        (*planner)->plan(*map, opened.params, opened.params.seed, job.stage(0.2, 0.8, "planning"));
+    if (!flight) return tl::unexpected<Error>(std::move(flight.error()));
+    const auto judgement = planning::judge(*map, *flight, job.stage(0.8, 1.0, "judging"));
+    if (!judgement) return tl::unexpected<Error>(judgement.error());
+    PlannedScene planned;
+    planned.scene = opened.scene;
+    planned.params = opened.params;
+    planned.trajectory = std::move(flight->trajectory);
+    for (const planning::Room& room : map->free_space->rooms()) planned.rooms.push_back(room.box);
+    planned.metrics = judgedJson(*judgement, name);
+    return planned;
+}
+
+nlohmann::json metricsOf(const std::string& planner) {
+    if (planner == planning::planners().front().name) return metricsJson(Scene{}, Plan{});
+    nlohmann::json metrics = judgedJson({}, planner);
+    for (nlohmann::json& value : metrics) {
+        if (value.is_null()) value = 0.0;
+    }
+    return metrics;
+}
+
+std::string judgedTable(const nlohmann::json& metrics) {
+    std::string text;
+    for (const planning::MetricInfo& info : planning::judgedMetrics()) {
+        const nlohmann::json& value = metrics.at(std::string(info.name));
+        if (value.is_null()) continue;
+        const bool rate = info.unit == "%";
+        text += fmt::format("  {:<22} {:.4g} {}\n", info.name,
+                            value.get<double>() * (rate ? 100.0 : 1.0), info.unit);
+    }
+    return text;
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,24 @@
+#include "app/cli/export/backend_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace dollytrack::cli {
+
+Result<std::unique_ptr<gl::Context>> BackendOption::createContext() const {
+    const auto found = std::ranges::find(gl::kBackendNames, name);  // the option took no other
+    return gl::createHeadlessContext(static_cast<gl::Backend>(found - gl::kBackendNames.begin()));
+}
+
+void addBackendOption(CLI::App& command, BackendOption& option) {
+    command
+        .add_option("--gl", option.name,
+                    "What draws: egl (the graphics card), osmesa (the processor), or auto (egl "
+                    "where there is a graphics card)")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(gl::kBackendNames.begin(), gl::kBackendNames.end())));
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,482 @@
+#include "app/cli/command_line.h"
+#include "app/cli/compare/rival_plan.h"
+#include "app/cli/export/backend_option.h"
+#include "app/cli/export/export_metrics.h"
+#include "app/cli/export/export_warnings.h"
+#include "app/cli/export/room_exports.h"
+#include "app/cli/plan/metrics_table.h"
+#include "app/cli/plan/object_motions.h"
+#include "app/cli/plan/object_relations.h"
+#include "app/cli/plan/planned_scene.h"
+#include "app/cli/requirement.h"
+#include "app/cli/scene_arguments.h"
+#include "engine/document/edits_json.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/io/settings/annotation_file.h"
+#include "engine/io/settings/rig_file.h"
+#include "engine/plan/plan_json.h"
+#include "render/dataset/dataset_job.h"
+#include "render/dataset/modalities.h"
+#include "render/formats/formats.h"
+#include "render/formats/tables/dataset_card.h"
+#include "render/sensors/sensor_lens.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <span>
+
+namespace dollytrack::cli {
+namespace {
+
+struct ExportArguments {
+    SceneArguments scene;
+    std::string out;
+    std::string within;
+    std::string range = "::";
+    std::vector<std::string> modalities;
+    std::vector<std::string> formats;
+    std::string planner = "dollytrack";
+    render::FoldSettings folds;
+    std::string rig;                   // a file
+    std::vector<std::string> cameras;  // more of the rig, NAME:field=value,...
+    bool overwrite = false;
+    bool resume = false;
+    bool still = false;
+    std::vector<int> flow_distances = {1};
+    BackendOption backend;
+    std::vector<std::string> requirements;
+    bool as_json = false;
+};
+
+nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::string& folder,
+                           const nlohmann::json& planned) {
+    return {{"out", folder},
+            {"frames", summary.frames},
+            {"contact_sheet", summary.contact_sheet.empty()
+                                  ? nlohmann::json()
+                                  : nlohmann::json(summary.contact_sheet.string())},
+            {"planned", planned},
+            {"counted", captureMetricsJson(summary.counted)},
+            {"pictures", render::pictureTallyJson(summary.pictures)}};
+}
+
+/// Of datasets one a room: the rates over all of them; their lists of frames stay their own.
+nlohmann::json roomsJson(const std::string& folder, nlohmann::json rooms,
+                         const render::PictureTally& pictures) {
+    nlohmann::json rates = render::pictureTallyJson(pictures);
+    for (const char* list : {"dark", "white", "flat"}) rates.erase(list);
+    return {{"out", folder}, {"rooms", std::move(rooms)}, {"pictures", std::move(rates)}};
+}
+
+void addTally(render::PictureTally& all, const render::PictureTally& one) {
+    all.pictures += one.pictures;
+    all.dark.insert(all.dark.end(), one.dark.begin(), one.dark.end());
+    all.white.insert(all.white.end(), one.white.begin(), one.white.end());
+    all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
+}
+
+void printSummary(const render::DatasetSummary& summary, const std::string& folder,
+                  const nlohmann::json& planned) {
+    const CaptureMetrics& counted = summary.counted;
+    fmt::print("{} frames in {}\n\n", summary.frames, folder);
+    fmt::print("  {:<22} {:>10} {:>10}\n", "", "planned", "counted");
+    const auto row = [&](std::string_view what, const char* name, int value) {
+        fmt::print("  {:<22} {:>10} {:>10}\n", what, planned.value(name, 0), value);
+    };
+    const auto rate = [&](std::string_view what, const char* name, double value) {
+        const auto found = planned.find(name);
+        const bool known = found != planned.end() && found->is_number();
+        fmt::print("  {:<22} {:>10} {:>8.1f} %\n", what,
+                   known ? fmt::format("{:.1f} %", 100.0 * found->get<double>()) : "-",
+                   100.0 * value);
+    };
+    row("objects", "objects", counted.objects);
+    row("captured", "captured", counted.captured);
+    row("well captured", "well_captured", counted.well_captured);
+    rate("capture rate", "capture_rate", counted.capture_rate);
+    rate("well captured rate", "well_captured_rate", counted.well_captured_rate);
+    rate("area share (box)", "area_share_box", counted.area_share_box);
+    if (const render::PictureTally& pictures = summary.pictures; pictures.pictures > 0) {
+        fmt::print("  {:<22} {:>10} {:>10}\n", "unusable pictures", "-", pictures.unusable());
+        const std::string text = render::unusableText(pictures);
+        if (!text.empty()) fmt::print("\n{}\n", text);
+    }
+    if (summary.frames < planned.value("frames", 0)) {
+        fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
+                   planned.value("frames", 0), summary.frames);
+    }
+    if (!summary.contact_sheet.empty()) {
+        fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
+    }
+}
+
+/// One line a room: rates of all targets say nothing of one room's.
+void printRoom(const std::string& room, const render::DatasetSummary& summary,
+               const std::string& folder) {
+    fmt::print("{:<14} {:>6} frames, {} objects captured, {} well; in {}\n", room, summary.frames,
+               summary.counted.captured, summary.counted.well_captured, folder);
+}
+
+template <class Row>
+void printTable(const char* title, std::span<const Row> rows) {
+    fmt::print("{}\n", title);
+    for (const Row& row : rows) {
+        fmt::print("  {:<18} {} {}\n", row.name, row.standard ? '*' : ' ', row.text);
+    }
+}
+
+/// What --modalities and --formats can name.
+void printChoices() {
+    printTable("modalities", render::modalities());
+    printTable("formats", render::formats());
+    fmt::print("*: written where none is named; the name 'all' stands for all.\n");
+    fmt::print(
+        "dataset.json, which describes the dataset, comes with each; so does a contact sheet where "
+        "any of them is a picture.\n");
+}
+
+template <class Row>
+std::string names(std::span<const Row> rows) {
+    std::string all;
+    for (const Row& row : rows) all += (all.empty() ? "" : ",") + std::string(row.name);
+    return all;
+}
+
+template <class Row>
+std::string standardNames(std::span<const Row> rows) {
+    std::string all;
+    for (const Row& row : rows) {
+        if (row.standard) all += (all.empty() ? "" : ",") + std::string(row.name);
+    }
+    return all;
+}
+
+/// What people say of the scene: the file that the project names, or that lies beside it.
+Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
+    std::optional<std::filesystem::path> given;
+    if (opened.import.contains("annotations")) {
+        given = opened.import["annotations"].get<std::string>();
+    }
+    return io::findAnnotations(opened.imported->source, given);
+}
+
+bool wants(const render::DatasetSettings& settings, std::string_view modality) {
+    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    return chosen && render::contains(*chosen, modality);
+}
+
+bool wantsSensor(const render::DatasetSettings& settings) {
+    return wants(settings, render::kRgbSensor) || wants(settings, "depth_sensor");
+}
+
+/// A sensor that was set just now and that nothing is taken with was meant for something else.
+Status checkSensor(const std::vector<std::string>& assignments,
+                   const render::DatasetSettings& settings) {
+    if (wantsSensor(settings)) return {};
+    SensorParams standard;
+    for (const Field& field : listSensorFields(standard)) {
+        for (const std::string& assignment : assignments) {
+            if (!assignment.starts_with(field.name + "=")) continue;
+            return fail(ErrorCode::Usage,
+                        "A sensor makes the modalities rgb_sensor and depth_sensor; name one of "
+                        "them in --modalities.",
+                        "--set " + assignment);
+        }
+    }
+    return {};
+}
+
+/// The cameras of --rig, then those of --camera.
+Result<Rig> rigOf(const ExportArguments& arguments) {
+    Rig rig;
+    if (!arguments.rig.empty()) {
+        Result<Rig> read = io::readRig(arguments.rig);
+        if (!read) return read;
+        rig = std::move(*read);
+    }
+    for (const std::string& text : arguments.cameras) {
+        Result<RigCamera> camera = io::parseRigCamera(text);
+        if (!camera) return tl::unexpected<Error>(std::move(camera.error()));
+        rig.push_back(std::move(*camera));
+    }
+    if (Status status = validate(rig); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    return rig;
+}
+
+/// What --camera can set.
+std::string cameraFields() {
+    RigCamera standard;
+    std::string all;
+    for (const Field& field : listRigCameraFields(standard)) {
+        all += fmt::format("{}{} ({})", all.empty() ? "" : "; ", field.name, field.rangeText());
+    }
+    return all;
+}
+
+/// Renders one trajectory into a folder.
+Result<render::DatasetSummary> renderTrajectory(
+    const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
+    const std::string& folder, render::DatasetSettings settings, bool still,
+    const OpenedScene& opened, const PlannedScene& planned, const JobContext& job) {
+    settings.folder = folder;
+    settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
+    settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
+    settings.picture = planned.params.picture;
+    settings.sensor = planned.params.sensor;
+    settings.light = planned.params.light;
+    settings.score = planned.params.repair.score;
+    render::DatasetOrigin origin;
+    origin.product_version = DOLLYTRACK_VERSION;
+    origin.seed = static_cast<std::uint64_t>(planned.params.seed);
+    planning::PlanParams params = planned.params;
+    origin.edits_json = jsonText(editsJson(opened.edits));
+    nlohmann::json parameters = toJson(planning::listFields(params));
+    if (!wantsSensor(settings)) parameters.erase("sensor");
+    origin.parameters_json = parameters.dump();
+    origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
+    origin.rooms = planned.rooms;
+    if (!still) {
+        origin.motions = objectMotions(*planned.scene, opened.edits.scene, trajectory);
+    }
+    origin.relations = relationsOf(*planned.scene, rays, planned.params.targets);
+    const Result<io::Annotations> said = annotationsOf(opened);
+    if (!said) return tl::unexpected<Error>(said.error());
+    overrideRelations(*planned.scene, said->relations, origin.relations);
+    return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
+                                 planned.params.camera, std::move(settings), std::move(origin),
+                                 job);
+}
+
+Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
+    render::DatasetSettings settings;
+    const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
+    if (!range) return tl::unexpected<Error>(range.error());
+    settings.folder = arguments.out;
+    settings.root = arguments.within;
+    settings.range = *range;
+    settings.modalities = arguments.modalities;
+    settings.formats = arguments.formats;
+    settings.flow_distances = arguments.flow_distances;
+    settings.folds = arguments.folds;
+    Result<Rig> rig = rigOf(arguments);
+    if (!rig) return tl::unexpected<Error>(std::move(rig.error()));
+    settings.rig = std::move(*rig);
+    if (Status status = checkSensor(arguments.scene.assignments, settings); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    settings.overwrite = arguments.overwrite;
+    settings.resume = arguments.resume;
+    const Result<bool> rival = namesRival(arguments.planner);
+    if (!rival) return tl::unexpected<Error>(rival.error());
+    const auto requirements = parseRequirements(arguments.requirements);
+    if (!requirements) return tl::unexpected<Error>(requirements.error());
+    if (Status status = checkNames(*requirements, exportMetricsOf(arguments.planner)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    // What is mistyped before what is in the way: it has to be mended whichever folder is taken.
+    if (Status status = render::checkChoices(settings); !status)
+        return tl::unexpected<Error>(std::move(status.error()));
+    if (Status status = checkArguments(arguments.scene); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    // Said before the work, not after it.
+    render::DatasetSettings checked = settings;
+    // Datasets of rooms lie in folders of their own, each of which is asked about when it is begun.
+    checked.overwrite = checked.overwrite || holdsRooms(settings.folder);
+    if (Status status = render::checkSettings(checked); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    checked.overwrite = arguments.overwrite;
+
+    const JobContext job = session.job();
+    Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    opened->params.sensor = render::fitPresetLens(opened->params.camera, opened->params.sensor);
+    if (wants(settings, render::kRgbSensor)) {
+        Status status = render::validateLens(opened->params.camera, opened->params.sensor);
+        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    }
+    warnOfExport(opened->params, settings);
+    // A context early: a machine that cannot draw should say so before minutes of planning.
+    Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
+    if (!context) return tl::unexpected<Error>(std::move(context.error()));
+    const JobContext planning = job.stage(0.03, 0.06, "planning");
+    const Result<PlannedScene> planned =
+        *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
+    if (!planned) return tl::unexpected<Error>(planned.error());
+    if (const std::string why = whyEmpty(*planned); !why.empty()) {
+        return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
+                    arguments.scene.path);
+    }
+
+    Result<std::vector<RoomExport>> exports = roomExports(*planned);
+    if (!exports) return tl::unexpected<Error>(exports.error());
+    if (Status status = checkRooms(*exports, *range, arguments.folds); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    for (RoomExport& one : *exports) {  // what is written of the room, not what was planned
+        const int count = static_cast<int>(one.trajectory.frames.size());
+        one.about["frames"] = render::framesOf(*range, count).size();
+    }
+    const RayCaster rays(*planned->scene);
+    const auto render = [&](const Trajectory& trajectory, const std::string& folder,
+                            const JobContext& part) -> Result<render::DatasetSummary> {
+        if (!*context) context = arguments.backend.createContext();  // the dataset before took it
+        if (!context) return tl::unexpected<Error>(std::move(context.error()));
+        return renderTrajectory(trajectory, std::move(*context), rays, folder, settings,
+                                arguments.still, *opened, *planned, part);
+    };
+    const JobContext rendering = job.stage(0.06, 1.0, "");
+    if (exports->empty()) {
+        const auto summary = render(planned->trajectory, arguments.out, rendering);
+        if (!summary) return tl::unexpected<Error>(summary.error());
+        const nlohmann::json printed = summaryJson(*summary, arguments.out, planned->metrics);
+        if (arguments.as_json) {
+            fmt::print("{}\n", jsonText(printed));
+        } else {
+            printSummary(*summary, arguments.out, planned->metrics);
+        }
+        return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
+    }
+    if (settings.root.empty()) settings.root = settings.folder;
+    checked.root = settings.root;
+    for (const RoomExport& one : *exports) {
+        checked.folder = settings.folder / one.room;
+        if (!std::filesystem::exists(checked.folder)) continue;
+        if (Status status = render::checkSettings(checked); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (Status status = claimForRooms(arguments.out, settings.root, *exports); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    nlohmann::json rooms = nlohmann::json::array();
+    render::PictureTally pictures;
+    const int all = static_cast<int>(planned->trajectory.frames.size());
+    int before = 0;
+    for (const RoomExport& one : *exports) {
+        const std::string folder = (settings.folder / one.room).string();
+        const int count = static_cast<int>(one.trajectory.frames.size());
+        const auto summary = render(one.trajectory, folder,
+                                    countedOn(rendering, session.cancelled, before, count, all));
+        if (!summary) return tl::unexpected<Error>(summary.error());
+        before += count;
+        addTally(pictures, summary->pictures);
+        rooms.push_back(summaryJson(*summary, folder, planned->metrics));
+        rooms.back()["room"] = one.room;
+        if (!arguments.as_json) printRoom(one.room, *summary, folder);
+    }
+    const nlohmann::json printed = roomsJson(arguments.out, std::move(rooms), pictures);
+    if (arguments.as_json) fmt::print("{}\n", jsonText(printed));
+    return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Session& session) {
+    CLI::App* command =
+        app.add_subcommand("export", "Render the planned trajectory as a labelled dataset");
+    auto arguments = std::make_shared<ExportArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addParameterArguments(*command, arguments->scene);
+    addPlannerArgument(*command, arguments->planner);
+    command->add_option("--out", arguments->out, "Folder for the dataset; made if missing")
+        ->required()
+        ->check([](const std::string& folder) {
+            return folder.empty() ? "The name of the folder is empty." : "";
+        })
+        ->type_name("DIR");
+    command
+        ->add_option("--range", arguments->range,
+                     "Frames a to b (b not included), every s-th: 100:200, ::5")
+        ->type_name("a:b:s");
+    command
+        ->add_option("--modalities", arguments->modalities,
+                     "Images to write: " + names(render::modalities()) +
+                         "; or all (default: " + standardNames(render::modalities()) + ")")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command
+        ->add_option("--formats", arguments->formats,
+                     "Annotations to write: " + names(render::formats()) +
+                         "; or all (default: " + standardNames(render::formats()) + ")")
+        ->type_name("NAME,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command->add_flag_callback(
+        "--list",
+        [] {
+            printChoices();
+            throw CLI::Success();
+        },
+        "Say what --modalities and --formats can name, and nothing else");
+    command
+        ->add_option("--flow-distances", arguments->flow_distances,
+                     "Optical flow to the frames this many later and earlier (default: 1)")
+        ->type_name("N,...")
+        ->allow_extra_args(false)
+        ->delimiter(',');
+    command
+        ->add_option(
+            "--rig", arguments->rig,
+            "Further cameras that ride on the planned one, a JSON file (see README); their "
+            "images go to cameras/")
+        ->type_name("FILE");
+    command
+        ->add_option("--camera", arguments->cameras,
+                     "One more of them, as often as wanted: left:lens=fisheye,yaw_deg=-90; " +
+                         cameraFields())
+        ->type_name("NAME:FIELD=VALUE,...")
+        ->allow_extra_args(false);
+    command->add_flag("--still", arguments->still,
+                      "Things that have a track stay where the plan has them");
+    command
+        ->add_option("--folds", arguments->folds.count,
+                     "Lists for cross-validation with so many parts, in folds/")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100));
+    command->add_option("--fold-seed", arguments->folds.seed, "Another way to split the frames")
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_flag("--resume", arguments->resume,
+                      "Continue what an interrupted export with the same arguments left");
+    command->add_flag("--overwrite", arguments->overwrite,
+                      "Replace a complete dataset once the new one is complete; write among other "
+                      "files, which stay");
+    command
+        ->add_option("--within", arguments->within,
+                     "A folder around --out: no symbolic link below it is followed (as in --out)")
+        ->type_name("DIR");
+    addBackendOption(*command, arguments->backend);
+    command
+        ->add_option("--require", arguments->requirements,
+                     "Exit with 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; may "
+                     "be repeated")
+        ->type_name("CONDITION")
+        ->allow_extra_args(false);
+    command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
+    command->footer(
+        "How pictures are made and lit and what a real camera makes of them is set with --set:\n"
+        "see picture, light and sensor in 'dollytrack params'.\n"
+        "A scene is planned first; a project's own plan is used as it is, unless a parameter that\n"
+        "shapes it is changed here or its scene file has changed: then it is planned again, with "
+        "a\n"
+        "warning.\n"
+        "An export that is stopped keeps its finished frames; the same command with --resume goes "
+        "on\n"
+        "from there and ends with the same files. Without it, an unfinished dataset begins anew;\n"
+        "a complete one is replaced only with --overwrite.\n"
+        "Planned with rooms=each, every room becomes a dataset in a folder of its own, "
+        "DIR/room_1.\n"
+        "Example: dollytrack export room.dolly --out dataset --range ::5");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runExport(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

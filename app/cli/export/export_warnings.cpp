@@ -1,0 +1,92 @@
+#include "app/cli/export/export_warnings.h"
+
+#include "engine/core/log.h"
+#include "engine/scene/resolved_light.h"
+#include "render/dataset/modalities.h"
+#include "render/formats/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace dollytrack::cli {
+namespace {
+
+void warnOfLight(const LightParams& light, const render::DatasetSettings& settings) {
+    if (light.light_varies != LightVaries::Frame) return;
+    if (light.light_variation == 0.0) {
+        log::warn("export",
+                  "light_varies=frame changes nothing while light_variation is 0: set that too, up "
+                  "to 1");
+        return;
+    }
+    const auto formats = render::chooseFormats(settings.formats);
+    const bool recorded = formats && std::ranges::any_of(*formats, [](const render::Format* one) {
+                              return std::string_view(one->name) == "frames";
+                          });
+    if (recorded) return;
+    log::warn("export",
+              "light_varies=frame: what light each frame has is not recorded; add frames to "
+              "--formats");
+}
+
+void warnOfSun(const LightParams& light) {
+    const LightParams standard;
+    const bool set_strength = light.sun_strength > 0.0;
+    if (!set_strength && light.sun_azimuth_deg == standard.sun_azimuth_deg) return;
+    // A variation draws another time.
+    if (sunElevationDeg(light.time_of_day_h) > 0.0 || resolved(light).sun_elevation_deg > 0.0) {
+        return;
+    }
+    log::warn("export", fmt::format("{} changes nothing while the sun is below the horizon: set "
+                                    "time_of_day_h too, between 6 and 18",
+                                    set_strength ? "sun_strength" : "sun_azimuth_deg"));
+}
+
+void warnOfPictures(const PictureParams& picture) {
+    if (picture.render_mode == RenderMode::Reference ||
+        picture.reference_samples == PictureParams().reference_samples) {
+        return;
+    }
+    log::warn("export",
+              "reference_samples changes nothing while render_mode is fast: set "
+              "render_mode=reference too");
+}
+
+/// Rows that are read one after the other have several looks in any case.
+void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& settings) {
+    const bool blurs = sensor.shutter_s > 0.0 || sensor.aperture_mm > 0.0;
+    if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
+    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    if (!chosen || !render::contains(*chosen, render::kRgbSensor)) return;
+    log::warn("export", fmt::format("{} blurs nothing while looks is 1: set that too, 16 as a rule",
+                                    sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
+}
+
+/// Of the same place, direction and lens: its images are those of the dataset.
+bool repeats(const RigCamera& camera, const CameraParams& planned) {
+    const Pose place = carrierFromCamera(camera);
+    return camera.lens == Lens::Pinhole && !camera.level && place.position.norm() < 1e-9 &&
+           place.rotation.angularDistance(Eigen::Quaterniond::Identity()) < 1e-9 &&
+           camera.width_px == planned.width_px && camera.height_px == planned.height_px &&
+           camera.fov_deg == planned.hfov_deg;
+}
+
+}  // namespace
+
+void warnOfExport(const planning::PlanParams& params, const render::DatasetSettings& settings) {
+    warnOfLight(params.light, settings);
+    warnOfSun(params.light);
+    warnOfPictures(params.picture);
+    warnOfLooks(params.sensor, settings);
+    for (const RigCamera& camera : settings.rig) {
+        if (!repeats(camera, params.camera)) continue;
+        log::warn("export",
+                  fmt::format("camera '{}' is the planned camera once more: same place, direction "
+                              "and lens; give it others, as in {}:yaw_deg=90",
+                              camera.name, camera.name));
+    }
+}
+
+}  // namespace dollytrack::cli

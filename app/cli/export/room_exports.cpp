@@ -1,0 +1,145 @@
+#include "app/cli/export/room_exports.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/guarded_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace dollytrack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kList = "rooms.json";
+
+/// A name from a file becomes a folder's: it must not lead out of it.
+bool isPlain(const std::string& name) {
+    return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
+}
+
+RoomExport takeRoom(const nlohmann::json& room, const Trajectory& all) {
+    RoomExport one{room.at("name").get<std::string>(), room, {all.frame_interval_s, {}}};
+    one.about.erase("paths");  // numbers in the trajectory of all
+    const auto paths = room.at("paths").get<std::set<int>>();
+    for (const TrajectoryFrame& frame : all.frames) {
+        if (!paths.contains(frame.path)) continue;
+        const auto number = static_cast<double>(one.trajectory.frames.size());
+        one.trajectory.frames.push_back(frame);
+        one.trajectory.frames.back().time_s = number * all.frame_interval_s;
+    }
+    return one;
+}
+
+}  // namespace
+
+Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned) {
+    std::vector<RoomExport> exports;
+    const auto rooms = planned.metrics.find("rooms");
+    if (rooms == planned.metrics.end()) return exports;
+    try {
+        for (const nlohmann::json& room : *rooms) {
+            RoomExport one = takeRoom(room, planned.trajectory);
+            if (!isPlain(one.room)) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("'{}' cannot be a folder's name.", one.room),
+                            "metrics.rooms");
+            }
+            if (!one.trajectory.frames.empty()) exports.push_back(std::move(one));
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    "metrics.rooms");
+    }
+    return exports;
+}
+
+Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRange& range,
+                  const render::FoldSettings& folds) {
+    for (const RoomExport& one : exports) {
+        const int available = static_cast<int>(one.trajectory.frames.size());
+        const int count = static_cast<int>(render::framesOf(range, available).size());
+        if (count == 0) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("the range holds none of the {} frames of {}; nothing was "
+                                    "rendered of any room",
+                                    available, one.room),
+                        "--range");
+        }
+        if (count < folds.count) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("{} has {} frame{}, which cannot be split into {} folds; ask "
+                                    "for fewer, or for more frames; nothing was rendered of any "
+                                    "room",
+                                    one.room, count, count == 1 ? "" : "s", folds.count),
+                        "--folds");
+        }
+    }
+    return {};
+}
+
+Status claimForRooms(const fs::path& folder, const fs::path& root,
+                     const std::vector<RoomExport>& exports) {
+    std::error_code error;
+    if (fs::exists(folder / "dataset.json", error)) {
+        return fail(ErrorCode::CannotWrite,
+                    "the folder holds a dataset of all rooms; choose another one for a dataset a "
+                    "room, or plan with rooms=joined",
+                    folder.string());
+    }
+    const Result<io::GuardedFolder> own = io::GuardedFolder::makeBelow(folder, root);
+    if (!own) return tl::unexpected(own.error());
+    nlohmann::json list = {{"rooms", nlohmann::json::array()}};
+    for (const RoomExport& one : exports) list["rooms"].push_back(one.about);
+    return own->write(kList, list.dump(2) + "\n");
+}
+
+bool holdsRooms(const fs::path& folder) {
+    const auto list = io::readBoundedJson(folder / kList).value_or(nlohmann::json());
+    return list.is_object() && list.contains("rooms");
+}
+
+Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
+    std::vector<fs::path> folders;
+    const Result<nlohmann::json> list = io::readBoundedJson(folder / kList);
+    if (!list) return tl::unexpected<Error>(list.error());
+    try {
+        for (const nlohmann::json& room : list->at("rooms")) {
+            const auto name = room.at("name").get<std::string>();
+            if (!isPlain(name)) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("'{}' cannot be a room's folder.", name),
+                            (folder / kList).string());
+            }
+            folders.push_back(folder / name);
+        }
+    } catch (const nlohmann::json::exception& e) {
+        return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", e.what()),
+                    (folder / kList).string());
+    }
+    if (folders.empty()) {
+        return fail(ErrorCode::BadInput, "It lists no room.", (folder / kList).string());
+    }
+    return folders;
+}
+
+JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,
+                     int before, int count, int total) {
+    const auto share = [total](int frames) {
+        return total > 0 ? static_cast<double>(frames) / total : 1.0;
+    };
+    const JobContext whole(
+        std::move(cancel_flag),
+        [job](double fraction, std::string_view stage) {
+            job.stage(0.0, 1.0, stage).report(fraction);
+        },
+        [job, before, total](int done, int) {
+            job.stage(0.0, 1.0, "frames").reportItems(before + done, total);
+        });
+    return whole.stage(share(before), share(before + count), "");
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,291 @@
+#include "app/cli/command_line.h"
+#include "engine/core/name_hint.h"
+#include "engine/generate/room_generator.h"
+#include "engine/io/files/durable_file.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kListName = "generated.json";
+constexpr const char* kTruthName = "objects.json";
+constexpr const char* kLicensesName = "LICENSES";
+constexpr std::string_view kRoomPrefix = "room_";
+
+struct GenerateArguments {
+    std::string out;
+    std::string library;
+    std::vector<std::string> presets;
+    std::string size;
+    std::optional<int> objects;
+    int rooms = 1;
+    std::uint64_t seed = 1;
+    bool overwrite = false;
+    bool as_json = false;
+};
+
+/// "5x4x2.7": length, width and height in metres.
+Status readSize(std::string_view text, generate::RoomSpec& spec) {
+    const auto wrong = [] {
+        return fail(ErrorCode::Usage,
+                    fmt::format("A size is length x width x height in metres, like 5x4x2.7; sides "
+                                "from {} to {}, heights from {} to {}.",
+                                generate::kLeastSide, generate::kMostSide, generate::kLeastHeight,
+                                generate::kMostHeight),
+                    "--size");
+    };
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (double* value : {&spec.length_m, &spec.width_m, &spec.height_m}) {
+        const auto [next, error] = std::from_chars(at, end, *value);
+        if (error != std::errc{} || (value == &spec.height_m) != (next == end)) return wrong();
+        if (next != end && *next != 'x') return wrong();
+        at = next == end ? next : next + 1;
+    }
+    const auto in = [](double value, double low, double high) {
+        return value >= low && value <= high;  // false for NaN, too
+    };
+    if (!in(spec.length_m, generate::kLeastSide, generate::kMostSide) ||
+        !in(spec.width_m, generate::kLeastSide, generate::kMostSide) ||
+        !in(spec.height_m, generate::kLeastHeight, generate::kMostHeight)) {
+        return wrong();
+    }
+    return {};
+}
+
+Result<std::vector<generate::RoomPreset>> choosePresets(const std::vector<std::string>& names) {
+    std::vector<std::string> known;
+    for (const auto& preset : generate::roomPresets()) known.emplace_back(preset.name);
+    std::vector<generate::RoomPreset> chosen;
+    for (const std::string& name : names.empty() ? known : names) {
+        const generate::RoomPreset* preset = generate::presetNamed(name);
+        if (!preset) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("There is no preset '{}'{}", name, nameHint(name, known)),
+                        "--preset");
+        }
+        chosen.push_back(*preset);
+    }
+    return chosen;
+}
+
+/// What a room is to be: its preset varied a little, unless the user wants it exactly.
+Result<generate::RoomSpec> specOf(const generate::RoomPreset& preset,
+                                  const GenerateArguments& arguments, std::uint64_t number) {
+    generate::RoomSpec spec = generate::varied(preset.spec, arguments.seed, number);
+    if (!arguments.size.empty()) {
+        if (Status status = readSize(arguments.size, spec); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (arguments.objects) spec.objects = *arguments.objects;
+    return spec;
+}
+
+bool isRoomName(std::string_view name) {
+    if (!name.starts_with(kRoomPrefix) || name.size() == kRoomPrefix.size()) return false;
+    return name.find_first_not_of("0123456789", kRoomPrefix.size()) == std::string_view::npos;
+}
+
+/// The files that writeRoom() writes; what somebody has put beside them stays.
+Status removeRooms(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> rooms;
+    fs::directory_iterator it(folder, error);
+    for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+        if (isRoomName(it->path().filename().string())) rooms.push_back(it->path());
+    }
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    for (const fs::path& room : rooms) {
+        const std::string home = room.filename().string() + ".sh3d";
+        for (const fs::path& file : {room / kTruthName, room / kLicensesName, room / home}) {
+            fs::remove(file, error);
+            if (error) return tl::unexpected(io::writeError(error.value(), file));
+        }
+        fs::remove(room, error);  // fails when something else lies in it
+    }
+    return {};
+}
+
+/// Rooms are not strewn among other files, nor over older rooms.
+Status prepareFolder(const fs::path& folder, bool overwrite) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    if (fs::is_empty(folder, error)) return {};
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    if (!fs::exists(folder / kListName)) {
+        return fail(ErrorCode::CannotWrite,
+                    "The folder holds other files; name one that is empty or new.",
+                    folder.string());
+    }
+    if (!overwrite) {
+        return fail(ErrorCode::Usage,
+                    "The folder holds generated rooms; --overwrite replaces them.",
+                    folder.string());
+    }
+    return removeRooms(folder);
+}
+
+Status writeRoom(const generate::GeneratedRoom& room, const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return tl::unexpected(io::writeError(error.value(), folder));
+    const std::string name = folder.filename().string() + ".sh3d";
+    constexpr auto kLater = io::Durability::Renamed;
+    return io::writeWhole(folder / kTruthName, room.truth.dump(1) + "\n", kLater)
+        .and_then([&] { return io::writeWhole(folder / kLicensesName, room.licenses, kLater); })
+        .and_then([&] { return io::writeWhole(folder / name, room.home, kLater); });
+}
+
+void printRoom(const nlohmann::ordered_json& room) {
+    const auto& size = room.at("size_m");
+    fmt::print("{:<11} {:<22} {:.2f} x {:.2f} x {:.2f} m  {:>3} objects\n",
+               room.at("folder").get<std::string>(), room.at("preset").get<std::string>(),
+               size[0].get<double>(), size[1].get<double>(), size[2].get<double>(),
+               room.at("objects").get<int>());
+}
+
+Status writeList(const GenerateArguments& arguments, const nlohmann::ordered_json& rooms) {
+    const nlohmann::ordered_json list = {{"seed", arguments.seed}, {"rooms", rooms}};
+    return io::writeWhole(fs::path(arguments.out) / kListName, list.dump(1) + "\n");
+}
+
+/// The rooms one after the other; what is listed is whole.
+Status generateRooms(const GenerateArguments& arguments,
+                     const std::vector<generate::RoomPreset>& presets,
+                     const generate::FurnitureCatalog& catalog, const JobContext& job,
+                     nlohmann::ordered_json& rooms) {
+    generate::RoomGenerator generator(catalog);
+    for (int i = 0; i < arguments.rooms; ++i) {
+        job.reportItems(i, arguments.rooms);
+        const auto number = static_cast<std::uint64_t>(i);
+        const generate::RoomPreset& preset = presets[static_cast<std::size_t>(i) % presets.size()];
+        const auto spec = specOf(preset, arguments, number);
+        if (!spec) return tl::unexpected(spec.error());
+        const auto room = generator.make(*spec, arguments.seed, number, job);
+        if (!room) return tl::unexpected(room.error());
+        const std::string folder = fmt::format("{}{:04}", kRoomPrefix, i);
+        if (Status status = writeRoom(*room, fs::path(arguments.out) / folder); !status) {
+            return status;
+        }
+        rooms.push_back({{"folder", folder},
+                         {"scene", folder + "/" + folder + ".sh3d"},
+                         {"preset", preset.name},
+                         {"size_m", {spec->length_m, spec->width_m, spec->height_m}},
+                         {"objects", room->objects}});
+        if (!arguments.as_json) printRoom(rooms.back());
+    }
+    job.reportItems(arguments.rooms, arguments.rooms);
+    return {};
+}
+
+Result<ExitCode> runGenerate(const GenerateArguments& arguments, const Session& session) {
+    const auto presets = choosePresets(arguments.presets);
+    if (!presets) return tl::unexpected(presets.error());
+    if (const auto spec = specOf(presets->front(), arguments, 0); !spec) {
+        return tl::unexpected(spec.error());
+    }
+    const auto catalog = generate::FurnitureCatalog::open(arguments.library);
+    if (!catalog) return tl::unexpected(catalog.error());
+    if (Status status = prepareFolder(arguments.out, arguments.overwrite); !status) {
+        return tl::unexpected(status.error());
+    }
+    nlohmann::ordered_json rooms = nlohmann::ordered_json::array();
+    if (Status status = writeList(arguments, rooms); !status) {
+        return tl::unexpected(status.error());
+    }
+    const JobContext job = session.job().stage(0.0, 1.0, "generating rooms");
+    const Status made = generateRooms(arguments, *presets, *catalog, job, rooms);
+    // What is listed is on the disk, also after a power cut.
+    if (Status status = io::syncFolder(arguments.out); made && !status) {
+        return tl::unexpected(status.error());
+    }
+    // Also when stopped: what is finished is listed.
+    if (Status status = writeList(arguments, rooms); made && !status) {
+        return tl::unexpected(status.error());
+    }
+    if (!made) return tl::unexpected(made.error());
+    if (arguments.as_json) {
+        fmt::print("{}\n",
+                   nlohmann::ordered_json{{"seed", arguments.seed}, {"rooms", rooms}}.dump(1));
+    }
+    return kDone;
+}
+
+void listPresets() {
+    for (const auto& preset : generate::roomPresets()) {
+        const generate::RoomSpec& spec = preset.spec;
+        fmt::print("{:<22} {:<12} {:.1f} x {:.1f} x {:.1f} m  {:>3} objects\n", preset.name,
+                   generate::roomKindName(spec.kind), spec.length_m, spec.width_m, spec.height_m,
+                   spec.objects);
+    }
+}
+
+}  // namespace
+
+void addGenerateCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand("generate", "Make furnished rooms to plan in");
+    auto arguments = std::make_shared<GenerateArguments>();
+    command->add_option("--out", arguments->out, "Folder for the rooms, one a folder")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--rooms", arguments->rooms, "How many (1)")
+        ->check(CLI::Range(1, 10'000).description("1 .. 10000"))
+        ->type_name("N");
+    command->add_option("--seed", arguments->seed, "The same seed gives the same rooms (1)")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()).description("0 .. 2147483647"))
+        ->type_name("N");
+    command
+        ->add_option("--preset", arguments->presets,
+                     "Kinds of rooms, separated by commas; all in turn by default, --list has them")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command
+        ->add_option("--size", arguments->size, "Exactly so large, in m, instead of the preset's")
+        ->type_name("LxWxH");
+    command
+        ->add_option("--objects", arguments->objects,
+                     "Clutter: objects to aim at, instead of the preset's number; never fewer than "
+                     "the furniture that its kind of room is made of")
+        ->check(CLI::Range(1, generate::kMostObjects)
+                    .description(fmt::format("1 .. {}", generate::kMostObjects)))
+        ->type_name("N");
+    command
+        ->add_option("--library", arguments->library,
+                     "Folder of furniture libraries (.sh3f), instead of those of Debian's package "
+                     "sweethome3d-furniture")
+        ->type_name("DIR");
+    command->add_flag("--overwrite", arguments->overwrite,
+                      "Replace the rooms that were generated there before");
+    command->add_flag("--json", arguments->as_json, "Print the list of rooms as JSON");
+    command->add_flag_callback(
+        "--list",
+        [] {
+            listPresets();
+            throw CLI::Success();
+        },
+        "List the presets, and nothing else");
+    command->footer(
+        "Each room is a home of Sweet Home 3D with its truth (objects.json: class, place, size,\n"
+        "front, what holds it) and the licences of its models (LICENSES). Sizes vary by 5 %, "
+        "numbers\n"
+        "of objects by 10 % around the preset's.\n"
+        "Example: dollytrack generate --rooms 20 --seed 7 --out rooms");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runGenerate(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/camera/trajectory.h"
+#include "engine/document/edits.h"
+#include "engine/scene/scene.h"
+#include "render/frames/object_motion.h"
+
+#include <vector>
+
+namespace dollytrack::cli {
+
+/// The motions of the objects that have a track, over the frames of a trajectory whose times are
+/// the tracks'. `scene` is with the edits applied.
+[[nodiscard]] std::vector<render::ObjectMotion> objectMotions(const Scene& scene,
+                                                              const SceneEdits& edits,
+                                                              const Trajectory& trajectory);
+
+}  // namespace dollytrack::cli

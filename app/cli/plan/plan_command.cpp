@@ -1,0 +1,300 @@
+#include "app/cli/command_line.h"
+#include "app/cli/compare/rival_plan.h"
+#include "app/cli/export/backend_option.h"
+#include "app/cli/plan/coverage_output.h"
+#include "app/cli/plan/ledger_table.h"
+#include "app/cli/plan/metrics_table.h"
+#include "app/cli/plan/planned_scene.h"
+#include "app/cli/requirement.h"
+#include "app/cli/scene_arguments.h"
+#include "app/cli/terminal/output_file.h"
+#include "app/cli/terminal/terminal_text.h"
+#include "engine/core/log.h"
+#include "engine/geometry/ray_caster.h"
+#include "engine/io/files/durable_file.h"
+#include "engine/io/files/png_writer.h"
+#include "engine/io/settings/project_file.h"
+#include "engine/plan/ledger_json.h"
+#include "engine/plan/plan_json.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/metrics/capture_bound.h"
+#include "planning/metrics/remedies.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+#include "render/draw/look_inside.h"
+#include "render/draw/overview.h"
+#include "render/overlays/plan_overlay.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+namespace dollytrack::cli {
+namespace {
+
+struct PlanArguments {
+    SceneArguments scene;
+    std::string out;
+    std::string picture;
+    int storey = 0;         // that the picture looks into; 0: the topmost
+    BackendOption backend;  // of the picture
+    std::vector<std::string> coverage;
+    std::vector<std::string> requirements;
+    std::string planner = "dollytrack";
+    bool as_json = false;
+    bool bound = false;
+    bool explain = false;
+};
+
+Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
+                      const Plan& plan, nlohmann::json& metrics, const JobContext& job) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto rays = pipeline.rays();
+    const auto free_space = pipeline.freeSpace();
+    const planning::ViewEstimator views(*opened.scene, *rays, opened.params.camera);
+    const auto region = pipeline.region();
+    const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m,
+                                       region.get());
+    const auto bound = planning::boundCaptures(
+        {views, *free_space, sphere, planning::pitchBand(opened.params.constraints)}, plan,
+        opened.params.seed, job);
+    if (!bound) return tl::unexpected<Error>(bound.error());
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - begin;
+    addBound(metrics, *bound, spent.count());
+    return {};
+}
+
+/// The ledger with what would help, in the plan's files and output as well.
+Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& planned,
+                                       const JobContext& job) {
+    auto rows = planning::findRemedies(opened.scene, opened.params, opened.plan_edits,
+                                       *planned.plan, planned.plan->ledger, job);
+    if (!rows) return rows;
+    planned.metrics["ledger"] = ledgerJson(*opened.scene, *rows);
+    planned.metrics["uncaptured"] = uncapturedJson(*opened.scene, *rows);
+    planned.result["metrics"] = withoutTimes(planned.metrics);
+    return rows;
+}
+
+Status savePicture(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
+                   const PlanArguments& arguments) {
+    const std::size_t storeys = render::storeysOf(*opened.scene, plan.rooms).size();
+    if (arguments.storey > static_cast<int>(storeys)) {
+        return fail(
+            ErrorCode::Usage,
+            fmt::format("There is no storey {}; the building has {}.", arguments.storey, storeys),
+            "--storey");
+    }
+    render::OverviewSettings settings;
+    settings.storey = arguments.storey;
+    Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
+    if (!context) return tl::unexpected<Error>(std::move(context.error()));
+    const auto picture = render::renderOverview(
+        std::move(*context), *opened.scene, *pipeline.rays(),
+        render::planOverlay(*opened.scene, plan, opened.params.camera), settings, plan.rooms);
+    if (!picture) return tl::unexpected<Error>(picture.error());
+    const auto png =
+        io::encodePng(picture->width, picture->height, io::PngFormat::Rgb8, picture->rgb);
+    if (!png) return tl::unexpected<Error>(png.error());
+    return io::writeWhole(arguments.picture, *png);
+}
+
+Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, const Plan& plan,
+                    const std::vector<std::string>& paths, const JobContext& job) {
+    const auto curves =
+        planning::coverageCurves(pipeline, opened.params, opened.plan_edits, plan, job);
+    if (!curves) return tl::unexpected<Error>(curves.error());
+    const std::string title =
+        fmt::format("{}: what budgets capture", opened.scene->source.filename().string());
+    for (const std::string& path : paths) {
+        if (Status status = writeCoverage(title, *curves, path); !status) return status;
+    }
+    return {};
+}
+
+/// Told before the work, not after it: a misspelt metric must not cost minutes.
+Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
+    nlohmann::json metrics = metricsOf("dollytrack");
+    if (with_bound) addBound(metrics, {}, 0.0);
+    return checkNames(requirements, metrics);
+}
+
+/// What only our own plans have, or only our own planner can do.
+Status checkRivalUsage(const PlanArguments& arguments) {
+    const std::vector<std::pair<bool, const char*>> ours = {
+        {!arguments.out.empty(), "--out"},
+        {!arguments.picture.empty(), "--picture"},
+        {!arguments.coverage.empty(), "--coverage"},
+        {arguments.bound, "--bound"},
+        {arguments.explain, "--explain"},
+    };
+    for (const auto& [given, option] : ours) {
+        if (!given) continue;
+        return fail(ErrorCode::Usage,
+                    "This needs a plan of dollytrack's own; leave out --planner, or use 'export "
+                    "--planner' for a dataset of the other planner's trajectory.",
+                    option);
+    }
+    return {};
+}
+
+/// The metrics of another planner's trajectory.
+Result<ExitCode> runRival(const PlanArguments& arguments,
+                          const std::vector<Requirement>& requirements, const Session& session) {
+    if (Status status = checkRivalUsage(arguments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (Status status = checkNames(requirements, metricsOf(arguments.planner)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const JobContext job = session.job();
+    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    const auto planned = planAsRival(arguments.planner, *opened, job.stage(0.3, 1.0, "planning"));
+    if (!planned) return tl::unexpected<Error>(planned.error());
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(planned->metrics));
+    } else {
+        fmt::print("{}", judgedTable(planned->metrics));
+    }
+    return areMet(requirements, planned->metrics) ? kDone : kPartial;
+}
+
+Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
+    const auto requirements = parseRequirements(arguments.requirements);
+    if (!requirements) return tl::unexpected<Error>(requirements.error());
+    const Result<bool> rival = namesRival(arguments.planner);
+    if (!rival) return tl::unexpected<Error>(rival.error());
+    if (*rival) return runRival(arguments, *requirements, session);
+    // Said before the work: a file that cannot be opened again is of no use.
+    if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
+        return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
+    }
+    if (!arguments.picture.empty() &&
+        std::filesystem::path(arguments.picture).extension() != ".png") {
+        return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
+    }
+    for (const std::string& file : {arguments.out, arguments.picture}) {
+        if (Status status = checkWritable(file); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (Status status = checkCoverageFiles(arguments.coverage); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (Status status = knowsMetrics(*requirements, arguments.bound); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const JobContext job = session.job();
+    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    planning::Pipeline pipeline(opened->scene);
+    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty();
+    Result<PlannedScene> planned =
+        planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
+    if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
+    if (arguments.bound) {
+        if (Status status = addDenseSearch(*opened, pipeline, *planned->plan, planned->metrics,
+                                           job.stage(0.5, 1.0, "dense search"));
+            !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+        planned->result["metrics"] = withoutTimes(planned->metrics);
+    }
+    std::vector<LedgerRow> ledger;
+    if (arguments.explain) {
+        auto rows = explain(*opened, *planned, job.stage(0.5, 1.0, "remedies"));
+        if (!rows) return tl::unexpected<Error>(std::move(rows.error()));
+        ledger = std::move(*rows);
+    }
+    if (!arguments.out.empty()) {
+        io::ProjectFile project = projectOf(*opened);
+        project.result = planned->result;
+        if (Status status = io::saveProject(project, arguments.out); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (!arguments.picture.empty()) {
+        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (!arguments.coverage.empty()) {
+        if (Status status = saveCoverage(*opened, pipeline, *planned->plan, arguments.coverage,
+                                         job.stage(0.5, 1.0, "coverage"));
+            !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
+    }
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(planned->metrics));
+    } else {
+        // The rows say the same of what is missing, and more.
+        if (arguments.explain) planned->metrics.erase("uncaptured");
+        fmt::print("{}", metricsTable(planned->metrics));
+    }
+    if (arguments.explain && !arguments.as_json) {
+        fmt::print("\n{}", ledgerTable(*opened->scene, ledger, terminalWidth()));
+    }
+    return areMet(*requirements, planned->metrics) ? kDone : kPartial;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand(
+        "plan", "Plan a camera trajectory and say how well it captures the objects");
+    auto arguments = std::make_shared<PlanArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addParameterArguments(*command, arguments->scene);
+    addPlannerArgument(*command, arguments->planner);
+    command->add_option("-o,--out", arguments->out, "Write a project with the plan")
+        ->type_name("FILE.dolly");
+    command
+        ->add_option("--time", arguments->scene.time_s,
+                     "Plan with the objects that have tracks where these have them then, s; a "
+                     "project that is written keeps them there")
+        ->type_name("S");
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Write a picture of the planned room, seen from above")
+        ->type_name("FILE.png");
+    command
+        ->add_option("--storey", arguments->storey,
+                     "Storey that the picture looks into, 1 the lowest; else the topmost")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000))
+        ->needs("--picture");
+    addBackendOption(*command, arguments->backend);
+    command
+        ->add_option("--coverage", arguments->coverage,
+                     "Also plan within rising budgets of frames and of length, and write what they "
+                     "capture, as a table or a picture by the file's extension; may be repeated")
+        ->type_name("FILE.csv|svg|png")
+        ->allow_extra_args(false);
+    command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
+    command->add_flag("--bound", arguments->bound,
+                      "Also search densely for what could be captured at all (takes a while)");
+    command->add_flag("--explain", arguments->explain,
+                      "Say of every object which frame captures it and how well, or where it was "
+                      "lost and what would help");
+    command
+        ->add_option("--require", arguments->requirements,
+                     "Exit with 3 unless a metric meets a condition, as in "
+                     "'well_captured_rate>=0.8'")
+        ->type_name("CONDITION")
+        ->allow_extra_args(false);
+    command->footer(
+        "Example: dollytrack plan room.glb -o room.dolly --set fill=0.5 --max-frames 300");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runPlan(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli

@@ -1,0 +1,198 @@
+#include "app/cli/plan/planned_scene.h"
+
+#include "engine/core/log.h"
+#include "engine/plan/plan_json.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/free_space/free_space.h"
+#include "planning/timing/clip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace dollytrack::cli {
+
+namespace {
+
+/// Of what was asked for and is not there, or is not visited. Where all kinds are asked for, it is
+/// no news that a scene lacks some.
+void warnOfAnchors(const Plan& plan) {
+    const auto& anchors = plan.anchors;
+    const bool none = !anchors.empty() && std::all_of(anchors.begin(), anchors.end(),
+                                                      [](const auto& a) { return a.found == 0; });
+    if (none) {
+        log::warn("planning", anchors.size() == 1
+                                  ? "the scene has no " + anchors[0].kind + " to visit as anchors"
+                                  : std::string("the scene has no doorways, openings or corridors "
+                                                "to visit as anchors"));
+    }
+    for (const AnchorTally& one : anchors) {
+        if (one.visited >= one.found) continue;
+        log::warn("planning",
+                  fmt::format("{} of {} {} are not visited: the camera finds no place there, or no "
+                              "way leads to it",
+                              one.found - one.visited, one.found, one.kind));
+    }
+}
+
+/// Who joins frames by straight lines would fly through things. A budget of frames is a choice.
+void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
+    const int lines = plan.trajectory_metrics.straight_lines_that_hit;
+    if (lines == 0 || (timing.max_frames > 0 && !planning::keepsFrameRate(timing))) return;
+    log::warn("planning",
+              fmt::format("frame_rate is low for this speed: between frames the camera goes around "
+                          "things that straight lines from frame to frame would hit ({}); raise "
+                          "frame_rate from {:g}, or set max_speed_mps",
+                          lines, timing.frame_rate));
+}
+
+void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
+    const std::string note = planning::frameRateNote(plan.trajectory, timing);
+    if (!note.empty()) log::warn("planning", note);
+}
+
+/// Whether each path has a room of its own, so that rooms alone part them.
+bool roomsPartThem(const std::vector<CameraPath>& paths) {
+    std::set<int> components;
+    for (const CameraPath& path : paths) components.insert(path.component);
+    return components.size() == paths.size();
+}
+
+/// Who reads the poses as one motion would see the camera jump.
+void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& constraints) {
+    if (constraints.rooms != planning::RoomTours::Joined) return;
+    std::set<int> motions;
+    for (const TrajectoryFrame& frame : plan.trajectory.frames) motions.insert(frame.path);
+    if (motions.size() < 2) return;
+    log::warn(
+        "planning",
+        fmt::format(
+            "no free way joins all places: the trajectory has {} motions, and jumps "
+            "from one to the next; 'path' in frames.csv tells them apart{}",
+            motions.size(),
+            roomsPartThem(plan.paths) ? ", and --set rooms=each exports rooms by themselves" : ""));
+}
+
+/// What keeps the camera from everywhere, of what a person may set; empty where something is free.
+std::string whyNothingIsFree(const planning::Pipeline& pipeline,
+                             const planning::FreeSpaceParams& band) {
+    const auto region = pipeline.region();
+    const auto free_space = pipeline.freeSpace();
+    if (!region->restricts()) return {};
+    if (region->hasLevels()) {
+        const auto& cells = region->levels().cells();
+        if (std::ranges::any_of(cells, [](const auto& room) { return !room.empty(); })) return {};
+        return "no floor has room for the body and the camera; lower body_radius_m or "
+               "body_height_m, "
+               "or set camera_height_m above camera_radius_m";
+    }
+    bool in_band = false;
+    bool any = false;
+    for (std::size_t room = 0; room < free_space->rooms().size(); ++room) {
+        const int component = static_cast<int>(room);
+        if (!region->cells(component).empty()) return {};
+        for (const Eigen::Vector3f& cell : free_space->cells(component)) {
+            any = true;
+            if (!region->hasBand()) break;
+            const double height = region->heightOf(cell.cast<double>());
+            in_band |= height >= band.min_height_m && height <= band.max_height_m;
+        }
+    }
+    if (!any) return {};
+    if (region->hasBand() && !in_band) {
+        return fmt::format(
+            "min_height_m={:g} and max_height_m={:g} leave the camera no free place "
+            "above the floor; widen the band",
+            band.min_height_m, band.max_height_m);
+    }
+    return region->hasBand()
+               ? "the no-go boxes leave the camera no free place between "
+                 "min_height_m and max_height_m; move or shrink them"
+               : "the no-go boxes leave the camera no free place; move or shrink them";
+}
+
+/// A begin or end that the command line asks for is no wish to be dropped.
+Status checkEnds(const OpenedScene& opened, const Plan& plan) {
+    for (const auto& [option, name] :
+         {std::pair("--start", opened.asked_start), std::pair("--end", opened.asked_end)}) {
+        if (name.empty()) continue;
+        const auto refused = std::ranges::find_if(plan.refused_pins, [&](const RefusedPin& pin) {
+            return pin.name == name && pin.verdict != Verdict::Legal;
+        });
+        if (refused == plan.refused_pins.end()) continue;
+        const Eigen::Vector3d& at =
+            opened.plan_edits.pinned[static_cast<std::size_t>(refused->pin)].pose.position;
+        return fail(ErrorCode::Usage,
+                    fmt::format("The camera cannot be at ({:.2f}, {:.2f}, {:.2f}): {}.", at.x(),
+                                at.y(), at.z(), refused->reason),
+                    option);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
+                               const JobContext& job) {
+    const auto plan = pipeline.run(opened.params, opened.plan_edits, job);
+    if (!plan) return tl::unexpected<Error>(plan.error());
+    if (Status status = checkEnds(opened, **plan); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    for (const RefusedPin& pin : (*plan)->refused_pins) {
+        log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
+    }
+    warnOfAnchors(**plan);
+    warnOfFrameRate(**plan, opened.params.timing);
+    warnOfFewFrames(**plan, opened.params.timing);
+    warnOfSeparateMotions(**plan, opened.params.constraints);
+    PlannedScene planned;
+    planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);
+    planned.scene = opened.scene;
+    planned.params = opened.params;
+    planned.plan = *plan;
+    planned.trajectory = (*plan)->trajectory;
+    planned.rooms = (*plan)->rooms;
+    planned.metrics = metricsJson(*opened.scene, **plan);
+    planned.result = resultJson(*opened.scene, **plan);
+    if (const std::string why = whyEmpty(planned); !why.empty()) {
+        log::warn("planning", "the trajectory is empty: " + why);
+    } else if (!planned.nothing_free.empty()) {
+        log::warn("planning", planned.nothing_free);
+    }
+    return planned;
+}
+
+std::string whyEmpty(const PlannedScene& planned) {
+    if (!planned.trajectory.frames.empty()) return {};
+    if (!planned.nothing_free.empty()) return planned.nothing_free;
+    return "nothing in the scene can be captured; 'dollytrack info' lists the objects";
+}
+
+Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& job) {
+    if (opened.stored_result.is_null()) {
+        planning::Pipeline pipeline(opened.scene);
+        return planScene(opened, pipeline, job);
+    }
+    PlannedScene planned;
+    planned.scene = opened.scene;
+    planned.params = opened.params;
+    planned.result = opened.stored_result;
+    planned.metrics = opened.stored_result.value("metrics", nlohmann::json::object());
+    Result<Trajectory> trajectory =
+        trajectoryFromJson(opened.stored_result.value("trajectory", nlohmann::json::object()));
+    if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
+    planned.trajectory = std::move(*trajectory);
+    if (planned.trajectory.frames.empty()) {  // planned again for the reason
+        planning::Pipeline pipeline(opened.scene);
+        return planScene(opened, pipeline, job);
+    }
+    Result<std::vector<Eigen::AlignedBox3d>> rooms = roomsFromJson(opened.stored_result);
+    if (!rooms) return tl::unexpected<Error>(std::move(rooms.error()));
+    planned.rooms = std::move(*rooms);
+    return planned;
+}
+
+}  // namespace dollytrack::cli

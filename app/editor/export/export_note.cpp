@@ -1,0 +1,144 @@
+#include "app/editor/export/export_note.h"
+
+#include "app/editor/export/owner_mark.h"
+#include "app/editor/project/files_in.h"
+#include "engine/core/log.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <regex>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::array<const char*, 3> kEnds = {"editor_died", "editor_left", "settled"};
+
+/// The mark in the name of a file as exportFile() makes them; empty: it is not ours. What is half
+/// written has ".tmp.<process>" behind.
+std::string markOf(const fs::path& file) {
+    static const std::regex kName(
+        "export-((?:[A-Za-z0-9_.]+-)?[0-9]+-[0-9]+)-[0-9]+\\.(?:dolly|json)(?:\\.tmp\\.[0-9]+)?");
+    std::smatch parts;
+    const std::string name = file.filename().string();
+    return std::regex_match(name, parts, kName) ? parts[1].str() : std::string();
+}
+
+}  // namespace
+
+fs::path exportFile(const fs::path& folder, const std::string& mark, int job, const char* ending) {
+    return folder / fmt::format("export-{}-{}{}", mark, job, ending);
+}
+
+Status writeNote(const fs::path& file, const ExportNote& note) {
+    const ui::ExportRequest& request = note.request;
+    const json text = {
+        {"name", request.name},           {"folder", request.folder.string()},
+        {"range", request.range},         {"modalities", request.modalities},
+        {"formats", request.formats},     {"flow_distances", request.flow_distances},
+        {"rig", request.rig.string()},    {"still", request.still},
+        {"overwrite", request.overwrite}, {"project", note.project_file.string()},
+        {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
+        {"frames", note.frames},          {"end", kEnds[static_cast<std::size_t>(note.end)]}};
+    try {
+        return io::writeWhole(file, text.dump(1) + "\n");
+    } catch (const json::exception&) {
+        // Another name in its place would be another folder.
+        return fail(ErrorCode::CannotWrite,
+                    "A path of this export is not UTF-8; it cannot be noted for later.",
+                    file.string());
+    }
+}
+
+Result<ExportNote> readNote(const fs::path& file) {
+    ExportNote note;
+    try {
+        const json read = io::readBoundedJson(file).value_or(json());
+        note.request.name = read.at("name").get<std::string>();
+        note.request.folder = read.at("folder").get<std::string>();
+        note.request.range = read.at("range").get<std::string>();
+        note.request.modalities = read.at("modalities").get<std::vector<std::string>>();
+        note.request.formats = read.at("formats").get<std::vector<std::string>>();
+        note.request.flow_distances = read.at("flow_distances").get<std::string>();
+        note.request.rig = read.value("rig", std::string());
+        note.request.still = read.at("still").get<bool>();
+        note.request.overwrite = read.at("overwrite").get<bool>();
+        note.project_file = read.at("project").get<std::string>();
+        note.snapshot = read.at("snapshot").get<bool>();
+        note.frames_done = read.at("frames_done").get<int>();
+        note.frames = read.at("frames").get<int>();
+        // Notes of earlier versions do not say it.
+        const auto* end = std::ranges::find(kEnds, read.value("end", std::string(kEnds[0])));
+        if (end != kEnds.end()) note.end = static_cast<ExportEnd>(end - kEnds.begin());
+    } catch (const json::exception&) {
+        return fail(ErrorCode::BadInput, "The note of an unfinished export cannot be read.",
+                    file.string());
+    }
+    return note;
+}
+
+Result<ExportNote> takeOverNote(const fs::path& left, const fs::path& folder,
+                                const std::string& mark, int job) {
+    std::error_code error;
+    Result<ExportNote> note = readNote(left);
+    if (!note) {
+        fs::remove(left, error);
+        return note;
+    }
+    // The snapshot first, which is nothing without its note: a crash in between must not leave one
+    // that counts as left over.
+    const fs::path old_snapshot = note->project_file;
+    if (note->snapshot) {
+        note->project_file = exportFile(folder, mark, job, ".dolly");
+        fs::copy_file(old_snapshot, note->project_file, fs::copy_options::overwrite_existing,
+                      error);
+        if (error) {
+            return fail(ErrorCode::CannotWrite,
+                        "An unfinished export cannot be taken over: " + error.message() + ".",
+                        old_snapshot.string());
+        }
+    }
+    if (Status written = writeNote(exportFile(folder, mark, job, ".json"), *note); !written) {
+        return tl::unexpected<Error>(written.error());
+    }
+    fs::remove(left, error);
+    if (note->snapshot) fs::remove(old_snapshot, error);
+    return note;
+}
+
+std::vector<fs::path> findLeftNotes(const fs::path& folder) {
+    std::error_code error;
+    std::vector<std::pair<fs::file_time_type, fs::path>> notes;
+    std::vector<fs::path> left_over;
+    for (const fs::directory_entry& entry : filesIn(folder)) {
+        const std::string mark = markOf(entry.path());
+        if (mark.empty() || OwnerMark::isHeld(folder, mark)) continue;
+        fs::path note = entry.path();
+        std::error_code ignored;
+        if (note.extension() == ".json") {
+            notes.emplace_back(entry.last_write_time(ignored), std::move(note));
+        } else if (!fs::exists(note.replace_extension(".json"), ignored)) {
+            left_over.push_back(entry.path());
+        }
+    }
+    for (const fs::path& file : left_over) fs::remove(file, error);
+    if (!left_over.empty()) {
+        log::info("export", fmt::format("removed {} snapshots of exports that were cut off",
+                                        left_over.size()));
+    }
+    std::ranges::sort(notes);
+    std::vector<fs::path> files;
+    for (auto& [written, file] : notes) files.push_back(std::move(file));
+    return files;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,144 @@
+#include "app/editor/project/autosave.h"
+
+#include "app/editor/project/files_in.h"
+#include "app/editor/shell/local_time.h"
+#include "app/editor/shell/settings.h"
+#include "engine/core/log.h"
+#include "engine/document/history_json.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+constexpr const char* kSection = "autosave";
+
+std::filesystem::path folder() {
+    return stateFolder() / "autosave";
+}
+
+std::vector<LostWork> findLost() {
+    std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
+    for (const auto& entry : filesIn(folder())) {
+        if (entry.path().extension() != ".dolly" ||
+            OwnerMark::isHeld(folder(), entry.path().stem().string())) {
+            continue;
+        }
+        const Result<io::ProjectFile> file = io::loadProject(entry.path());
+        if (!file) continue;
+        LostWork work;
+        work.file = entry.path();
+        nlohmann::json others = file->others;
+        work.project = Autosave::takeOrigin(others).project;
+        work.scene = file->scene.filename().string();
+        std::error_code ignored;
+        const auto written = std::filesystem::last_write_time(entry.path(), ignored);
+        work.when = localTime(written);
+        found.emplace_back(written, std::move(work));
+    }
+    OwnerMark::tidy(folder());
+    std::ranges::sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<LostWork> lost;
+    for (auto& [written, work] : found) lost.push_back(std::move(work));
+    return lost;
+}
+
+}  // namespace
+
+Autosave::Autosave(std::function<void()> wake)
+    : mark_(std::make_shared<OwnerMark>(folder())),
+      file_(folder() / (mark_->text() + ".dolly")),
+      finder_(std::move(wake)) {}
+
+Autosave::~Autosave() {
+    writer_.finish();
+}
+
+void Autosave::hearOfCopies() {
+    const std::optional<Written> news = written_->take();
+    if (!news) return;
+    if (news->status) {
+        if (std::exchange(failing_, false)) log::info("autosave", "copies are written again");
+        if (restored_from_ == news->replaced) restored_from_.clear();
+    } else if (!std::exchange(failing_, true)) {
+        // Said once: the disk stays full for a while.
+        log::warn("autosave", "no copy of the unsaved work: " + describe(news->status.error()) +
+                                  " It is tried again every " + std::to_string(kRetry.count()) +
+                                  " s.");
+    }
+}
+
+bool Autosave::isDue(const CommandStack::State& state) {
+    hearOfCopies();
+    if (writer_.state().busy || (stored_ == state && !failing_)) return false;
+    return std::chrono::steady_clock::now() - last_ >= (failing_ ? kRetry : kInterval);
+}
+
+void Autosave::store(const CommandStack::History& history, io::ProjectFile snapshot,
+                     const Origin& origin) {
+    last_ = std::chrono::steady_clock::now();
+    stored_ = history.steps[history.position].state;
+    ++count_;
+    snapshot.result = nullptr;  // planning makes it again, and the copy stays small
+    snapshot.others[kSection] = {{"project", origin.project.string()},
+                                 {"project_sha256", origin.sha256}};
+    writer_.start([snapshot = std::move(snapshot), history, file = file_, old = restored_from_,
+                   mark = mark_, outbox = written_](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        mark->hold();
+        Status status;
+        try {
+            io::ProjectFile whole = snapshot;
+            whole.others[kSection]["history"] = historyJson(history);
+            status = io::saveProject(whole, file);
+        } catch (const std::exception& failure) {
+            status = fail(ErrorCode::Failed, failure.what(), file.string());
+        }
+        if (status && !old.empty()) std::filesystem::remove(old, ignored);
+        outbox->put({old, status});
+    });
+}
+
+void Autosave::discard() {
+    if (!stored_ && restored_from_.empty()) return;
+    stored_.reset();
+    failing_ = false;
+    // After a copy that is being written, and in its order.
+    writer_.start([file = file_, old = std::exchange(restored_from_, {})](const JobContext&) {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+        if (!old.empty()) std::filesystem::remove(old, ignored);
+    });
+}
+
+void Autosave::lookForLostWork() {
+    finder_.start([outbox = found_](const JobContext&) { outbox->put(findLost()); });
+}
+
+std::vector<LostWork> Autosave::takeLostWork() {
+    return found_->take().value_or(std::vector<LostWork>());
+}
+
+void Autosave::forget(const LostWork& work) {
+    std::error_code ignored;
+    std::filesystem::remove(work.file, ignored);
+}
+
+Autosave::Origin Autosave::takeOrigin(nlohmann::json& others) {
+    if (!others.is_object() || !others.contains(kSection)) return {};
+    nlohmann::json notes = others[kSection];
+    others.erase(kSection);
+    const auto text = [&](const char* name) {
+        const bool there = notes.is_object() && notes.contains(name) && notes[name].is_string();
+        return there ? notes[name].get<std::string>() : std::string();
+    };
+    Origin origin{text("project"), text("project_sha256")};
+    if (notes.is_object() && notes.contains("history")) origin.history = notes["history"];
+    return origin;
+}
+
+}  // namespace dollytrack::editor

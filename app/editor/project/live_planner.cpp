@@ -1,0 +1,145 @@
+#include "app/editor/project/live_planner.h"
+
+#include "engine/document/apply_scene_edits.h"
+#include "engine/geometry/ray_caster.h"
+#include "planning/free_space/free_space.h"
+#include "planning/pipeline/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+namespace dollytrack::editor {
+
+namespace {
+
+// With a longer grace the plan for the last value of a drag would come late.
+constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
+
+}  // namespace
+
+/// Belongs to the worker's thread.
+struct LivePlanner::Desk {
+    std::shared_ptr<const Scene> imported;
+    SceneEdits scene_edits;
+    SizeRules size_rules;
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const ObjectTrace> objects;
+    std::vector<std::string> warnings;
+    std::uint64_t geometry = 0;
+    std::uint64_t objects_since = 0;
+    std::optional<planning::Pipeline> pipeline;
+
+    Status prepareScene(const PlanRequest& request, const planning::PlanParams& params);
+};
+
+Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
+                                       const planning::PlanParams& params) {
+    const SceneEdits& edits = request.state->edits.scene;
+    const bool same_file = imported == request.imported;
+    const SizeRules rules{params.targets.small_volume_m3, params.targets.size_ratio};
+    const bool same_rules = size_rules.small_volume_m3 == rules.small_volume_m3 &&
+                            size_rules.size_ratio == rules.size_ratio;
+    if (same_file && scene && same_rules && scene_edits == edits) return {};
+    const bool goes_on = same_file && scene != nullptr;
+    const bool same_geometry = goes_on && sameGeometry(scene_edits, edits);
+    const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
+    Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
+    if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+    if (!same_objects) {
+        objects =
+            std::make_shared<const ObjectTrace>(traceObjects(*request.imported, edits.definitions));
+    }
+    imported = request.imported;
+    scene_edits = edits;
+    size_rules = rules;
+    const auto& all = edited->report.warnings;
+    const std::size_t imported_ones = std::min(imported->report.warnings.size(), all.size());
+    warnings.assign(all.begin() + static_cast<std::ptrdiff_t>(imported_ones), all.end());
+    scene = std::make_shared<const Scene>(std::move(*edited));
+    if (!same_geometry) ++geometry;
+    if (!same_objects) objects_since = geometry;
+    // Frees its memory before the new one is built; where things have only moved much is kept.
+    if (!goes_on) pipeline.reset();
+    if (pipeline) {
+        pipeline->setScene(scene, same_geometry);
+    } else {
+        pipeline.emplace(scene);
+    }
+    return {};
+}
+
+LivePlanner::LivePlanner(std::function<void()> wake, BackgroundWorker::Clock clock)
+    : outcomes_(std::make_shared<Outbox<PlanOutcome>>()),
+      desk_(std::make_shared<Desk>()),
+      wake_(std::move(wake)),
+      worker_(wake_, kPatience, std::move(clock)) {}
+
+LivePlanner::~LivePlanner() = default;
+
+void LivePlanner::start(PlanRequest request) {
+    worker_.start([this, request = std::move(request), desk = desk_, outbox = outcomes_,
+                   wake = wake_](const JobContext& job) {
+        const auto begin = std::chrono::steady_clock::now();
+        PlanOutcome outcome;
+        outcome.serial = request.serial;
+        outcome.state = request.state;
+        const auto publish = [&] {
+            outcome.milliseconds =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+                    .count();
+            outbox->put(outcome);
+            wake();
+        };
+        const auto refuse = [&](Error error) {
+            outcome.error = std::move(error);
+            publish();
+        };
+        try {
+            if (Status status =
+                    setFromJson(planning::listFields(outcome.params), request.state->parameters);
+                !status) {
+                return refuse(std::move(status.error()));
+            }
+            if (Status status = desk->prepareScene(request, outcome.params); !status) {
+                return refuse(std::move(status.error()));
+            }
+            outcome.scene = desk->scene;
+            outcome.objects = desk->objects;
+            outcome.geometry = desk->geometry;
+            outcome.objects_since = desk->objects_since;
+            outcome.warnings = desk->warnings;
+            outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+            const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
+                outcome.rays = desk->pipeline->rays();
+                outcome.free_space = desk->pipeline->freeSpace();
+                outcome.plan = std::move(plan);
+                outcome.measured = measured;
+                publish();
+            };
+            auto plan = desk->pipeline->run(outcome.params, outcome.edits, job,
+                                            [&](std::shared_ptr<const Plan> moving) {
+                                                collect(std::move(moving), false);
+                                                worker_.cancelOutdated();
+                                            });
+            if (plan) return collect(std::move(*plan), true);
+            if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
+            outcome.error = std::move(plan.error());
+            collect(nullptr, false);
+        } catch (const std::exception& error) {
+            desk->scene.reset();  // what is half made is made anew next time
+            outcome.plan = nullptr;
+            outcome.measured = false;
+            if (outcome.scene) {
+                outcome.rays = desk->pipeline->rays();
+                outcome.free_space = desk->pipeline->freeSpace();
+            }
+            refuse({ErrorCode::Failed,
+                    std::string("Planning failed: ") + error.what() +
+                        "; try a larger octree_resolution_m.",
+                    {}});
+        }
+    });
+}
+
+}  // namespace dollytrack::editor

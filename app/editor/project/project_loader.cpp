@@ -1,0 +1,42 @@
+#include "app/editor/project/project_loader.h"
+
+#include <utility>
+
+namespace dollytrack::editor {
+
+Result<OpenedProject> openProject(ProjectContent content, const JobContext& job) {
+    Result<std::shared_ptr<const Scene>> imported = importSceneOf(content, job);
+    if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
+    OpenedProject opened;
+    opened.imported = std::move(*imported);
+    Result<std::vector<std::string>> lost = numberEdits(content, *opened.imported);
+    if (!lost) return tl::unexpected<Error>(std::move(lost.error()));
+    for (const std::string& one : *lost) opened.warnings.push_back("Annotations: " + one + ".");
+    const bool changed = sceneHasChanged(content, *opened.imported);
+    if (changed) {
+        opened.warnings.push_back(
+            "The scene file has changed since the project was saved; objects were found again by "
+            "name, and the plan is new.");
+    }
+    const auto& missing = opened.imported->report.textures_missing;
+    if (!missing.empty()) {
+        opened.warnings.push_back(
+            std::to_string(missing.size()) +
+            (missing.size() == 1 ? " texture is missing: " : " textures are missing: ") +
+            missing.front() + (missing.size() > 1 ? ", …" : "") +
+            "; those surfaces show plain colour.");
+    }
+    opened.proposal = proposeImport(*opened.imported);
+    opened.project = std::move(content.project);
+    opened.scene_file = std::move(content.scene_file);
+    opened.state.parameters = toJson(planning::listFields(content.params));
+    opened.state.edits = std::move(content.edits);
+    opened.import = std::move(content.import);
+    opened.loaded_edits = std::move(content.edits_section);
+    opened.others = std::move(content.others);
+    opened.file_sha256 = std::move(content.file_sha256);
+    opened.file_has_plan = !content.result.is_null() && !changed;
+    return opened;
+}
+
+}  // namespace dollytrack::editor

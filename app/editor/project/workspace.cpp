@@ -1,0 +1,449 @@
+#include "app/editor/project/workspace.h"
+
+#include "engine/core/log.h"
+#include "engine/document/edits_json.h"
+#include "engine/document/history_json.h"
+#include "engine/document/operation.h"
+#include "engine/io/files/durable_file.h"
+#include "engine/io/files/sha256.h"
+#include "engine/plan/plan_json.h"
+#include "engine/scene/resolved_light.h"
+#include "render/light/light_cache.h"
+#include "render/light/light_rig.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace dollytrack::editor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+Workspace::Workspace(std::function<void()> wake)
+    : wake_(wake),
+      file_watch_(known_files_, wake),
+      loader_(wake),
+      saver_(wake),
+      lighter_(wake),
+      planner_(wake) {}
+
+Workspace::~Workspace() {
+    saver_.finish();
+}
+
+void Workspace::open(const std::filesystem::path& path,
+                     const std::optional<std::filesystem::path>& scene_instead) {
+    load(path, scene_instead, false);
+}
+
+void Workspace::restore(const std::filesystem::path& copy,
+                        const std::optional<std::filesystem::path>& scene_instead) {
+    load(copy, scene_instead, true);
+}
+
+void Workspace::load(const std::filesystem::path& path,
+                     const std::optional<std::filesystem::path>& scene_instead, bool restored) {
+    state_when_asked_ = stack_.state();
+    std::error_code ignored;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
+    LoadOutcome outcome{absolute, fail(ErrorCode::Failed, ""), restored};
+    outcome.relocated = scene_instead.has_value();
+    startLoading(std::move(outcome), [absolute, scene_instead] {
+        Result<ProjectContent> content = readProject(absolute);
+        if (content && scene_instead) content->scene_file = *scene_instead;
+        return content;
+    });
+}
+
+void Workspace::readAgain(const nlohmann::json& import) {
+    if (!isOpen()) return;
+    state_when_asked_ = stack_.state();
+    LoadOutcome outcome{path().empty() ? sceneFile() : path(), fail(ErrorCode::Failed, "")};
+    outcome.history = stack_.history();
+    outcome.import_before = opened_->import;
+    io::ProjectFile file = snapshot(false);
+    file.import = import;
+    file.file_sha256 = fileContent();
+    startLoading(std::move(outcome), [file, project = path()] { return contentOf(file, project); });
+}
+
+void Workspace::applyProposal() {
+    nlohmann::json import = opened_->import;
+    const ImportProposal& proposal = opened_->proposal;
+    if (proposal.unit_m) import["unit_m"] = *proposal.unit_m;
+    if (proposal.up_axis) import["up_axis"] = proposal.up_axis->text();
+    readAgain(import);
+}
+
+void Workspace::takeBackImport() {
+    if (import_before_) readAgain(*import_before_);
+}
+
+void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read) {
+    loader_.start([outcome = std::move(outcome), read = std::move(read),
+                   outbox = loaded_](const JobContext& job) mutable {
+        try {
+            Result<ProjectContent> content = read();
+            if (content && sceneIsGone(*content)) outcome.missing_scene = content->scene_file;
+            outcome.opened = std::move(content).and_then([&](ProjectContent&& content_read) {
+                return openProject(std::move(content_read), job);
+            });
+            if (outcome.opened && outcome.restored) takeHistory(outcome);
+        } catch (const std::exception& error) {
+            outcome.opened = fail(ErrorCode::Failed,
+                                  std::string("The scene cannot be loaded: ") + error.what() + ".",
+                                  outcome.path.string());
+        }
+        outbox->put(std::move(outcome));
+    });
+}
+
+void Workspace::close() {
+    planner_.cancel();
+    lighter_.cancel();
+    opened_.reset();
+    shown_ = {};
+    light_.reset();
+    lit_rooms_.clear();
+    first_serial_ = ++serial_;
+    ++document_;
+    restored_from_.clear();
+    import_before_.reset();
+    changed_file_.reset();
+    file_watch_.beginAnew();
+    stack_.reset({});
+    newly_opened_ = true;
+}
+
+void Workspace::takeHistory(LoadOutcome& outcome) {
+    outcome.origin = Autosave::takeOrigin(outcome.opened->others);
+    Result<CommandStack::History> history = historyFromJson(outcome.origin.history);
+    if (history) {
+        outcome.history = std::move(*history);
+    } else {
+        outcome.opened->warnings.push_back(
+            "The work is back, but its undo history was not kept: what was done before cannot be "
+            "undone step by step.");
+    }
+}
+
+void Workspace::install(OpenedProject opened, std::optional<CommandStack::History> history) {
+    close();
+    for (const std::string& warning : opened.warnings) log::warn("project", warning);
+    for (const std::string& warning : opened.imported->report.warnings) {
+        log::warn("import", warning);
+    }
+    for (const std::string& note : opened.imported->report.notes) log::info("import", note);
+    if (!opened.warnings.empty()) {
+        std::string text;
+        for (const std::string& warning : opened.warnings) text += warning + "\n";
+        text.pop_back();
+        notices_.push_back({false, "Please note", text});
+    }
+    if (history) {
+        // What the sections of the project say counts where the two should differ.
+        history->steps[history->position].state =
+            std::make_shared<const ProjectState>(opened.state);
+        stack_.restore(std::move(*history));
+    } else {
+        stack_.reset(opened.state);
+    }
+    if (!opened.project.empty()) known_files_->remember(opened.project, opened.file_sha256);
+    file_has_plan_ = opened.file_has_plan;
+    opened_ = std::move(opened);
+    replan();
+}
+
+void Workspace::finishOpening(LoadOutcome outcome) {
+    const std::string name = outcome.path.filename().string();
+    if (outcome.opened && unsaved() && stack_.state() != state_when_asked_) {
+        notices_.push_back({true, name + " was not opened",
+                            "The open project was changed in the meantime. Save it, then open " +
+                                name + " again."});
+        return;
+    }
+    if (outcome.opened && outcome.import_before) return finishReadingAgain(std::move(outcome));
+    if (outcome.opened) {
+        if (outcome.restored) {
+            // The file may have been saved since by somebody else: known is what the work is of.
+            outcome.opened->project = std::move(outcome.origin.project);
+            outcome.opened->file_sha256 = std::move(outcome.origin.sha256);
+        }
+        install(std::move(*outcome.opened), std::move(outcome.history));
+        if (outcome.restored) restored_from_ = outcome.path;
+        // Where its scene is now the project's file does not know yet.
+        if (outcome.restored || outcome.relocated) stack_.markUnsaved();
+        return;
+    }
+    const Error& error = outcome.opened.error();
+    if (error.code == ErrorCode::Cancelled) return;
+    Notice notice{true, "Cannot open " + name, describe(error)};
+    if (!outcome.missing_scene.empty()) {
+        notice.text = "Its scene " + outcome.missing_scene.string() +
+                      " is not there any more. Find it where it is now, or put it back and open "
+                      "the project again.";
+        notice.missing_scene_of = outcome.path;
+        notice.restores = outcome.restored;
+    }
+    log::error("project", describe(error));
+    notices_.push_back(std::move(notice));
+}
+
+void Workspace::finishReadingAgain(LoadOutcome outcome) {
+    const std::filesystem::path restored_from = restored_from_;
+    const bool back = import_before_ && *import_before_ == outcome.opened->import;
+    install(std::move(*outcome.opened), std::move(outcome.history));
+    restored_from_ = restored_from;
+    if (!back) import_before_ = std::move(outcome.import_before);
+    // The project's file does not know yet how its scene is read now.
+    stack_.markUnsaved();
+}
+
+io::ProjectFile Workspace::snapshot(bool with_plan) const {
+    io::ProjectFile file;
+    file.scene = opened_->scene_file;
+    file.scene_sha256 = opened_->imported->source_sha256;
+    file.import = opened_->import;
+    file.parameters = state().parameters;
+    file.edits = editsJson(state().edits, opened_->loaded_edits);
+    file.others = opened_->others;
+    if (with_plan && planIsCurrent() && shown_.plan)
+        file.result = resultJson(*shown_.scene, *shown_.plan);
+    return file;
+}
+
+void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
+    if (!isOpen()) return;
+    const bool planned = planIsCurrent() && shown_.plan;
+    const bool asks = if_changed == IfChanged::Ask;
+    const bool nothing_new =
+        asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned);
+    SaveOrder order;
+    order.outcome = {++save_serial_, document_, path, stack_.state(), planned};
+    order.file = snapshot(false);
+    order.scene = shown_.scene;
+    if (planned) order.plan = shown_.plan;
+    order.asks = asks;
+    order.nothing_new = nothing_new;
+    save_orders_->put(std::move(order));
+    // The worker drops a piece of work that waits for a newer one: so each takes all orders.
+    saver_.start([orders = save_orders_, known = known_files_, saved = saved_](const JobContext&) {
+        for (SaveOrder& one : orders->takeAll()) {
+            write(one, *known);
+            saved->put(std::move(one.outcome));
+        }
+    });
+}
+
+void Workspace::write(SaveOrder& order, KnownFiles& known) {
+    SaveOutcome& done = order.outcome;
+    std::error_code error;
+    done.was_there = order.nothing_new && std::filesystem::exists(done.path, error);
+    done.changed_elsewhere = !done.was_there && order.asks && known.changedElsewhere(done.path);
+    if (done.was_there || done.changed_elsewhere) return;
+    try {
+        if (order.plan) order.file.result = resultJson(*order.scene, *order.plan);
+        const std::string text = io::projectText(order.file, done.path);
+        done.status = io::writeWhole(done.path, text);
+        if (done.status) known.remember(done.path, io::sha256Of(text));
+    } catch (const std::exception& failure) {
+        done.status = fail(ErrorCode::Failed,
+                           std::string("The project cannot be written: ") + failure.what() +
+                               "; close other programs and save again.",
+                           done.path.string());
+    }
+}
+
+void Workspace::finishSaving(SaveOutcome outcome) {
+    if (outcome.serial == save_serial_) saves_answered_ = save_serial_;
+    if (!outcome.status) {
+        log::error("project", describe(outcome.status.error()));
+        notices_.push_back({true, "Cannot save", describe(outcome.status.error())});
+        return;
+    }
+    if (outcome.was_there)
+        return log::info("project", "nothing to save in " + outcome.path.string());
+    const bool same_document = isOpen() && outcome.document == document_;
+    if (outcome.changed_elsewhere) {
+        log::warn("project", "not saved: another program has changed " + outcome.path.string());
+        if (same_document) changed_file_ = outcome.path;
+        return;
+    }
+    log::info("project", "saved " + outcome.path.string());
+    if (!same_document) return;
+    opened_->project = outcome.path;
+    file_watch_.beginAnew();
+    file_has_plan_ = outcome.has_plan;
+    stack_.markSaved(outcome.state);
+}
+
+Status Workspace::checkEditable() const {
+    if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
+    if (!shown_.scene && shown_.error) {
+        return fail(shown_.error->code,
+                    "There is no scene to edit, since the last change failed; undo it. " +
+                        shown_.error->message,
+                    shown_.error->where);
+    }
+    if (!shown_.scene) {
+        return fail(ErrorCode::Failed, "The scene is still being prepared; try again in a moment.");
+    }
+    if (!(shown_.state->edits.scene.definitions == state().edits.scene.definitions)) {
+        return fail(ErrorCode::Failed, "The objects are being made anew; try again in a moment.");
+    }
+    return {};
+}
+
+Status Workspace::apply(const nlohmann::json& operation, const std::string& merge_key) {
+    if (Status status = checkEditable(); !status) return status;
+    ProjectState next = state();
+    Result<std::string> name =
+        applyOperation(next, {*shown_.scene, planning::setParameter}, operation);
+    if (!name) return tl::unexpected<Error>(std::move(name.error()));
+    const CommandStack::State before = stack_.state();
+    stack_.push(*name, std::move(next), merge_key);
+    if (stack_.state() != before) replan();
+    return {};
+}
+
+Status Workspace::applyAll(const nlohmann::json& operations, const std::string& name) {
+    if (Status status = checkEditable(); !status) return status;
+    ProjectState next = state();
+    if (auto done = applyOperations(next, *shown_.scene, planning::setParameter, operations);
+        !done) {
+        return tl::unexpected<Error>(std::move(done.error()));
+    }
+    const CommandStack::State before = stack_.state();
+    stack_.push(name, std::move(next));
+    if (stack_.state() != before) replan();
+    return {};
+}
+
+void Workspace::setParameters(const nlohmann::json& parameters, const std::string& name,
+                              const std::string& merge_key) {
+    ProjectState next = state();
+    next.parameters = parameters;
+    const CommandStack::State before = stack_.state();
+    stack_.push(name, std::move(next), merge_key);
+    if (stack_.state() != before) replan();
+}
+
+void Workspace::undo() {
+    if (!stack_.canUndo()) return;
+    stack_.undo();
+    replan();
+}
+
+void Workspace::redo() {
+    if (!stack_.canRedo()) return;
+    stack_.redo();
+    replan();
+}
+
+void Workspace::goTo(std::size_t step) {
+    const CommandStack::State before = stack_.state();
+    stack_.goTo(step);
+    if (stack_.state() != before) replan();
+}
+
+void Workspace::replan() {
+    changed_at_ = Clock::now();
+    lighter_.cancel();  // the plan comes first
+    planner_.start({opened_->imported, stack_.state(), ++serial_});
+}
+
+void Workspace::updateLight() {
+    if (!shown_.plan || !shown_.measured || planner_.state().busy) return;
+    const bool same_rooms =
+        lit_rooms_.size() == shown_.plan->rooms.size() &&
+        std::equal(lit_rooms_.begin(), lit_rooms_.end(), shown_.plan->rooms.begin(),
+                   [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+                       return a.min() == b.min() && a.max() == b.max();
+                   });
+    const LightParams& light = shown_.params.light;
+    const bool same = lit_geometry_ == shown_.geometry && same_rooms && lit_params_ == light;
+    if (same && (has_their_light_ || lighter_.state().busy)) return;
+    has_their_light_ = false;
+    lit_geometry_ = shown_.geometry;
+    lit_rooms_ = shown_.plan->rooms;
+    lit_params_ = light;
+    lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
+                    light_made = resolved(light), number = ++light_number_,
+                    outbox = lit_](const JobContext& job) {
+        render::LightVolume baked = render::lightVolumeOf(
+            *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
+        if (!job.cancelled()) outbox->put({number, std::move(baked)});
+    });
+}
+
+void Workspace::take(PlanOutcome outcome) {
+    if (outcome.error && outcome.error->code != ErrorCode::Cancelled) {
+        log::warn("planning", describe(*outcome.error));
+    }
+    for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
+    if (shown_.serial != outcome.serial && outcome.serial == serial_) {
+        latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
+    }
+    const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
+    if (refused && shown_.plan && shown_.state->edits.scene == outcome.state->edits.scene) {
+        // Parameters that do not go together are on their way to ones that do: the plan before
+        // stays in sight, with its own scene, parameters and edits.
+        shown_.serial = outcome.serial;
+        shown_.error = std::move(outcome.error);
+        shown_.outdated = true;
+        return;
+    }
+    if (shown_.geometry != outcome.geometry) light_.reset();
+    shown_ = std::move(outcome);
+}
+
+/// Whether to show an outcome. A plan for an outdated value is shown, as it is newer than the plan
+/// on the screen; an error for an outdated value is not.
+bool Workspace::isWanted(const PlanOutcome& outcome) const {
+    if (outcome.serial == serial_) return true;
+    return outcome.serial >= first_serial_ && outcome.plan != nullptr;
+}
+
+void Workspace::poll() {
+    if (std::optional<LoadOutcome> outcome = loaded_->take()) finishOpening(std::move(*outcome));
+    if (std::optional<PlanOutcome> outcome = planner_.poll();
+        outcome && isOpen() && isWanted(*outcome)) {
+        take(std::move(*outcome));
+    }
+    if (std::optional<Lit> lit = lit_->take();
+        lit && lit->number == light_number_ && isOpen() && lit_geometry_ == shown_.geometry) {
+        light_ = std::make_shared<const render::LightVolume>(std::move(lit->light));
+        has_their_light_ = true;
+    }
+    for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));
+    // Not while it is being written here: the content is there before it is known.
+    if (!saving()) file_watch_.look(path());
+    updateLight();
+}
+
+const std::filesystem::path& Workspace::path() const {
+    static const std::filesystem::path kNone;
+    return opened_ ? opened_->project : kNone;
+}
+
+std::string Workspace::title() const {
+    if (!isOpen()) return "Dollytrack";
+    const std::filesystem::path shown =
+        path().empty() ? opened_->scene_file.filename() : path().filename();
+    return (unsaved() ? "● " : "") + shown.string() + " – Dollytrack";
+}
+
+std::optional<Workspace::Notice> Workspace::takeNotice() {
+    if (notices_.empty()) return std::nullopt;
+    Notice first = std::move(notices_.front());
+    notices_.erase(notices_.begin());
+    return first;
+}
+
+std::string Workspace::planError() const {
+    return shown_.error ? describe(*shown_.error) : std::string();
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,135 @@
+#include "app/editor/shell/input_queue.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace dollytrack::editor {
+namespace {
+
+constexpr double kDoubleClick_s = 0.3;
+
+InputQueue* the_queue = nullptr;
+
+}  // namespace
+
+void InputQueue::attach(GLFWwindow* window) {
+    the_queue = this;
+    window_ = window;
+    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        the_queue->events_.push_back({Event::Kind::Key, key, scancode, action, mods});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) {
+        const double now_s = glfwGetTime();
+        the_queue->events_.push_back({Event::Kind::Button, button, 0, action, mods, 0, 0,
+                                      the_queue->earliest(now_s), now_s});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) {
+        the_queue->events_.push_back({Event::Kind::Scroll, 0, 0, 0, 0, x, y});
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) {
+        std::deque<Event>& events = the_queue->events_;
+        // Only where it was when something happened matters, and where it is now.
+        if (!events.empty() && events.back().kind == Event::Kind::Move) events.pop_back();
+        events.push_back({Event::Kind::Move, 0, 0, 0, 0, x, y});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow*, unsigned character) {
+        the_queue->events_.push_back({Event::Kind::Text, static_cast<int>(character)});
+    });
+    glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+    glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+}
+
+void InputQueue::listen() {
+    listens_since_s_ = glfwGetTime();
+}
+
+double InputQueue::earliest(double now_s) const {
+    // What is told at once was there already, and came at any time while the frame was drawn.
+    constexpr double kAtOnce_s = 0.005;
+    return now_s - listens_since_s_ < kAtOnce_s ? listened_until_s_ : now_s;
+}
+
+bool InputQueue::deliver(bool hold_keys) {
+    listened_until_s_ = glfwGetTime();
+    follows_closely_ = false;
+    std::set<int> changed;  // keys, and buttons below zero
+    at_event_ = false;      // a button needs the mouse to stay where it is
+    bool dragged = false;   // the end of the way must be seen before the button is up
+    while (!events_.empty()) {
+        const Event event = events_.front();
+        const bool typed = event.kind == Event::Kind::Text ||
+                           (event.kind == Event::Kind::Key && event.action != GLFW_RELEASE);
+        if (typed && hold_keys) return true;
+        if (event.kind == Event::Kind::Move && at_event_) return true;
+        if (event.kind == Event::Kind::Button && event.action == GLFW_RELEASE && dragged) {
+            return true;
+        }
+        const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
+        const bool repeats = event.action == GLFW_REPEAT;
+        const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
+        // A second change of the same key, or a release while others went down, must be seen by
+        // itself: Ctrl may not be up before the key it belongs to was looked at.
+        const bool release = event.action == GLFW_RELEASE;
+        if (switches && !repeats && (changed.contains(which) || (release && !changed.empty()))) {
+            return true;
+        }
+        events_.pop_front();
+        // Of a button its release, too: the second press of a double click is a frame of its own.
+        if (switches && !repeats && (!release || event.kind == Event::Kind::Button)) {
+            changed.insert(which);
+        }
+        switch (event.kind) {
+            case Event::Kind::Key:
+                ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action,
+                                           event.mods);
+                break;
+            case Event::Kind::Button:
+                if (event.code >= 0 && event.code < static_cast<int>(down_.size())) {
+                    const auto button = static_cast<std::size_t>(event.code);
+                    down_[button] = event.action == GLFW_PRESS;
+                    if (down_[button]) {
+                        follows_closely_ = event.earliest_s - pressed_s_[button] < kDoubleClick_s;
+                        pressed_s_[button] = event.latest_s;
+                    }
+                }
+                ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.action, event.mods);
+                at_event_ = true;
+                break;
+            case Event::Kind::Scroll:
+                ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+                break;
+            case Event::Kind::Text:
+                ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+                break;
+            case Event::Kind::Move:
+                x_ = event.x;
+                y_ = event.y;
+                knows_place_ = true;
+                dragged = std::ranges::find(down_, true) != down_.end();
+                break;
+        }
+    }
+    return false;
+}
+
+void InputQueue::setMouse() const {
+    // The mouse itself is ahead of its events: a double click within a slow frame would be one
+    // click, a click would overtake the letters that were typed before it, and a drag would take
+    // hold of what the mouse has reached instead of what it was pressed on.
+    ImGuiIO& io = ImGui::GetIO();
+    for (std::size_t i = 0; i < down_.size(); ++i) io.MouseDown[i] = down_[i];
+    // By ImGui's clock, which counts frames, a double click in slow ones would be two clicks.
+    io.MouseDoubleClickTime = follows_closely_ ? std::numeric_limits<float>::max() : 0.0F;
+    const bool behind = at_event_ || !events_.empty();
+    if (behind && knows_place_ && ImGui::IsMousePosValid(&io.MousePos)) {
+        io.MousePos = {static_cast<float>(x_), static_cast<float>(y_)};
+    }
+}
+
+}  // namespace dollytrack::editor

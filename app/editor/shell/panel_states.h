@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/panels/export/export_panel.h"
+#include "ui/panels/plan/history_panel.h"
+#include "ui/panels/plan/log_panel.h"
+#include "ui/panels/scene/image_viewer.h"
+#include "ui/panels/scene/objects_panel.h"
+#include "ui/panels/scene/preview_panel.h"
+#include "ui/panels/selection/selection_panel.h"
+#include "ui/panels/timeline/steps_panel.h"
+#include "ui/panels/timeline/timeline_panel.h"
+#include "ui/viewport/viewport_pane.h"
+#include "ui/widgets/commands/command_palette.h"
+#include "ui/widgets/commands/help_overlay.h"
+#include "ui/widgets/legend_view.h"
+
+namespace dollytrack::editor {
+
+/// What the panels remember from one frame of the window to the next.
+struct PanelStates {
+    ui::ViewportState viewport;
+    ui::ObjectsPanelState objects;
+    ui::HistoryState history;
+    ui::SelectionState selection;
+    ui::TimelineState timeline;
+    ui::StepsState steps;
+    ui::LogPanelState log;
+    ui::PreviewState preview;
+    ui::LegendBoxState legend;
+    ui::ExportDraft export_draft;
+    ui::ImageViewerState sheet;
+    ui::HelpState help;
+    ui::CommandPaletteState palette;
+};
+
+}  // namespace dollytrack::editor

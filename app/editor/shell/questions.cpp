@@ -1,0 +1,286 @@
+#include "app/editor/shell/questions.h"
+
+#include "ui/widgets/message_box.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+std::string datasetName(const ui::ExportJob& job) {
+    const std::filesystem::path& folder = job.request.folder;
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+std::string titleOf(const std::vector<ExportQueue::Found>& found) {
+    return found.size() == 1
+               ? fmt::format("The dataset {} is not finished", datasetName(found.front().job))
+               : fmt::format("{} datasets are not finished", found.size());
+}
+
+/// A line for each export: how it ended, and how many frames were done.
+std::string textOf(const std::vector<ExportQueue::Found>& found) {
+    constexpr std::size_t kMostNamed = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i) {
+        const auto& [job, editor_died] = found[i];
+        text += fmt::format(
+            "{}: {}{}.\n", job.request.folder.string(),
+            editor_died ? "the editor ended while it was being exported"
+                        : "leaving the editor stopped its export",
+            job.frames > 0 ? fmt::format(", {} of {} frames are done", job.frames_done, job.frames)
+                           : std::string());
+    }
+    if (found.size() > kMostNamed) {
+        text += fmt::format("{} more are in the queue.\n", found.size() - kMostNamed);
+    }
+    return text + "What is finished stays, and the queue under Export has the rest.";
+}
+
+}  // namespace
+
+Questions::Questions(Workspace& workspace, Doors doors)
+    : workspace_(workspace), doors_(std::move(doors)) {}
+
+void Questions::tell(Workspace::Notice notice) {
+    // What goes wrong with every picture is told once.
+    const auto same = [&](const Workspace::Notice& waiting) {
+        return waiting.title == notice.title && waiting.text == notice.text;
+    };
+    if (std::ranges::none_of(notices_, same)) notices_.push_back(std::move(notice));
+}
+
+void Questions::offer(std::vector<LostWork> lost) {
+    lost_ = std::move(lost);
+}
+
+void Questions::offerExports(std::vector<ExportQueue::Found> found) {
+    found_exports_ = std::move(found);
+}
+
+void Questions::afterUnsaved(std::function<void()> then, const std::string& what_next) {
+    if (!workspace_.unsaved()) return then();
+    after_unsaved_ = std::move(then);
+    what_next_ = what_next;
+}
+
+void Questions::afterExports(std::function<void()> then) {
+    stopped_exports_ = doors_.unfinished_exports();
+    if (stopped_exports_ == 0) return then();
+    after_exports_ = std::move(then);
+}
+
+bool Questions::waiting() const {
+    return !notices_.empty() || !lost_.empty() || !changed_file_.empty() || after_unsaved_ ||
+           after_exports_ || !found_exports_.empty() || doubt_;
+}
+
+bool Questions::pending(Kind kind) const {
+    switch (kind) {
+        case Kind::None:
+            return false;
+        case Kind::LostWork:
+            return !lost_.empty();
+        case Kind::ChangedFile:
+            return !changed_file_.empty();
+        case Kind::Unsaved:
+            return after_unsaved_ && !saving_;
+        case Kind::Exports:
+            return after_exports_ != nullptr;
+        case Kind::FoundExports:
+            return !found_exports_.empty();
+        case Kind::Doubt:
+            return doubt_.has_value();
+        case Kind::Notice:
+            return !notices_.empty();
+    }
+    return false;
+}
+
+void Questions::draw(bool choosing_file) {
+    while (auto notice = workspace_.takeNotice()) notices_.push_back(std::move(*notice));
+    if (auto file = workspace_.takeChangedFile()) changed_file_ = std::move(*file);
+    answerUnsaved(choosing_file);
+    if (choosing_file) return;
+    // One that is being read is not pushed aside by another.
+    if (!pending(shown_)) {
+        shown_ = Kind::None;
+        // What the user has just done comes before what was there when the editor started.
+        for (const Kind kind : {Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Doubt,
+                                Kind::Notice, Kind::LostWork, Kind::FoundExports}) {
+            if (shown_ == Kind::None && pending(kind)) shown_ = kind;
+        }
+    }
+    switch (shown_) {
+        case Kind::LostWork:
+            return drawLostWork();
+        case Kind::ChangedFile:
+            return drawChangedFile();
+        case Kind::Unsaved:
+            return drawUnsaved();
+        case Kind::Exports:
+            return drawExports();
+        case Kind::FoundExports:
+            return drawFoundExports();
+        case Kind::Doubt:
+            return drawDoubt();
+        case Kind::Notice:
+            return drawNotice();
+        case Kind::None:
+            break;
+    }
+}
+
+void Questions::answerUnsaved(bool choosing_file) {
+    // The question is answered when the project is on the disk, or saving was given up.
+    if (!saving_ || workspace_.saving() || choosing_file || !changed_file_.empty()) return;
+    saving_ = false;
+    const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
+    if (then && !workspace_.unsaved()) then();
+}
+
+void Questions::drawLostWork() {
+    const LostWork work = lost_.front();
+    ui::MessageBox box;
+    box.title = "Unsaved work was found";
+    box.text = fmt::format(
+        "The editor ended without saving {}.\nThe last copy is of {}.",
+        work.project.empty() ? "a project of " + work.scene : work.project.filename().string(),
+        work.when);
+    box.buttons = {"Restore", "Delete the copy", "Later"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    if (pressed == 0) {
+        lost_.clear();  // one at a time; the others are offered again next time
+        return doors_.restore(work);
+    }
+    if (pressed == 1) Autosave::forget(work);
+    lost_.erase(lost_.begin());
+}
+
+void Questions::drawChangedFile() {
+    ui::MessageBox box;
+    box.title = changed_file_.filename().string() + " was changed by another program";
+    box.text =
+        "It does not hold what was opened or saved here last. Reloading it loses what was changed "
+        "here since, overwriting it what the other program wrote.";
+    // Enter presses the first, which loses nothing.
+    box.buttons = {"Save as…", "Reload", "Overwrite", "Cancel"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::filesystem::path file = std::exchange(changed_file_, {});
+    if (pressed == 0) doors_.save_as();
+    if (pressed == 1) workspace_.open(file);
+    if (pressed == 2) workspace_.save(file, Workspace::IfChanged::Overwrite);
+}
+
+void Questions::drawUnsaved() {
+    const std::string name = workspace_.path().empty() ? workspace_.sceneFile().filename().string()
+                                                       : workspace_.path().filename().string();
+    switch (ui::askUnsaved(name, what_next_)) {
+        case ui::UnsavedAnswer::Save:
+            saving_ = true;
+            doors_.save();
+            break;
+        case ui::UnsavedAnswer::Discard: {
+            const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
+            then();
+            break;
+        }
+        case ui::UnsavedAnswer::Cancel:
+            after_unsaved_ = nullptr;
+            break;
+        case ui::UnsavedAnswer::None:
+            break;
+    }
+}
+
+void Questions::drawExports() {
+    ui::MessageBox box;
+    box.title = stopped_exports_ == 1
+                    ? "An export is not finished"
+                    : fmt::format("{} exports are not finished", stopped_exports_);
+    box.text = fmt::format(
+        "Leaving stops {} after the frame at hand. Finished frames stay, and the next start of "
+        "the editor offers to go on from there.",
+        stopped_exports_ == 1 ? "it" : "them");
+    box.buttons = {"Keep exporting", "Stop and quit"};
+    box.escape = 0;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const std::function<void()> then = std::exchange(after_exports_, nullptr);
+    if (pressed == 1) then();
+}
+
+void Questions::drawFoundExports() {
+    ui::MessageBox box;
+    box.title = titleOf(found_exports_);
+    box.text = textOf(found_exports_);
+    box.buttons = {"Continue", "Later", "Take out of the queue"};
+    box.escape = 1;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    std::vector<int> jobs;
+    for (const ExportQueue::Found& found : found_exports_) jobs.push_back(found.job.id);
+    found_exports_.clear();
+    if (pressed == 0) doors_.continue_exports(jobs);
+    if (pressed == 2) doors_.forget_exports(jobs);
+}
+
+void Questions::drawDoubt() {
+    ui::MessageBox box;
+    box.title = doubt_->title;
+    box.text = doubt_->text;
+    // Enter presses the first button.
+    box.buttons.clear();
+    if (doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
+    for (const Doubt::Answer& answer : doubt_->answers) box.buttons.push_back(answer.label);
+    if (!doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
+    const int first = doubt_->enter_cancels ? 1 : 0;
+    const int last = first + static_cast<int>(doubt_->answers.size());
+    box.escape = doubt_->enter_cancels ? 0 : last;
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const Doubt answered = *std::exchange(doubt_, std::nullopt);
+    if (pressed >= first && pressed < last) {
+        answered.answers[static_cast<std::size_t>(pressed - first)].then();
+    }
+}
+
+void Questions::drawNotice() {
+    ui::MessageBox box;
+    const Workspace::Notice& notice = notices_.front();
+    box.is_error = notice.is_error;
+    box.title = notice.title;
+    box.text = notice.text;
+    const bool locate = !notice.missing_scene_of.empty();
+    if (locate) box.buttons = {"Find the scene…", "Cancel"};
+    const int pressed = ui::drawMessageBox(box);
+    if (pressed < 0) return;
+    const Workspace::Notice read = std::move(notices_.front());
+    notices_.pop_front();
+    if (locate && pressed == 0) doors_.find_scene(read.missing_scene_of, read.restores);
+}
+
+void Questions::addTo(nlohmann::json& state) const {
+    state["question"] = after_unsaved_ ? what_next_ : std::string();
+    state["notice"] =
+        notices_.empty() ? std::string() : notices_.front().title + ": " + notices_.front().text;
+    nlohmann::json& dialogs = state["dialogs"];
+    dialogs["unsaved"] = pending(Kind::Unsaved);
+    dialogs["lost_work"] = pending(Kind::LostWork);
+    dialogs["changed_file"] = pending(Kind::ChangedFile);
+    dialogs["exports"] = pending(Kind::Exports);
+    dialogs["found_exports"] = pending(Kind::FoundExports);
+    dialogs["doubt"] = pending(Kind::Doubt);
+    state["asked"] = pending(Kind::Doubt) ? doubt_->title + ": " + doubt_->text
+                     : pending(Kind::FoundExports)
+                         ? titleOf(found_exports_) + ": " + textOf(found_exports_)
+                         : std::string();
+}
+
+}  // namespace dollytrack::editor

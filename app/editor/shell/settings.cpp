@@ -1,0 +1,130 @@
+#include "app/editor/shell/settings.h"
+
+#include "engine/core/log.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+namespace dollytrack::editor {
+namespace {
+
+/// In the order of TimelineStrip.
+constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
+    "clearance", "speed", "turn", "score", "in_view", "captured"};
+
+std::filesystem::path userFolder(const char* variable, const char* fallback) {
+    const char* value = std::getenv(variable);
+    if (value != nullptr && value[0] == '/') return std::filesystem::path(value) / "dollytrack";
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path root = home != nullptr && home[0] != '\0' ? home : "/tmp";
+    return root / fallback / "dollytrack";
+}
+
+std::filesystem::path settingsFile() {
+    return configFolder() / "editor.json";
+}
+
+}  // namespace
+
+std::filesystem::path configFolder() {
+    return userFolder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path stateFolder() {
+    return userFolder("XDG_STATE_HOME", ".local/state");
+}
+
+void EditorSettings::addRecent(const std::filesystem::path& path) {
+    constexpr std::size_t kKept = 10;
+    std::erase(recent, path.string());
+    recent.insert(recent.begin(), path.string());
+    if (recent.size() > kKept) recent.resize(kKept);
+    last_folder = path.parent_path().string();
+}
+
+EditorSettings loadSettings() {
+    EditorSettings settings;
+    std::error_code error;
+    if (!std::filesystem::exists(settingsFile(), error)) return settings;
+    try {
+        const nlohmann::json json = io::readBoundedJson(settingsFile()).value_or(nlohmann::json());
+        const nlohmann::json window = json.value("window", nlohmann::json::object());
+        settings.window.width = std::clamp(window.value("width", 1440), 800, 16384);
+        settings.window.height = std::clamp(window.value("height", 900), 500, 16384);
+        settings.window.maximized = window.value("maximized", false);
+        const nlohmann::json layout = json.value("layout", nlohmann::json::object());
+        settings.layout.left = layout.value("left", settings.layout.left);
+        settings.layout.right = layout.value("right", settings.layout.right);
+        settings.layout.bottom = layout.value("bottom", settings.layout.bottom);
+        settings.layout.show_left = layout.value("show_left", true);
+        settings.layout.show_right = layout.value("show_right", true);
+        settings.layout.show_bottom = layout.value("show_bottom", true);
+        settings.layout.show_preview = layout.value("show_preview", true);
+        settings.layout.left_tab = layout.value("left_tab", "");
+        settings.layout.right_tab = layout.value("right_tab", "");
+        settings.layout.bottom_tab = layout.value("bottom_tab", "");
+        const nlohmann::json layers = layout.value("layers", nlohmann::json::object());
+        visitLayerSwitches(settings.layout.layers,
+                           [&](const char* name, bool& on) { on = layers.value(name, on); });
+        if (layout.contains("strips")) {
+            const auto shown = layout["strips"].get<std::vector<std::string>>();
+            for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
+                settings.layout.strips[i] = std::ranges::count(shown, kStripNames[i]) > 0;
+            }
+        }
+        if (layout.contains("show_legend")) {
+            settings.layout.show_legend = layout["show_legend"].get<bool>();
+        }
+        settings.theme =
+            json.value("theme", "dark") == "light" ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
+        settings.zoom = std::clamp(json.value("zoom", 1.0), 0.5, 3.0);
+        settings.recent = json.value("recent", std::vector<std::string>());
+        settings.last_folder = json.value("last_folder", "");
+    } catch (const nlohmann::json::exception&) {
+        log::warn("editor", settingsFile().string() + " cannot be read; using defaults");
+        return {};
+    }
+    return settings;
+}
+
+Status saveSettings(const EditorSettings& settings) {
+    nlohmann::json json = {{"window",
+                            {{"width", settings.window.width},
+                             {"height", settings.window.height},
+                             {"maximized", settings.window.maximized}}},
+                           {"layout",
+                            {{"left", settings.layout.left},
+                             {"right", settings.layout.right},
+                             {"bottom", settings.layout.bottom},
+                             {"show_left", settings.layout.show_left},
+                             {"show_right", settings.layout.show_right},
+                             {"show_bottom", settings.layout.show_bottom},
+                             {"show_preview", settings.layout.show_preview},
+                             {"left_tab", settings.layout.left_tab},
+                             {"right_tab", settings.layout.right_tab},
+                             {"bottom_tab", settings.layout.bottom_tab}}},
+                           {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
+                           {"zoom", settings.zoom},
+                           {"recent", settings.recent},
+                           {"last_folder", settings.last_folder}};
+    nlohmann::json& layers = json["layout"]["layers"] = nlohmann::json::object();
+    visitLayerSwitches(settings.layout.layers,
+                       [&](const char* name, bool on) { layers[name] = on; });
+    nlohmann::json& strips = json["layout"]["strips"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < ui::kTimelineStrips; ++i) {
+        if (settings.layout.strips[i]) strips.push_back(kStripNames[i]);
+    }
+    if (settings.layout.show_legend) json["layout"]["show_legend"] = *settings.layout.show_legend;
+    std::error_code error;
+    std::filesystem::create_directories(configFolder(), error);
+    return io::writeWhole(
+        settingsFile(), json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace dollytrack::editor

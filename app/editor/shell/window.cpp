@@ -1,0 +1,315 @@
+#include "app/editor/shell/window.h"
+#include "engine/core/log.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/picture_texture.h"
+#include "ui/screen_scale.h"
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+std::string last_glfw_error;
+std::atomic<bool> woken = false;  // by wake(), since the last wait for events
+
+void onGlfwError(int, const char* description) {
+    last_glfw_error = description;
+}
+
+class HiddenWindow : public gl::Context {
+  public:
+    explicit HiddenWindow(GLFWwindow* window) : window_(window) {}
+    ~HiddenWindow() override { glfwMakeContextCurrent(nullptr); }
+    Status makeCurrent() override {
+        glfwMakeContextCurrent(window_);
+        if (glfwGetCurrentContext() == window_) return {};
+        return fail(ErrorCode::NoOpenGl,
+                    "the second OpenGL context cannot be used: " + last_glfw_error);
+    }
+
+  private:
+    GLFWwindow* window_;
+};
+
+/// How large to draw on a screen; 1 where there is none.
+double scaleOf(GLFWmonitor* monitor) {
+    if (monitor == nullptr) return 1.0;
+    float content_x = 1.0F;
+    float content_y = 1.0F;
+    glfwGetMonitorContentScale(monitor, &content_x, &content_y);
+    ui::ScreenSize screen;
+    glfwGetMonitorPhysicalSize(monitor, &screen.width_mm, &screen.height_mm);
+    if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) {
+        screen.width_px = mode->width;
+        screen.height_px = mode->height;
+    }
+    return ui::screenScale(content_x, screen);
+}
+
+/// The screen that shows most of the window.
+GLFWmonitor* monitorUnder(GLFWwindow* window) {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    long most = 0;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode == nullptr) continue;
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const long wide = std::min(x + width, left + mode->width) - std::max(x, left);
+        const long high = std::min(y + height, top + mode->height) - std::max(y, top);
+        if (wide <= 0 || high <= 0 || wide * high <= most) continue;
+        most = wide * high;
+        best = monitors[i];
+    }
+    return best;
+}
+
+/// A length in pixels on this screen, and no longer than the screen is.
+int onScreen(int length, double scale, int most) {
+    return std::min(static_cast<int>(std::lround(length * scale)), most);
+}
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
+    glfwSetErrorCallback(onGlfwError);
+    if (glfwInit() == GLFW_FALSE) {
+        return fail(ErrorCode::NoOpenGl,
+                    "There is no window system to open a window in (" + last_glfw_error +
+                        "); start it in a desktop session, or use the program 'dollytrack', which "
+                        "needs none.");
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    if (settings.maximized) glfwWindowHint(GLFW_MAXIMIZED, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "dollytrack-editor");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "dollytrack-editor");
+    auto window = std::unique_ptr<Window>(new Window);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    const double scale = scaleOf(monitor);
+    const int most_width = mode != nullptr ? mode->width : 16384;
+    const int most_height = mode != nullptr ? mode->height : 16384;
+    window->scale_ = scale;
+    window->window_ = glfwCreateWindow(onScreen(settings.width, scale, most_width),
+                                       onScreen(settings.height, scale, most_height), "Dollytrack",
+                                       nullptr, nullptr);
+    if (window->window_ == nullptr) {
+        return fail(ErrorCode::NoOpenGl,
+                    "This display offers no OpenGL 4.5 (" + last_glfw_error +
+                        "); update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
+                        "with the processor.");
+    }
+    glfwSetWindowSizeLimits(window->window_, onScreen(800, scale, most_width),
+                            onScreen(500, scale, most_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window->window_);
+    glfwSwapInterval(1);
+    if (Status status = gl::loadFunctions(); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    glfwSetWindowUserPointer(window->window_, window.get());
+    glfwSetDropCallback(window->window_, [](GLFWwindow* handle, int count, const char** paths) {
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        self->dropped_.insert(self->dropped_.end(), paths, paths + count);
+    });
+    glfwSetWindowContentScaleCallback(window->window_, [](GLFWwindow* handle, float, float) {
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        self->scale_ = scaleOf(monitorUnder(handle));
+        self->scale_changed_ = true;
+    });
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // as desktops have it; ImGui asks for haste
+    ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
+    window->input_.attach(window->window_);
+    ImGui_ImplOpenGL3_Init("#version 450");
+    return window;
+}
+
+Window::~Window() {
+    if (window_ != nullptr && ImGui::GetCurrentContext() != nullptr) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    if (hidden_ != nullptr) glfwDestroyWindow(hidden_);
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
+    // Mesa's software driver keeps one list of contexts for all windows, and walks through another
+    // thread's work without asking: only a context that is none of a window's is safe from that.
+    if (gl::drawsByProcessor()) {
+        auto apart = gl::createEglContext();
+        if (apart) return apart;
+        log::warn("editor",
+                  "Drawing shares the window's driver, which may crash it now and then: " +
+                      apart.error().message);
+    }
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
+    hidden_ = glfwCreateWindow(16, 16, "Dollytrack drawing", nullptr, nullptr);
+    glfwMakeContextCurrent(window_);
+    if (hidden_ == nullptr) {
+        return fail(ErrorCode::NoOpenGl,
+                    "the second OpenGL context cannot be made: " + last_glfw_error);
+    }
+    return std::unique_ptr<gl::Context>(std::make_unique<HiddenWindow>(hidden_));
+}
+
+std::string Window::signOfKey(int key) {
+    const char* name = glfwGetKeyName(key, 0);
+    return name != nullptr ? name : "";
+}
+
+void Window::wake() {
+    woken = true;
+    glfwPostEmptyEvent();
+}
+
+void Window::run(const std::function<bool()>& frame) {
+    constexpr double kSleep_s = 0.5;    // without events: what the clock changes
+    constexpr double kBlink_s = 0.2;    // the same while a text cursor blinks
+    constexpr double kFrame_ms = 15.0;  // where the driver does not wait for the screen
+    bool goes_on = true;
+    while (goes_on) {
+        input_.listen();
+        if (frames_to_draw_ > 0) {
+            glfwPollEvents();
+            woken = false;
+            --frames_to_draw_;
+        } else {
+            const double sleep_s = ImGui::GetIO().WantTextInput ? kBlink_s : kSleep_s;
+            const auto begin = Clock::now();
+            glfwWaitEventsTimeout(sleep_s);
+            const bool by_work = woken.exchange(false) && input_.empty();
+            // ImGui needs a few frames until everything has reacted to an event. Each one that is
+            // not needed slows the work down whose news it shows.
+            if (!by_work && millisecondsSince(begin) < 1000.0 * sleep_s) frames_to_draw_ = 3;
+        }
+        if (ImGui::IsAnyMouseDown()) animate();
+        const auto begin = Clock::now();
+        drawFrame(frame, goes_on);
+        last_frame_ms_ = millisecondsSince(begin);
+        longest_frame_ms_ = std::max(longest_frame_ms_, last_frame_ms_);
+        ++frames_;
+        if (last_frame_ms_ < kFrame_ms) {
+            std::this_thread::sleep_for(
+                std::chrono::duration<double, std::milli>(kFrame_ms - last_frame_ms_));
+        }
+    }
+}
+
+bool Window::holdsKeys() {
+    // Longer than a field ever takes: one that cannot get the keyboard must not keep it from
+    // others. In frames, since one of them may last a second.
+    constexpr int kMost = 120;
+    held_frames_ = ui::takeKeyboardAwaited() ? held_frames_ + 1 : 0;
+    return held_frames_ > 0 && held_frames_ < kMost;
+}
+
+void Window::drawFrame(const std::function<bool()>& frame, bool& goes_on) {
+    if (wanted_font_scale_ > 0.0) {
+        ui::loadFonts(std::exchange(wanted_font_scale_, 0.0));
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    if (input_.deliver(holdsKeys())) animate();
+    ui::item_map::beginFrame();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    input_.setMouse();
+    ImGui::NewFrame();
+    goes_on = frame();
+    ImGui::Render();
+    ui::item_map::endFrame();
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    const ImVec4 color = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    gl::clearWindow(width, height, color.x, color.y, color.z);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (const Status status = gl::checkErrors("drawing the window"); !status) {
+        ++gl_errors_;
+        log::error("editor", status.error().message);
+    }
+    glfwSwapBuffers(window_);
+}
+
+std::vector<std::string> Window::takeDroppedPaths() {
+    return std::exchange(dropped_, {});
+}
+
+bool Window::takeCloseRequest() {
+    const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return asked;
+}
+
+bool Window::takeScaleChange() {
+    return std::exchange(scale_changed_, false);
+}
+
+WindowSettings Window::settings() const {
+    WindowSettings now;
+    now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    glfwGetWindowSize(window_, &now.width, &now.height);
+    // As open() takes them: else the window would grow from start to start.
+    now.width = static_cast<int>(std::lround(now.width / scale_));
+    now.height = static_cast<int>(std::lround(now.height / scale_));
+    return now;
+}
+
+void Window::setTitle(const std::string& title) {
+    // The window system answers a title with an event, which would wake the window for ever.
+    if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::toggleFullscreen() {
+    if (glfwGetWindowMonitor(window_) != nullptr) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2],
+                             windowed_[3], 0);
+        return;
+    }
+    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace dollytrack::editor

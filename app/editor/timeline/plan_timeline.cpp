@@ -1,0 +1,31 @@
+#include "app/editor/timeline/plan_timeline.h"
+
+#include "ui/panels/timeline/timeline_data.h"
+
+#include <utility>
+
+namespace dollytrack::editor {
+
+bool PlanTimeline::follow(const Scene* scene, std::shared_ptr<const Plan> plan) {
+    if (plan == seen_) return false;
+    seen_ = std::move(plan);
+    ++serial_;
+    const bool is_measured =
+        seen_ != nullptr && seen_->series.size() == seen_->trajectory.frames.size();
+    if (seen_ == nullptr || is_measured) measured_ = seen_;
+    times_s_.clear();
+    if (seen_ != nullptr) {
+        for (const TrajectoryFrame& frame : seen_->trajectory.frames) {
+            times_s_.push_back(frame.time_s);
+        }
+    }
+    keys_.clear();
+    bands_.clear();
+    if (seen_ != nullptr && scene != nullptr) {
+        keys_ = ui::timelineKeys(*scene, *seen_);
+        bands_ = ui::timelineBands(*seen_);
+    }
+    return true;
+}
+
+}  // namespace dollytrack::editor

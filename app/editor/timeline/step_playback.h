@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/editor/timeline/play_clock.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace dollytrack::editor {
+
+/// How far the roadmap search is shown, step by step.
+class StepPlayback {
+  public:
+    /// The stop after so many steps; nothing at the end.
+    using Next = std::function<std::optional<std::size_t>(std::size_t taken)>;
+
+    [[nodiscard]] std::size_t taken() const { return taken_; }
+    [[nodiscard]] bool playing() const { return clock_.runs(); }
+    /// Whether the viewport shows the steps instead of the finished roadmap.
+    [[nodiscard]] bool shown() const { return shown_; }
+
+    void show(bool shown) { shown_ = shown; }
+    void goTo(std::size_t taken) { taken_ = taken; }
+    /// From the beginning where there is no next stop.
+    void toggle(const Next& next);
+    void advance(double steps, const Next& next);
+
+  private:
+    std::size_t taken_ = 0;
+    bool shown_ = false;
+    PlayClock clock_;
+};
+
+}  // namespace dollytrack::editor

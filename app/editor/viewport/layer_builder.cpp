@@ -1,0 +1,310 @@
+#include "app/editor/viewport/layer_builder.h"
+
+#include "render/draw/look_inside.h"
+#include "render/overlays/trajectory_overlay.h"
+#include "ui/overlays/edge_shape.h"
+#include "ui/overlays/grid_overlay.h"
+#include "ui/overlays/palette.h"
+#include "ui/overlays/steps_overlay.h"
+
+#include <any>
+#include <array>
+#include <span>
+#include <tuple>
+
+namespace dollytrack::editor {
+namespace {
+
+using ui::PlanLayer;
+using ui::Selection;
+
+void addBoxEdges(render::Overlay& overlay, const OrientedBox& box, const Eigen::Vector4f& rgba,
+                 double width_px) {
+    const auto corner = [&](int x, int y, int z) {
+        const Eigen::Vector3d in_box(x * box.half_size.x(), y * box.half_size.y(),
+                                     z * box.half_size.z());
+        return box.toWorld(in_box);
+    };
+    for (const int u : {-1, 1}) {
+        for (const int v : {-1, 1}) {
+            overlay.lines.push_back({corner(-1, u, v), corner(1, u, v), rgba, width_px});
+            overlay.lines.push_back({corner(u, -1, v), corner(u, 1, v), rgba, width_px});
+            overlay.lines.push_back({corner(u, v, -1), corner(u, v, 1), rgba, width_px});
+        }
+    }
+}
+
+/// A box one can look through, with edges of the same colour, or of the selection's.
+void addFilledBox(render::Overlay& overlay, const OrientedBox& box, const Eigen::Vector4f& fill,
+                  bool selected, double width_px) {
+    overlay.boxes.push_back({box.center, box.half_size, fill, box.yaw});
+    Eigen::Vector4f edges = selected ? ui::kSelectedColor : fill;
+    if (!selected) edges.w() = 1.0F;
+    addBoxEdges(overlay, box, edges, width_px);
+}
+
+/// What is selected: boxes of objects with their fronts, or the voxel.
+PlanLayer selectionLayer(const LayersRequest& request) {
+    PlanLayer layer;
+    for (const int id : request.selection.objects) {
+        if (id < 1 || static_cast<std::size_t>(id) > request.scene->objects.size()) continue;
+        const Object& object = request.scene->object(id);
+        addBoxEdges(layer.overlay, object.box, ui::kSelectedColor, 2.5);
+        const double reach = object.box.half_size.head<2>().norm() + 0.15;
+        layer.overlay.lines.push_back(
+            {object.box.center, object.box.center + reach * object.front, ui::kSelectedColor, 2.0});
+        render::OverlayMark tip;
+        tip.at = object.box.center + reach * object.front;
+        tip.shape = render::OverlayMark::Shape::Arrow;
+        tip.direction = object.front;
+        tip.rgba = ui::kSelectedColor;
+        tip.size_px = 12.0;
+        layer.overlay.marks.push_back(tip);
+    }
+    if (request.selection.kind == Selection::Kind::Voxel && request.free_space) {
+        OrientedBox cell;
+        cell.center = request.selection.place;
+        cell.half_size.setConstant(0.5 * request.free_space->cellSizeAt(request.selection.place));
+        addBoxEdges(layer.overlay, cell, ui::kSelectedColor, 2.5);
+    }
+    return layer;
+}
+
+PlanLayer noGoLayer(const std::vector<NoGoBox>& boxes, const Selection& selection) {
+    PlanLayer layer;
+    const Eigen::Vector4f red(0.92F, 0.26F, 0.20F, 0.30F);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const bool selected =
+            selection.kind == Selection::Kind::NoGoBox && selection.index == static_cast<int>(i);
+        addFilledBox(layer.overlay, boxes[i].box, red, selected, selected ? 3.0 : 1.5);
+    }
+    layer.legend.title = "No-go boxes";
+    layer.legend.entries.push_back({boxes.size() == 1 ? boxes.front().name : "no-go boxes",
+                                    ui::LegendEntry::Shape::Block, red,
+                                    static_cast<int>(boxes.size())});
+    return layer;
+}
+
+/// Those that must be seen have thick edges.
+PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& selection) {
+    PlanLayer layer;
+    const Eigen::Vector4f green(0.30F, 0.75F, 0.45F, 0.15F);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const bool selected =
+            selection.kind == Selection::Kind::Region && selection.index == static_cast<int>(i);
+        addFilledBox(layer.overlay, regions[i].box, green, selected,
+                     regions[i].must_see ? 2.5 : 1.0);
+    }
+    layer.legend.title = "Regions";
+    layer.legend.entries.push_back({regions.size() == 1 ? regions.front().name : "regions",
+                                    ui::LegendEntry::Shape::Block, green,
+                                    static_cast<int>(regions.size())});
+    return layer;
+}
+
+/// The camera of the frame shown now.
+PlanLayer cameraLayer(const LayersRequest& request) {
+    PlanLayer layer;
+    const auto& frames = request.plan->trajectory.frames;
+    if (request.frame < 0 || static_cast<std::size_t>(request.frame) >= frames.size()) return layer;
+    const Pose& pose = frames[static_cast<std::size_t>(request.frame)].pose;
+    render::addFrustum(layer.overlay, pose, request.camera, 0.45, {1, 1, 1, 1}, 2.5);
+    layer.overlay.marks.push_back(
+        {pose.position, render::OverlayMark::Shape::Dot, {1, 1, 1, 1}, 11.0});
+    return layer;
+}
+
+/// Which observation point stands for an object; -1: none.
+int observationPointOf(const Plan& plan, int object) {
+    for (std::size_t i = 0; i < plan.observation_points.size(); ++i) {
+        const std::vector<int>& objects = plan.observation_points[i].objects;
+        if (std::ranges::find(objects, object) != objects.end()) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+ui::PointsOverlayOptions pointsOptions(const LayersRequest& request) {
+    ui::PointsOverlayOptions options = request.settings.point_options;
+    const Selection& selection = request.selection;
+    if (selection.kind == Selection::Kind::ObservationPoint) {
+        options.selected_observation_point = selection.index;
+    }
+    if (selection.kind == Selection::Kind::PositionPoint) {
+        options.selected_position_point = selection.index;
+    }
+    return options;
+}
+
+ui::CandidatesOverlayOptions candidatesOptions(const LayersRequest& request) {
+    ui::CandidatesOverlayOptions options;
+    options.cone = request.settings.cone;
+    options.shown = request.settings.candidate_kinds;
+    options.cone_half_angle_deg = request.cone_half_angle_deg;
+    options.cone_filled = !request.in_cone;
+    const Selection& selection = request.selection;
+    options.observation_point = -1;
+    options.selected_candidate = -1;
+    switch (selection.kind) {
+        case Selection::Kind::Object:
+            options.observation_point =
+                observationPointOf(*request.plan, selection.objects.front());
+            break;
+        case Selection::Kind::ObservationPoint:
+            options.observation_point = selection.index;
+            break;
+        case Selection::Kind::Candidate:
+            options.observation_point = selection.search;
+            options.selected_candidate = selection.index;
+            break;
+        default:
+            break;
+    }
+    return options;
+}
+
+ui::RoadmapOverlayOptions roadmapOptions(const LayersRequest& request) {
+    ui::RoadmapOverlayOptions options = request.settings.roadmap_options;
+    if (request.selection.kind == Selection::Kind::Edge) {
+        options.selected_edge = request.selection.index;
+    }
+    if (request.selection.kind == Selection::Kind::RefusedEdge) {
+        options.selected_refused = request.selection.index;
+    }
+    return options;
+}
+
+}  // namespace
+
+ui::FreeSpaceOverlayOptions cellOptions(const ui::LayerSettings& settings) {
+    ui::FreeSpaceOverlayOptions options = settings.cells;
+    options.slice = settings.sliced ? std::optional(settings.slice) : std::nullopt;
+    return options;
+}
+
+bool LayersRequest::operator==(const LayersRequest& other) const {
+    return scene == other.scene && plan == other.plan && free_space == other.free_space &&
+           camera == other.camera && settings == other.settings && stepping == other.stepping &&
+           cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
+           in_cone == other.in_cone && no_go == other.no_go && regions == other.regions &&
+           step == other.step && frame == other.frame;
+}
+
+bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
+    return request.plan && request.settings.candidates && request.settings.cone &&
+           ui::isInCone(*request.plan, candidatesOptions(request), eye);
+}
+
+/// Belongs to the worker's thread: each layer with what it was made of.
+struct LayerBuilder::Desk {
+    struct Made {
+        std::any of;
+        std::shared_ptr<const PlanLayer> layer;
+    };
+    std::array<Made, 10> made;
+
+    template <class Inputs, class Make>
+    void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
+        Made& slot = made[place];
+        const auto* known = std::any_cast<Inputs>(&slot.of);
+        if (known == nullptr || !(*known == inputs)) {
+            slot = {inputs, std::make_shared<const PlanLayer>(make())};
+        }
+        layers.layers.push_back(slot.layer);
+    }
+
+    Layers build(const LayersRequest& request);
+};
+
+Layers LayerBuilder::Desk::build(const LayersRequest& request) {
+    Layers layers;
+    layers.plan = request.plan;
+    if (!request.scene) return layers;
+    const ui::LayerSettings& on = request.settings;
+    if (on.grid) {
+        add(layers, 9, std::tuple(request.scene, request.plan), [&] {
+            const auto rooms = request.plan ? std::span(std::as_const(request.plan->rooms))
+                                            : std::span<const Eigen::AlignedBox3d>();
+            return ui::gridLayer(request.scene->room_bounds,
+                                 render::floorOf(*request.scene, rooms));
+        });
+    }
+    if (on.free_space && request.free_space) {
+        const ui::FreeSpaceOverlayOptions options = cellOptions(on);
+        add(layers, 0, std::tuple(request.free_space, options),
+            [&] { return ui::freeSpaceLayer(*request.free_space, options); });
+    }
+    if (on.no_go_boxes && !request.no_go.empty()) {
+        add(layers, 1, std::tuple(request.no_go, request.selection),
+            [&] { return noGoLayer(request.no_go, request.selection); });
+    }
+    if (on.no_go_boxes && !request.regions.empty()) {
+        add(layers, 8, std::tuple(request.regions, request.selection),
+            [&] { return regionsLayer(request.regions, request.selection); });
+    }
+    if (request.plan) {
+        const Plan& plan = *request.plan;
+        if (request.stepping) {
+            add(layers, 2, std::tuple(request.plan, request.step),
+                [&] { return ui::stepsLayer(plan, request.step); });
+        } else if (on.roadmap) {
+            const ui::RoadmapOverlayOptions options = roadmapOptions(request);
+            add(layers, 3, std::tuple(request.plan, options),
+                [&] { return ui::roadmapLayer(plan, options); });
+        }
+        if (on.trajectory && !request.stepping) {
+            add(layers, 4, std::tuple(request.plan, on.trajectory_options),
+                [&] { return ui::trajectoryLayer(plan, on.trajectory_options); });
+        }
+        const ui::CandidatesOverlayOptions candidates = candidatesOptions(request);
+        if (on.candidates && candidates.observation_point >= 0) {
+            layers.candidates_of = candidates.observation_point;
+            add(layers, 5, std::tuple(request.plan, candidates),
+                [&] { return ui::candidatesLayer(plan, candidates); });
+        }
+        if (on.points) {
+            const ui::PointsOverlayOptions options = pointsOptions(request);
+            add(layers, 6, std::tuple(request.scene, request.plan, request.camera, options),
+                [&] { return ui::pointsLayer(*request.scene, plan, request.camera, options); });
+        }
+        if (request.frame >= 0) {
+            layers.layers.push_back(std::make_shared<const PlanLayer>(cameraLayer(request)));
+        }
+    }
+    add(layers, 7, std::tuple(request.scene, request.free_space, request.selection),
+        [&] { return selectionLayer(request); });
+    return layers;
+}
+
+std::optional<ui::PickedElement> Layers::pick(const render::View& view,
+                                              const Eigen::Vector2d& pixel, double scene_depth_m,
+                                              double pixel_scale) const {
+    std::optional<ui::PickedElement> best;
+    for (const auto& layer : layers) {
+        const auto found =
+            ui::pickElement(layer->overlay, view, pixel, scene_depth_m, 6.0, pixel_scale);
+        if (found && (!best || ui::isBetterPick(*found, *best))) best = found;
+    }
+    return best;
+}
+
+LayerBuilder::LayerBuilder(std::function<void()> wake)
+    : desk_(std::make_shared<Desk>()), worker_(std::move(wake)) {}
+
+LayerBuilder::~LayerBuilder() = default;
+
+void LayerBuilder::request(const LayersRequest& request) {
+    if (last_ && *last_ == request) return;
+    last_ = request;
+    worker_.start([request, desk = desk_, outbox = made_](const JobContext&) {
+        outbox->put(desk->build(request));
+    });
+}
+
+bool LayerBuilder::poll() {
+    std::optional<Layers> made = made_->take();
+    if (!made) return false;
+    layers_ = std::move(*made);
+    return true;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,154 @@
+#include "engine/io/files/bounded_json.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+namespace dollytrack::io {
+namespace {
+
+constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;  // bytes of parsed values
+
+/// What a text would become: how deep its brackets nest, and at least how much memory its values
+/// take, in the libraries of Debian 12. A small file of "[],[],..." would become a large one.
+struct JsonSize {
+    int depth = 0;
+    std::uint64_t memory = 0;
+};
+
+JsonSize sizeOf(std::string_view text) {
+    constexpr std::uint64_t kValue = 16;  // bytes in the list that holds it
+    constexpr std::uint64_t kList = 32;   // the list itself; an object is a little larger
+    constexpr std::uint64_t kKey = 96;    // a node of an object's tree
+    JsonSize size;
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_text) {
+            if (c == '\\') ++i;
+            if (c == '"') in_text = false;
+        } else if (c == '"') {
+            in_text = true;
+        } else if (c == '[' || c == '{') {
+            size.memory += kList + kValue;
+            size.depth = std::max(size.depth, ++depth);
+        } else if (c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',') {
+            size.memory += kValue;
+        } else if (c == ':') {
+            size.memory += kKey;
+        }
+    }
+    return size;
+}
+
+/// ":3:14", line and column of a byte, which counts from 1.
+std::string placeIn(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t begins = before.rfind('\n');  // npos + 1 is 0
+    return fmt::format(":{}:{}", line, before.size() - (begins + 1) + 1);
+}
+
+}  // namespace
+
+template <class Json>
+Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
+                              const JsonFilter<Json>& keep) {
+    const JsonSize size = sizeOf(text);
+    if (size.depth > kDeepestJson) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The JSON is nested more than {} deep; no file that can be read "
+                                "here is.",
+                                kDeepestJson),
+                    where);
+    }
+    if (size.memory > kMostMemory) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The JSON holds too many values: they would take more than {} GiB "
+                                "of memory.",
+                                kMostMemory >> 30U),
+                    where);
+    }
+    try {
+        return Json::parse(text, keep);
+    } catch (const nlohmann::json::parse_error& error) {
+        return fail(ErrorCode::BadInput, "This is no JSON; the file is damaged or was cut off.",
+                    where + placeIn(text, error.byte));
+    } catch (const nlohmann::json::exception&) {
+        return fail(ErrorCode::BadInput, "A number in the JSON is too large.", where);
+    }
+}
+
+template <class Json>
+Result<Json> readBoundedJson(const std::filesystem::path& path, const JsonFilter<Json>& keep) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
+    return parseBoundedJson<Json>(*text, path.string(), keep);
+}
+
+template <class Json>
+Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& name,
+                             const JsonFilter<Json>& keep) {
+    const Result<InputFile> file = folder.openInput(name);
+    if (!file) return tl::unexpected(file.error());
+    const Result<std::string> text = file->readAll(kMostTextBytes);
+    if (!text) return tl::unexpected(text.error());
+    return parseBoundedJson<Json>(*text, (folder.path() / name).string(), keep);
+}
+
+template Result<nlohmann::json> readBoundedJson(const GuardedFolder&, const std::string&,
+                                                const JsonFilter<nlohmann::json>&);
+template Result<nlohmann::ordered_json> readBoundedJson(const GuardedFolder&, const std::string&,
+                                                        const JsonFilter<nlohmann::ordered_json>&);
+template Result<nlohmann::json> readBoundedJson(const std::filesystem::path&,
+                                                const JsonFilter<nlohmann::json>&);
+template Result<nlohmann::json> parseBoundedJson(std::string_view, const std::string&,
+                                                 const JsonFilter<nlohmann::json>&);
+template Result<nlohmann::ordered_json> readBoundedJson(const std::filesystem::path&,
+                                                        const JsonFilter<nlohmann::ordered_json>&);
+template Result<nlohmann::ordered_json> parseBoundedJson(std::string_view, const std::string&,
+                                                         const JsonFilter<nlohmann::ordered_json>&);
+
+std::optional<double> numberIn(const nlohmann::json& value) {
+    double number = 0.0;
+    if (value.is_number()) {
+        number = value.get<double>();
+    } else if (value.is_string()) {
+        const auto& text = value.get_ref<const std::string&>();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    } else {
+        return std::nullopt;
+    }
+    if (!std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+const nlohmann::json::array_t& listIn(const nlohmann::json& object, const char* key) {
+    static const nlohmann::json::array_t nothing;
+    if (!object.is_object()) return nothing;
+    const auto found = object.find(key);
+    return found != object.end() && found->is_array()
+               ? found->get_ref<const nlohmann::json::array_t&>()
+               : nothing;
+}
+
+std::string textIn(const nlohmann::json& object, const char* key) {
+    if (!object.is_object()) return {};
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string()
+               ? cleanText(found->get_ref<const std::string&>())
+               : std::string();
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,121 @@
+#include "engine/io/files/durable_file.h"
+
+#include "engine/io/files/guarded_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+namespace dollytrack::io {
+namespace {
+
+int writeAll(int fd, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        // A regular file takes at least a byte or fails; guard against a loop without end.
+        if (written == 0) return ENOSPC;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
+                   Durability durability) {
+    // A new file: what has the name may be a link, or a second name of somebody's file.
+    constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    FileDescriptor file(::openat(folder, name.c_str(), kNew, 0666));
+    if (!file.valid() && errno == EEXIST && ::unlinkat(folder, name.c_str(), 0) == 0) {
+        file = FileDescriptor(::openat(folder, name.c_str(), kNew, 0666));
+    }
+    if (!file.valid()) return errno;
+    if (const int error = writeAll(file.get(), bytes)) return error;
+    if (durability == Durability::Synced && ::fsync(file.get()) != 0) return errno;
+    return file.close();
+}
+
+/// A rename is on the disk only when its folder is. File systems without that notion say EINVAL.
+int syncDirectory(int folder) {
+    const FileDescriptor directory(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!directory.valid()) return errno;
+    return ::fsync(directory.get()) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& path) {
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+Error writeError(int error_number, const std::filesystem::path& path) {
+    const auto sentence = [&]() -> std::string {
+        switch (error_number) {
+            case ENOSPC:
+                return "the disk is full; free some space or choose another folder";
+            case EDQUOT:
+                return "the disk quota is used up; free some space or choose another folder";
+            case EACCES:
+            case EPERM:
+                return "no permission to write here; choose another folder or change its rights";
+            case EROFS:
+                return "the file system is read-only; choose another folder";
+            case ENOENT:
+                return "the folder does not exist; create it or choose another one";
+            case ENOTDIR:
+                return "a part of the path is a file, not a folder; choose another path";
+            case EISDIR:
+                return "a folder stands where the file should go; choose another name";
+            case ENAMETOOLONG:
+                return "the name is too long; choose a shorter one";
+            case EFBIG:
+                return "the file grows beyond the limit set for this process or file system";
+            default:
+                return std::string("cannot write: ") + std::strerror(error_number);
+        }
+    }();
+    return {ErrorCode::CannotWrite, sentence, path.string()};
+}
+
+int writeWholeAt(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
+                 Durability durability) {
+    const std::string temporary = name + ".tmp." + std::to_string(::getpid());
+    int error = writeTemporary(folder, temporary, bytes, durability);
+    if (error == 0 && ::renameat(folder, temporary.c_str(), folder, name.c_str()) != 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        ::unlinkat(folder, temporary.c_str(), 0);
+        return error;
+    }
+    return durability == Durability::Synced ? syncDirectory(folder) : 0;
+}
+
+Status writeWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                  Durability durability) {
+    const FileDescriptor folder(::open(folderOf(path).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    const int error = folder.valid()
+                          ? writeWholeAt(folder.get(), path.filename().string(), bytes, durability)
+                          : errno;
+    if (error != 0) return tl::unexpected<Error>(writeError(error, path));
+    return {};
+}
+
+Status writeWhole(const std::filesystem::path& path, std::string_view text, Durability durability) {
+    return writeWhole(path,
+                      std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
+                      durability);
+}
+
+Status syncFolder(const std::filesystem::path& folder) {
+    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!directory.valid() || ::syncfs(directory.get()) != 0) {
+        return tl::unexpected<Error>(writeError(errno, folder));
+    }
+    return {};
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,50 @@
+#include "engine/io/files/user_cache.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kDefaultMebibytes = 2048;
+
+fs::path cacheHome() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    // The specification wants an absolute path, and others to be ignored.
+    if (cache != nullptr && *cache == '/') return cache;
+    if (home != nullptr && *home == '/') return fs::path(home) / ".cache";
+    return {};
+}
+
+std::uint64_t userMebibytes() {
+    const char* given = std::getenv("DOLLYTRACK_CACHE_MB");
+    const std::string_view text = given != nullptr ? given : "";
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 24U;
+    return error == std::errc() && number <= kMost ? number : kDefaultMebibytes;
+}
+
+}  // namespace
+
+std::optional<UserCache> userCache(const char* name) {
+    const char* off = std::getenv("DOLLYTRACK_NO_CACHE");
+    if (off != nullptr && *off != '\0') return std::nullopt;
+    const fs::path home = cacheHome();
+    const std::uint64_t mebibytes = userMebibytes();
+    if (home.empty() || mebibytes == 0) return std::nullopt;
+    const fs::path folder = home / "dollytrack" / name;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) return std::nullopt;
+    return UserCache{folder, mebibytes << 20U};
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,219 @@
+#include "engine/io/import/annotated_objects.h"
+
+#include "engine/core/name_hint.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace dollytrack {
+namespace {
+
+const std::string& nodeNameOf(const RawScene& raw, const MeshPart& part) {
+    return raw.nodes[static_cast<std::size_t>(part.node)].name;
+}
+
+bool isBelow(const RawScene& raw, int node, const std::string& name) {
+    for (; node >= 0; node = raw.nodes[static_cast<std::size_t>(node)].parent) {
+        if (raw.nodes[static_cast<std::size_t>(node)].name == name) return true;
+    }
+    return false;
+}
+
+/// A part of its own of some of a part's triangles, with the corners that these use.
+MeshPart partOf(const MeshPart& whole, const std::vector<bool>& chosen, bool want) {
+    MeshPart part;
+    part.name = whole.name;
+    part.node = whole.node;
+    part.material = whole.material;
+    std::map<std::uint32_t, std::uint32_t> moved;
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+        if (chosen[t] != want) continue;
+        Triangle triangle = whole.triangles[t];
+        for (std::uint32_t& corner : triangle) {
+            const auto [found, is_new] =
+                moved.try_emplace(corner, static_cast<std::uint32_t>(part.positions.size()));
+            if (is_new) {
+                part.positions.push_back(whole.positions[corner]);
+                part.normals.push_back(whole.normals[corner]);
+                part.uvs.push_back(whole.uvs[corner]);
+                part.bounds.extend(whole.positions[corner]);
+            }
+            corner = found->second;
+        }
+        part.triangles.push_back(triangle);
+    }
+    // What faces where is only asked of the whole, to find the upward axis.
+    const double share = static_cast<double>(part.triangles.size()) /
+                         static_cast<double>(std::max<std::size_t>(1, whole.triangles.size()));
+    part.area = share * whole.area;
+    for (std::size_t i = 0; i < part.facing_area.size(); ++i) {
+        part.facing_area[i] = share * whole.facing_area[i];
+    }
+    return part;
+}
+
+class Taker {
+  public:
+    Taker(RawScene& raw, AnnotatedDrafts& result) : raw_(raw), result_(result) {
+        result_.taken.assign(raw_.parts.size(), false);
+    }
+
+    void take(const io::AnnotatedObject& object, ObjectDraft& draft) {
+        // Ranges are counted in the whole mesh: they come before their mesh is given away.
+        for (const io::AnnotatedTriangles& range : object.triangles) cut(range, object, draft);
+        for (const std::string& name : object.nodes) {
+            takeWhere(object, draft, "node", name,
+                      [&](const MeshPart& part) { return isBelow(raw_, part.node, name); });
+        }
+        for (const std::string& name : object.meshes) {
+            takeWhere(object, draft, "mesh", name,
+                      [&](const MeshPart& part) { return part.name == name; });
+        }
+    }
+
+    /// Ranges of every object, as one mesh is cut once.
+    void noteRanges(const std::vector<io::AnnotatedObject>& objects) {
+        for (const io::AnnotatedObject& object : objects) {
+            for (const io::AnnotatedTriangles& range : object.triangles) meshes_.insert(range.mesh);
+        }
+        const std::size_t parts = raw_.parts.size();
+        for (std::size_t i = 0; i < parts; ++i) {
+            const MeshPart& part = raw_.parts[i];
+            if (!meshes_.contains(part.name) && !meshes_.contains(nodeNameOf(raw_, part))) continue;
+            left_[i] = std::vector<bool>(part.triangles.size(), true);
+        }
+    }
+
+    /// What no range has asked for stays in its mesh.
+    void finishRanges() {
+        for (const auto& [index, left] : left_) {
+            if (result_.taken[index]) continue;
+            if (std::find(left.begin(), left.end(), false) == left.end()) continue;
+            raw_.parts[index] = partOf(raw_.parts[index], left, true);
+        }
+    }
+
+  private:
+    template <class Wanted>
+    void takeWhere(const io::AnnotatedObject& object, ObjectDraft& draft, const char* kind,
+                   const std::string& name, Wanted&& wanted) {
+        bool any = false;
+        for (std::size_t i = 0; i < raw_.parts.size(); ++i) {
+            if (!wanted(raw_.parts[i])) continue;
+            any = true;
+            // Meshes that ranges are cut out of are not to be had whole, and none is given twice.
+            if (result_.taken[i] || left_.contains(i) || raw_.parts[i].triangles.empty()) continue;
+            result_.taken[i] = true;
+            draft.parts.push_back(i);
+        }
+        if (!any) missing(object, kind, name);
+    }
+
+    void cut(const io::AnnotatedTriangles& range, const io::AnnotatedObject& object,
+             ObjectDraft& draft) {
+        bool any = false;
+        std::size_t first = range.first;
+        std::size_t count = range.count;
+        for (auto& [index, left] : left_) {
+            const MeshPart& part = raw_.parts[index];
+            if (part.name != range.mesh && nodeNameOf(raw_, part) != range.mesh) continue;
+            any = true;
+            // A mesh of several materials is several parts, counted through.
+            const std::size_t here = left.size();
+            if (first >= here) {
+                first -= here;
+                continue;
+            }
+            const std::size_t end = first + std::min(count, here - first);
+            std::vector<bool> chosen(here, false);
+            for (std::size_t t = first; t < end; ++t) {
+                chosen[t] = left[t];
+                left[t] = false;
+            }
+            count -= end - first;
+            first = 0;
+            MeshPart piece = partOf(part, chosen, true);
+            if (!piece.triangles.empty()) {
+                draft.parts.push_back(raw_.parts.size());
+                raw_.parts.push_back(std::move(piece));
+                result_.taken.push_back(true);
+            }
+            if (count == 0) break;
+        }
+        if (!any) {
+            missing(object, "mesh", range.mesh);
+        } else if (count > 0) {
+            result_.warnings.push_back("annotations: \"" + range.mesh + "\" has fewer triangles " +
+                                       "than \"" + object.name + "\" asks for");
+        }
+    }
+
+    void missing(const io::AnnotatedObject& object, const char* kind, const std::string& name) {
+        std::string hint;
+        // Each hint compares the name with all of the scene's; repeats are folded anyway.
+        if (++missing_ <= kMostHints) {
+            std::vector<std::string> names;
+            for (const MeshPart& part : raw_.parts) names.push_back(part.name);
+            for (const SourceNode& node : raw_.nodes) names.push_back(node.name);
+            hint = nameHint(name, names);
+        }
+        result_.warnings.push_back(std::string("annotations: there is no ") + kind + " \"" + name +
+                                   "\" for \"" + object.name + "\"" + hint);
+    }
+
+    static constexpr std::size_t kMostHints = 10;
+
+    RawScene& raw_;
+    AnnotatedDrafts& result_;
+    std::size_t missing_ = 0;
+    std::set<std::string> meshes_;                   // that ranges are cut out of
+    std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles that nobody has asked for
+};
+
+/// Of the class said, else of the object's name, else of what it is made of.
+Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
+              std::vector<std::string>& warnings) {
+    if (!object.category.empty()) {
+        const Label said = labels.find(object.category);
+        if (said.kind == LabelKind::None && !object.nyu40) {
+            warnings.push_back("annotations: \"" + object.category + "\", the class of \"" +
+                               object.name +
+                               "\", is in no table of labels; add it with --labels, or give nyu40");
+        }
+        return said;
+    }
+    std::vector<std::string> names = {object.name};
+    names.insert(names.end(), object.nodes.begin(), object.nodes.end());
+    names.insert(names.end(), object.meshes.begin(), object.meshes.end());
+    const std::string* best = labels.mostTelling(names);
+    return best != nullptr ? labels.find(*best) : Label{};
+}
+
+}  // namespace
+
+AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
+                              const LabelTable& labels, RawScene& raw) {
+    AnnotatedDrafts result;
+    Taker taker(raw, result);
+    taker.noteRanges(objects);
+    for (const io::AnnotatedObject& object : objects) {
+        ObjectDraft draft;
+        taker.take(object, draft);
+        if (draft.parts.empty()) {
+            result.warnings.push_back("annotations: nothing is left for \"" + object.name +
+                                      "\"; it is no object");
+            continue;
+        }
+        draft.name = object.name;
+        draft.label = labelOf(object, labels, result.warnings);
+        if (object.nyu40) draft.label.nyu40 = *object.nyu40;
+        draft.label.kind = object.structure ? LabelKind::Structure : LabelKind::Target;
+        draft.front = object.front;
+        result.drafts.push_back(std::move(draft));
+    }
+    taker.finishRanges();
+    return result;
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,71 @@
+#include "engine/io/import/assimp_folder.h"
+
+#include "engine/io/import/assimp_files.h"
+#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/scene_format.h"
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+class FileStream : public Assimp::IOStream {
+  public:
+    explicit FileStream(InputFile file) : file_(std::move(file)) {}
+
+    std::size_t Read(void* into, std::size_t size, std::size_t count) override {
+        if (size == 0 || at_ >= file_.size()) return 0;
+        count = std::min(count, (file_.size() - at_) / size);
+        const std::size_t got = file_.read(at_, into, size * count);
+        at_ += got;
+        return got / size;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        const std::size_t base = origin == aiOrigin_CUR   ? at_
+                                 : origin == aiOrigin_END ? file_.size()
+                                                          : 0;
+        // From the end offsets count backwards, as in assimp's own streams of memory.
+        const std::size_t to = origin == aiOrigin_END ? base - offset : base + offset;
+        if (to > file_.size()) return aiReturn_FAILURE;
+        at_ = to;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return file_.size(); }
+    void Flush() override {}
+
+  private:
+    InputFile file_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+AssimpFolder::AssimpFolder(std::filesystem::path scene)
+    : scene_(std::move(scene)), folder_(scene_.parent_path()) {}
+
+bool AssimpFolder::Exists(const char* file) const {
+    return scene_ == file || folder_.has(folder_.relative(file));
+}
+
+Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
+    if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+    const bool is_scene = scene_ == file;
+    Result<InputFile> opened =
+        is_scene ? openNamedFile(scene_) : folder_.open(folder_.relative(file));
+    if (!opened) return nullptr;
+    const bool material = lowerExtension(file) == ".mtl";
+    if (material && opened->size() < kLeastMaterialBytes) return nullptr;
+    auto stream = std::make_unique<FileStream>(std::move(*opened));
+    return lowerExtension(file) == ".obj" ? mendObjNumbers(stream.release()) : stream.release();
+}
+
+void AssimpFolder::Close(Assimp::IOStream* stream) {
+    delete stream;
+}
+
+}  // namespace dollytrack::io

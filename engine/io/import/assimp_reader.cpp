@@ -1,0 +1,446 @@
+#include "engine/io/import/assimp_reader.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/import/assimp_files.h"
+#include "engine/io/import/assimp_folder.h"
+#include "engine/io/import/collada_asset.h"
+#include "engine/io/import/mesh_part_builder.h"
+#include "engine/jobs/parallel.h"
+#include "engine/scene/srgb.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/GltfMaterial.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <thread>
+
+namespace dollytrack {
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string extensionOf(const Path& path) {
+    std::string ext = path.extension().string();
+    for (char& c : ext) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ext;
+}
+
+/// assimp tries every reader it has on a file it does not know; ours are six.
+void keepOurReaders(Assimp::Importer& importer) {
+    const auto isOurs = [](std::string_view extensions, std::string_view name) {
+        if (name.find("glTF") != std::string_view::npos) {
+            return name.find("glTF2") != std::string_view::npos;
+        }
+        for (const std::string_view ours : {"obj", "fbx", "dae", "ply", "stl"}) {
+            for (std::size_t at = extensions.find(ours); at != std::string_view::npos;
+                 at = extensions.find(ours, at + 1)) {
+                const bool starts = at == 0 || extensions[at - 1] == ' ';
+                const std::size_t end = at + ours.size();
+                if (starts && (end == extensions.size() || extensions[end] == ' ')) return true;
+            }
+        }
+        return false;
+    };
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const aiImporterDesc* info = importer.GetImporterInfo(i);
+        if (info && isOurs(info->mFileExtensions, info->mName)) continue;
+        const std::unique_ptr<Assimp::BaseImporter> not_ours(importer.GetImporter(i));
+        importer.UnregisterLoader(not_ours.get());  // hands it back to us
+    }
+}
+
+class CancelWatch : public Assimp::ProgressHandler {
+  public:
+    explicit CancelWatch(const JobContext& job) : job_(job) {}
+    bool Update(float) override { return !job_.cancelled(); }
+
+  private:
+    JobContext job_;
+};
+
+/// Frees an importer's scene on a thread of its own: with many faces that takes long, and nobody
+/// needs to wait for it. Ends before the program does.
+class BackgroundDisposal {
+  public:
+    ~BackgroundDisposal() {
+        if (worker_.joinable()) worker_.join();
+    }
+    void take(std::unique_ptr<Assimp::Importer> importer) {
+        const std::lock_guard lock(mutex_);
+        if (worker_.joinable()) worker_.join();
+        worker_ = std::thread([done = std::move(importer)]() mutable { done.reset(); });
+    }
+
+  private:
+    std::mutex mutex_;
+    std::thread worker_;
+};
+
+Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    for (unsigned row = 0; row < 3; ++row) {
+        for (unsigned col = 0; col < 4; ++col) {
+            result.matrix()(row, col) = static_cast<double>(m[row][col]);
+        }
+    }
+    return result;
+}
+
+ColladaAsset readColladaAsset(Assimp::IOSystem& files, const Path& path) {
+    Assimp::IOStream* file = files.Open(path.c_str(), "rb");
+    if (!file) return {};
+    std::string head(65536, '\0');
+    head.resize(file->Read(head.data(), 1, head.size()));
+    files.Close(file);
+    return parseColladaAsset(head);
+}
+
+/// assimp turns every Collada scene to y up and metres; this gets back to the file's own numbers.
+Eigen::Affine3d undoCollada(const ColladaAsset& asset) {
+    Eigen::Matrix3d assimp_from_file = Eigen::Matrix3d::Identity();
+    if (asset.up_axis == 'z') assimp_from_file << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    if (asset.up_axis == 'x') assimp_from_file << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    Eigen::Affine3d back = Eigen::Affine3d::Identity();
+    back.linear() = assimp_from_file.transpose() / asset.unit_m;
+    return back;
+}
+
+void readFbxFrame(const aiScene& scene, RawScene& raw) {
+    if (!scene.mMetaData) return;
+    double unit_cm = 0.0;
+    float unit_cm_float = 0.0F;
+    std::int32_t axis = -1;
+    if (!scene.mMetaData->Get("UnitScaleFactor", unit_cm) &&
+        scene.mMetaData->Get("UnitScaleFactor", unit_cm_float)) {
+        unit_cm = static_cast<double>(unit_cm_float);
+    }
+    if (unit_cm > 0.0 && unit_cm < 1e9) raw.file_unit_m = unit_cm * 0.01;
+    if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis < 3) {
+        std::int32_t sign = 1;
+        static_cast<void>(scene.mMetaData->Get("UpAxisSign", sign));
+        raw.file_up_axis = UpAxis("xyz"[axis], sign < 0);
+    }
+}
+
+/// Collects each picture once, however many materials ask for it.
+class TextureList {
+  public:
+    TextureList(const aiScene& scene, RawScene& raw) : scene_(scene), raw_(raw) {}
+
+    int request(const std::string& name, bool opaque) {
+        const auto [found, is_new] =
+            indices_.try_emplace(name, static_cast<int>(raw_.textures.size()));
+        if (is_new) {
+            TextureRequest request;
+            request.name = name;
+            if (const aiTexture* inside = scene_.GetEmbeddedTexture(name.c_str())) {
+                embed(*inside, request);
+            }
+            raw_.textures.push_back(std::move(request));
+        }
+        TextureRequest& texture = raw_.textures[static_cast<std::size_t>(found->second)];
+        texture.opaque = texture.opaque && opaque;
+        return found->second;
+    }
+
+  private:
+    static void embed(const aiTexture& inside, TextureRequest& request) {
+        if (inside.mFilename.length > 0) request.name = inside.mFilename.C_Str();
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(inside.pcData);
+        if (inside.mHeight == 0) {
+            request.embedded.assign(bytes, bytes + inside.mWidth);
+            return;
+        }
+        const std::size_t count = std::size_t{inside.mWidth} * inside.mHeight;
+        if (count > (std::size_t{1} << 26)) return;
+        request.embedded_width = static_cast<int>(inside.mWidth);
+        request.embedded_height = static_cast<int>(inside.mHeight);
+        request.embedded.reserve(4 * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const aiTexel& texel = inside.pcData[i];
+            request.embedded.insert(request.embedded.end(), {texel.r, texel.g, texel.b, texel.a});
+        }
+    }
+
+    const aiScene& scene_;
+    RawScene& raw_;
+    std::map<std::string, int> indices_;
+};
+
+/// A picture that lies on the surface as the colours do; -1: none.
+int mapOf(const aiMaterial& source, aiTextureType type, TextureList& textures) {
+    aiString file;
+    unsigned uv_set = 0;
+    const bool found = source.GetTexture(type, 0, &file, nullptr, &uv_set) == AI_SUCCESS;
+    return found && file.length > 0 && uv_set == 0 ? textures.request(file.C_Str(), true) : -1;
+}
+
+Material readMaterial(const aiMaterial& source, const std::string& format, TextureList& textures) {
+    const bool is_gltf = format == ".gltf" || format == ".glb";
+    Material material;
+    aiString name;
+    if (source.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = cleanText(name.C_Str());
+
+    aiString alpha_mode("OPAQUE");
+    if (!is_gltf) alpha_mode.Set("BLEND");
+    source.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha_mode);
+    const bool opaque = std::strcmp(alpha_mode.C_Str(), "OPAQUE") == 0;
+
+    aiColor4D color(0.8F, 0.8F, 0.8F, 1.0F);
+    if (source.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) {
+        source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+        if (!is_gltf)
+            color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b),
+                     color.a};
+    }
+    aiString file;
+    if (source.GetTexture(aiTextureType_BASE_COLOR, 0, &file) == AI_SUCCESS ||
+        source.GetTexture(aiTextureType_DIFFUSE, 0, &file) == AI_SUCCESS) {
+        material.texture = textures.request(file.C_Str(), opaque);
+        // Outside glTF the picture replaces the colour: exporters write anything beside it.
+        if (!is_gltf) color = {1.0F, 1.0F, 1.0F, color.a};
+    }
+    const auto clean = [](float value) {
+        return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.8F;
+    };
+    material.base_color = {clean(color.r), clean(color.g), clean(color.b)};
+
+    float opacity = is_gltf ? color.a : 1.0F;
+    if (!is_gltf) source.Get(AI_MATKEY_OPACITY, opacity);
+    // Some exporters write 0 for "opaque"; nobody models what cannot be seen.
+    material.opacity = opaque || !(opacity > 0.0F) ? 1.0F : std::min(opacity, 1.0F);
+
+    // Ke in MTL files is more often a default than a lamp: without a map only that of glTF counts.
+    aiColor3D emission;
+    material.emission_map = mapOf(source, aiTextureType_EMISSIVE, textures);
+    const bool says = source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == AI_SUCCESS;
+    if (says && (is_gltf || material.emission_map >= 0)) {
+        material.emission = {clean(emission.r), clean(emission.g), clean(emission.b)};
+    }
+    // Other formats' exporters write black beside the picture.
+    const bool black = material.emission.isZero(0.0F);
+    if (!is_gltf && material.emission_map >= 0 && black) material.emission.setOnes();
+
+    // What Collada calls a bump and assimp a normal map is a picture of heights.
+    if (format != ".dae") material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
+    if (float scale = 1.0F;
+        source.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale) == AI_SUCCESS &&
+        std::isfinite(scale)) {
+        material.normal_scale = std::clamp(scale, 0.0F, 10.0F);
+    }
+    if (is_gltf) {  // one picture for both
+        material.roughness_map = mapOf(source, aiTextureType_UNKNOWN, textures);
+        material.metallic_map = material.roughness_map;
+    } else {
+        material.roughness_map = mapOf(source, aiTextureType_DIFFUSE_ROUGHNESS, textures);
+        material.metallic_map = mapOf(source, aiTextureType_METALNESS, textures);
+        if (material.roughness_map >= 0) material.roughness = 1.0F;
+        if (material.metallic_map >= 0) material.metallic = 1.0F;
+    }
+    source.Get(AI_MATKEY_METALLIC_FACTOR, material.metallic);
+    source.Get(AI_MATKEY_ROUGHNESS_FACTOR, material.roughness);
+    float shininess = 0.0F;
+    if (!is_gltf && material.roughness_map < 0 &&
+        source.Get(AI_MATKEY_SHININESS, shininess) == AI_SUCCESS) {
+        // Blinn exponent to roughness, the usual approximation.
+        material.roughness = std::sqrt(2.0F / (std::max(shininess, 0.0F) + 2.0F));
+        material.roughness = std::clamp(material.roughness, 0.2F, 0.9F);
+    }
+    material.metallic = clean(material.metallic);
+    material.roughness = clean(material.roughness);
+    return material;
+}
+
+struct Placement {
+    const aiMesh* mesh = nullptr;
+    Eigen::Affine3d source_from_mesh;
+    int node = 0;
+};
+
+/// Walks the tree with a stack of our own: its depth is the file's choice.
+std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affine3d& root,
+                                         RawScene& raw) {
+    struct Visit {
+        const aiNode* node;
+        int parent;
+        Eigen::Affine3d source_from_parent;
+    };
+    std::vector<Placement> placements;
+    std::vector<Visit> stack = {{scene.mRootNode, -1, root}};
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        const auto index = static_cast<int>(raw.nodes.size());
+        raw.nodes.push_back({cleanText(visit.node->mName.C_Str()), visit.parent, 0});
+        if (visit.parent >= 0) ++raw.nodes[static_cast<std::size_t>(visit.parent)].children;
+        const Eigen::Affine3d here =
+            visit.source_from_parent * toAffine(visit.node->mTransformation);
+        for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
+            const unsigned mesh = visit.node->mMeshes[i];
+            if (mesh < scene.mNumMeshes) placements.push_back({scene.mMeshes[mesh], here, index});
+        }
+        for (unsigned i = visit.node->mNumChildren; i-- > 0;) {
+            stack.push_back({visit.node->mChildren[i], index, here});
+        }
+    }
+    return placements;
+}
+
+std::span<const Eigen::Vector3f> vectors(const aiVector3D* data, unsigned count) {
+    static_assert(sizeof(aiVector3D) == sizeof(Eigen::Vector3f));
+    if (!data) return {};
+    return {reinterpret_cast<const Eigen::Vector3f*>(data), count};
+}
+
+RepairCounts readMesh(const Placement& placement, std::uint32_t material_count, MeshPart& part) {
+    const aiMesh& mesh = *placement.mesh;
+    part.name = cleanText(mesh.mName.C_Str());
+    part.node = placement.node;
+    part.material = std::min(mesh.mMaterialIndex, material_count - 1);
+    std::vector<std::uint32_t> sizes;
+    std::vector<std::uint32_t> indices;
+    sizes.reserve(mesh.mNumFaces);
+    indices.reserve(std::size_t{4} * mesh.mNumFaces);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        sizes.push_back(face.mNumIndices);
+        indices.insert(indices.end(), face.mIndices, face.mIndices + face.mNumIndices);
+    }
+    SourceMesh source;
+    source.positions = vectors(mesh.mVertices, mesh.mNumVertices);
+    source.normals = vectors(mesh.mNormals, mesh.mNumVertices);
+    source.uvs = vectors(mesh.mTextureCoords[0], mesh.mNumVertices);
+    source.face_sizes = sizes;
+    source.face_indices = indices;
+    return buildMeshPart(source, placement.source_from_mesh, part);
+}
+
+/// A material of the mean vertex colour, for meshes (PLY above all) that have nothing else.
+void useVertexColors(const aiScene& scene, const std::vector<Placement>& placements,
+                     RawScene& raw) {
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        const aiMesh& mesh = *placements[i].mesh;
+        MeshPart& part = raw.parts[i];
+        if (!mesh.mColors[0] || mesh.mNumVertices == 0) continue;
+        if (raw.materials[part.material].texture >= 0 || scene.mNumMaterials > 2) continue;
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const aiColor4D& c = mesh.mColors[0][v];
+            sum += Eigen::Vector3f(linearFromSrgb(c.r), linearFromSrgb(c.g), linearFromSrgb(c.b))
+                       .cast<double>();
+        }
+        Material material = raw.materials[part.material];
+        material.base_color = (sum / mesh.mNumVertices).cast<float>();
+        if (!material.base_color.allFinite()) continue;
+        material.base_color = material.base_color.cwiseMax(0.0F).cwiseMin(1.0F);
+        part.material = static_cast<std::uint32_t>(raw.materials.size());
+        raw.materials.push_back(material);
+    }
+}
+
+Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Path& path,
+                         const JobContext& job) {
+    RawScene raw;
+    const std::string ext = extensionOf(path);
+    const bool is_gltf = ext == ".gltf" || ext == ".glb";
+    Eigen::Affine3d root = Eigen::Affine3d::Identity();
+    if (is_gltf) {
+        raw.file_unit_m = 1.0;
+        raw.file_up_axis = 'y';
+    } else if (ext == ".fbx") {
+        readFbxFrame(scene, raw);
+    } else if (ext == ".dae") {
+        const ColladaAsset asset = readColladaAsset(files, path);
+        raw.file_unit_m = asset.unit_m;
+        raw.file_up_axis = asset.up_axis;
+        root = undoCollada(asset);
+    }
+    TextureList textures(scene, raw);
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+        raw.materials.push_back(readMaterial(*scene.mMaterials[i], ext, textures));
+    }
+    if (raw.materials.empty()) raw.materials.emplace_back();
+
+    const std::vector<Placement> placements = collectPlacements(scene, root, raw);
+    raw.parts.resize(placements.size());
+    std::vector<RepairCounts> counts(placements.size());
+    const auto material_count = static_cast<std::uint32_t>(raw.materials.size());
+    parallelFor(placements.size(), [&](std::size_t i) {
+        if (!job.cancelled()) counts[i] = readMesh(placements[i], material_count, raw.parts[i]);
+    });
+    for (const RepairCounts& c : counts) raw.repairs.add(c);
+    useVertexColors(scene, placements, raw);
+    return raw;
+}
+
+/// Reads `path` with an importer that is set up to find it.
+Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
+                      const JobContext& job) {
+    const std::string where = path.filename().string();
+    try {
+        keepOurReaders(*importer);
+        importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+        importer->SetProgressHandler(new CancelWatch(job));  // the importer owns it
+        const aiScene* scene = importer->ReadFile(path.string(), 0);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
+        if (!scene || !scene->mRootNode) {
+            std::string reason = importer->GetErrorString();
+            std::replace(reason.begin(), reason.end(), '\n', ' ');
+            reason = cleanText(reason);
+            return fail(ErrorCode::BadInput,
+                        "the file cannot be read as a 3D scene (" + reason +
+                            "); export it again, preferably as glTF",
+                        where);
+        }
+        Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
+        static BackgroundDisposal disposal;
+        disposal.take(std::move(importer));
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
+        return raw;
+    } catch (const std::exception& e) {
+        return fail(ErrorCode::BadInput,
+                    std::string("the file cannot be read as a 3D scene (") + e.what() +
+                        "); export it again, preferably as glTF",
+                    where);
+    }
+}
+
+}  // namespace
+
+Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
+    auto importer = std::make_unique<Assimp::Importer>();
+    importer->SetIOHandler(new io::AssimpFolder(path));  // the importer owns it
+    return read(std::move(importer), path, job);
+}
+
+Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
+                                const JobContext& job) {
+    auto importer = std::make_unique<Assimp::Importer>();
+    importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
+    Result<RawScene> raw = read(std::move(importer), name, job);
+    if (!raw) return raw;
+    const Path folder = Path(name).parent_path();
+    for (TextureRequest& request : raw->textures) {
+        if (!request.embedded.empty()) continue;
+        std::string relative = request.name;
+        std::replace(relative.begin(), relative.end(), '\\', '/');
+        const auto bytes = files.read((folder / relative).generic_string());
+        if (bytes && *bytes) request.embedded = **bytes;
+    }
+    return raw;
+}
+
+}  // namespace dollytrack

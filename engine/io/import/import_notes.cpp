@@ -1,0 +1,163 @@
+#include "engine/io/import/import_notes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <Eigen/Geometry>
+
+#include <limits>
+#include <map>
+
+namespace dollytrack {
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
+    const struct {
+        std::size_t count;
+        std::vector<std::string>& told;
+        const char* one;
+        const char* many;
+    } lines[] = {
+        {repairs.bad_numbers, report.warnings,
+         "face with a corner that is no finite number was dropped",
+         "faces with a corner that is no finite number were dropped"},
+        {repairs.too_far, report.warnings,
+         "face reaches further than 1e9 units from the origin and was dropped",
+         "faces reach further than 1e9 units from the origin and were dropped"},
+        {repairs.bad_indices, report.warnings, "face that names a missing vertex was dropped",
+         "faces that name a missing vertex were dropped"},
+        {repairs.no_area, report.notes, "face without area was dropped",
+         "faces without area were dropped"},
+        {repairs.approximate, report.warnings, "polygon crosses itself and was filled as a fan",
+         "polygons cross themselves and were filled as fans"},
+        {repairs.lines, report.notes, "point or line was left out",
+         "points and lines were left out"},
+        {repairs.polygons, report.notes, "polygon was cut into triangles",
+         "polygons were cut into triangles"},
+        {repairs.made_normals, report.notes,
+         "mesh had no normals; they were made, smooth below 45 degrees",
+         "meshes had no normals; they were made, smooth below 45 degrees"},
+        {repairs.mirrored, report.notes, "mesh is mirrored; its faces were turned back",
+         "meshes are mirrored; their faces were turned back"},
+    };
+    for (const auto& line : lines) {
+        if (line.count > 0) line.told.push_back(counted(line.count, line.one, line.many));
+    }
+}
+
+void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
+                ImportReport& report) {
+    if (merges.empty()) return;
+    std::map<std::size_t, std::string> named;  // by what they went into
+    std::size_t nameless = 0;
+    for (const MergedPiece& piece : merges) {
+        if (piece.name.empty()) {
+            ++nameless;
+            continue;
+        }
+        std::string& names = named[piece.whole];
+        names += (names.empty() ? "" : ", ") + piece.name;
+    }
+    std::string list;
+    for (const auto& [whole, names] : named) {
+        list += (list.empty() ? "" : "; ") + names + " with " + drafts[whole].name;
+    }
+    if (nameless > 0 && !named.empty()) {
+        list += "; " + std::to_string(nameless) + " without a name of their own";
+    }
+    report.notes.push_back(counted(merges.size(),
+                                   "piece was put together with what it is attached to",
+                                   "pieces were put together with what they are attached to") +
+                           (list.empty() ? "" : ": " + list));
+}
+
+void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report) {
+    if (!found.doubtful.empty()) {
+        report.warnings.push_back(
+            counted(found.doubtful.size(), "mesh", "meshes") +
+            fmt::format(" may hold several objects, alike and apart from each other: {}; split if "
+                        "so (dollytrack edit)",
+                        fmt::join(found.doubtful, ", ")));
+    }
+    if (found.names.empty()) return;
+    const std::string meshes =
+        counted(found.names.size(), "mesh holds", "meshes hold") +
+        fmt::format(" parts of several objects: {}; ", fmt::join(found.names, ", "));
+    if (regrouped) {
+        report.notes.push_back(
+            meshes + fmt::format("they were regrouped into {} (--keep-meshes leaves them)",
+                                 counted(found.objects, "object", "objects")));
+        if (found.unnamed > 0) {
+            report.warnings.push_back(
+                counted(found.unnamed, "of the regrouped objects has",
+                        "of the regrouped objects have") +
+                " no class; set it (dollytrack edit, set_class), or exclude what is no object");
+        }
+    } else {
+        report.warnings.push_back(
+            meshes + "leave --keep-meshes out to regroup them, or split and merge them by hand");
+    }
+}
+
+void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report) {
+    if (!proxies.empty()) {
+        std::string list;
+        for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
+        report.notes.push_back(counted(proxies.size(), "mesh is for physics and was left out: ",
+                                       "meshes are for physics and were left out: ") +
+                               list);
+    }
+    if (twice > 0) {
+        report.notes.push_back(
+            counted(twice, "mesh is there twice in one place and was left out once",
+                    "meshes are there twice in one place and were left out once"));
+    }
+}
+
+void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report) {
+    constexpr double kCoarsest_m = 1e-3;
+    Eigen::AlignedBox3d box;
+    for (const MeshPart& part : raw.parts) {
+        if (!part.triangles.empty()) box.extend(part.bounds.cast<double>());
+    }
+    if (box.isEmpty()) return;
+    // A large thing, a sky, is no scene that lies far away.
+    const double away = box.exteriorDistance(Eigen::Vector3d::Zero());
+    const double step_m = unit_m * away * std::numeric_limits<float>::epsilon();
+    if (step_m < kCoarsest_m) return;
+    report.warnings.push_back(
+        fmt::format("the scene lies {:.3g} m from the origin, where corners are kept to {:.2g} m "
+                    "only; move it to the origin and export it again",
+                    unit_m * away, step_m));
+}
+
+Error nothingToDraw(const RawScene& raw, const std::filesystem::path& path) {
+    if (raw.repairs.no_area > 0) {
+        return Error{ErrorCode::BadInput,
+                     "none of its faces has an area, their corners lie in one place or line; if it "
+                     "was made millions of units from the origin, where numbers keep no corners "
+                     "apart, move it to the origin and export it again",
+                     path.string()};
+    }
+    if (raw.repairs.too_far > 0) {
+        return Error{ErrorCode::BadInput,
+                     "all its faces reach further than 1e9 units from the origin; move the scene "
+                     "to the origin, in a unit that fits, and export it again",
+                     path.string()};
+    }
+    if (raw.repairs.bad_numbers + raw.repairs.bad_indices > 0) {
+        return Error{ErrorCode::BadInput,
+                     fmt::format("none of its faces can be drawn: {} have a corner that is no "
+                                 "finite number, {} name a vertex that is not there; the file is "
+                                 "damaged, export it again",
+                                 raw.repairs.bad_numbers, raw.repairs.bad_indices),
+                     path.string()};
+    }
+    return Error{ErrorCode::BadInput,
+                 "the file holds no triangle that can be drawn; export its meshes too",
+                 path.string()};
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,185 @@
+#include "engine/io/import/scene_format.h"
+
+#include "engine/io/datasets/front3d_reader.h"
+#include "engine/io/datasets/hypersim_objects.h"
+#include "engine/io/datasets/scenenet_reader.h"
+#include "engine/io/files/hdf5_functions.h"
+#include "engine/io/homes/home_reader.h"
+#include "engine/io/import/assimp_reader.h"
+#include "engine/io/pointcloud/cloud_scene.h"
+#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/sandbox/input_file.h"
+#include "engine/io/trajectories/number_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace dollytrack {
+namespace {
+
+/// The folder with Hypersim's annotations: the one that is given, else what lies beside an OBJ
+/// file; empty without.
+Result<std::filesystem::path> annotationsFor(const std::filesystem::path& path,
+                                             const ImportOptions& options) {
+    std::error_code error;
+    if (!options.annotations || !std::filesystem::is_directory(*options.annotations, error)) {
+        return lowerExtension(path) == ".obj" && !options.annotations ? io::findHypersimBeside(path)
+                                                                      : std::filesystem::path();
+    }
+    std::filesystem::path found = io::findHypersimMesh(*options.annotations);
+    if (!found.empty()) return found;
+    return fail(ErrorCode::BadInput,
+                "there is no _detail/mesh/metadata_objects.csv in the folder of annotations",
+                options.annotations->string());
+}
+
+Result<RawScene> readModel(const std::filesystem::path& path, const ImportOptions& options,
+                           const JobContext& job) {
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (!folder) return tl::unexpected(folder.error());
+    if (folder->empty()) return readWithAssimp(path, job);
+    const Result<io::HypersimAnnotations> annotations = io::readHypersimAnnotations(*folder);
+    if (!annotations) return tl::unexpected(annotations.error());
+    Result<RawScene> scene = readWithAssimp(path, job);
+    if (scene) io::applyHypersim(*annotations, *scene);
+    return scene;
+}
+
+std::vector<std::filesystem::path> modelInputs(const std::filesystem::path& path,
+                                               const ImportOptions& options) {
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (!folder || folder->empty()) return {};
+    return io::hypersimInputs(*folder);
+}
+
+char firstLetter(std::string_view head) {
+    const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return at == std::string_view::npos ? '\0' : head[at];
+}
+
+constexpr double kCloudWork = 8.0;
+
+bool anything(std::string_view /*head*/) {
+    return true;
+}
+bool likeGltf(std::string_view head) {
+    return firstLetter(head) == '{';
+}
+bool likeGlb(std::string_view head) {
+    return head.starts_with("glTF");
+}
+bool likeCollada(std::string_view head) {
+    return firstLetter(head) == '<';
+}
+bool likePcd(std::string_view head) {
+    return head.find("VERSION") != std::string_view::npos ||
+           head.find("FIELDS") != std::string_view::npos;
+}
+/// Lines of three numbers or more, after a few lines of names and remarks.
+bool likeText(std::string_view head) {
+    if (head.find('\0') != std::string_view::npos) return false;
+    int lines = 0;
+    for (const std::string_view line : io::splitLines(head)) {
+        if (line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos &&
+            io::countPointNumbers(line) >= 3) {
+            return true;
+        }
+        if (++lines > 20) return false;
+    }
+    return false;
+}
+bool likePly(std::string_view head) {
+    return head.starts_with("ply");
+}
+bool likeZip(std::string_view head) {
+    return head.starts_with("PK");
+}
+
+}  // namespace
+
+const std::vector<SceneFormat>& sceneFormats() {
+    static const std::vector<SceneFormat> formats = {
+        {"an OBJ file", {".obj"}, anything, readModel, modelInputs},
+        {"an FBX file", {".fbx"}, anything, readModel, modelInputs},
+        {"a glTF file", {".gltf"}, likeGltf, readModel, modelInputs},
+        {"a GLB file", {".glb"}, likeGlb, readModel, modelInputs},
+        {"a Collada file", {".dae"}, likeCollada, readModel, modelInputs},
+        {"a PLY file of points",
+         {".ply"},
+         io::isPlyOfPoints,
+         io::readPointCloud,
+         nullptr,
+         false,
+         kCloudWork},
+        {"a PLY file", {".ply"}, likePly, readModel, modelInputs},
+        {"an STL file", {".stl"}, anything, readModel, modelInputs},
+        {"a 3D-FRONT scene",
+         {".json"},
+         io::likeFront3d,
+         io::readFront3dScene,
+         io::front3dInputs,
+         true},
+        {"a SceneNet RGB-D scene",
+         {".txt"},
+         io::likeSceneNet,
+         io::readSceneNetScene,
+         io::sceneNetInputs,
+         true},
+        {"a Sweet Home 3D home", {".sh3d"}, likeZip, homes::readHome, homes::homeInputs},
+        {"a home's Home.xml",
+         {".xml"},
+         homes::looksLikeHomeXml,
+         homes::readHome,
+         homes::homeInputs},
+        {"a PCD file", {".pcd"}, likePcd, io::readPointCloud, nullptr, false, kCloudWork},
+        {"a text file of points",
+         {".xyz", ".txt", ".asc", ".csv", ".pts"},
+         likeText,
+         io::readPointCloud,
+         nullptr,
+         true,
+         kCloudWork},
+    };
+    return formats;
+}
+
+std::vector<std::string> sceneExtensions() {
+    std::vector<std::string> all;
+    for (const SceneFormat& format : sceneFormats()) {
+        for (const std::string_view extension : format.extensions) {
+            if (std::find(all.begin(), all.end(), extension) == all.end()) {
+                all.emplace_back(extension);
+            }
+        }
+    }
+    return all;
+}
+
+bool isSceneFile(const std::filesystem::path& path) {
+    const std::string extension = lowerExtension(path);
+    for (const SceneFormat& format : sceneFormats()) {
+        const auto& ours = format.extensions;
+        if (std::find(ours.begin(), ours.end(), extension) == ours.end()) continue;
+        if (!format.shares_extension) return true;
+        const Result<io::InputFile> file = io::openNamedFile(path);
+        std::array<char, 4096> head{};
+        const std::size_t length = file ? file->read(0, head.data(), head.size()) : 0;
+        if (format.begins_like({head.data(), length})) return true;
+    }
+    return false;
+}
+
+void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options) {
+    const Result<std::filesystem::path> folder = annotationsFor(path, options);
+    if (folder && !folder->empty()) io::hdf5Functions();
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,255 @@
+#include "engine/io/import/scene_import.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/core/fold_repeats.h"
+#include "engine/io/import/annotated_objects.h"
+#include "engine/io/import/import_labels.h"
+#include "engine/io/import/import_notes.h"
+#include "engine/io/import/import_proposal.h"
+#include "engine/io/import/oddity_notes.h"
+#include "engine/io/import/scene_assembly.h"
+#include "engine/io/import/scene_format.h"
+#include "engine/io/import/size_doubts.h"
+#include "engine/io/import/structure_finder.h"
+#include "engine/io/import/unseen_parts.h"
+#include "engine/io/object_parts/material_meshes.h"
+#include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/object_parts/piece_merge.h"
+#include "engine/io/object_parts/piece_split.h"
+#include "engine/io/orientation/frame_guess.h"
+#include "engine/io/sandbox/scene_reading.h"
+#include "engine/io/settings/annotation_file.h"
+#include "engine/io/settings/input_check.h"
+#include "engine/scene/facing.h"
+#include "engine/scene/label_table.h"
+#include "engine/scene/labels.h"
+#include "engine/scene/object_size.h"
+#include "engine/scene/outside_objects.h"
+#include "engine/scene/room_bounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace dollytrack {
+namespace {
+
+/// Pieces of a scene taken apart are named after class or material, with a number.
+void nameObjects(std::vector<ObjectDraft>& drafts) {
+    std::map<std::string, int> used;
+    for (ObjectDraft& draft : drafts) {
+        if (!draft.loose) continue;
+        std::string base = draft.label.kind == LabelKind::Structure
+                               ? std::string(nyu40Name(draft.label.nyu40))
+                               : withoutNumber(draft.name);
+        if (base.empty()) base = "object";
+        draft.name = base + "_" + std::to_string(++used[base]);
+    }
+}
+
+/// What a person says of the objects comes before any guess.
+AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
+                                    RawScene& raw, ImportReport& report) {
+    if (said.file.empty()) return {};
+    const std::string file = cleanText(said.file.filename().string());
+    report.notes.push_back("annotations: " + file);
+    report.warnings.insert(report.warnings.end(), said.doubts.begin(), said.doubts.end());
+    if (said.objects.empty()) return {};
+    if (!raw.objects.empty()) {
+        report.warnings.push_back(
+            "annotations: this kind of scene names its objects itself; what " + file +
+            " says they are made of is left out");
+        return {};
+    }
+    AnnotatedDrafts annotated = takeAnnotated(said.objects, labels, raw);
+    report.warnings.insert(report.warnings.end(), annotated.warnings.begin(),
+                           annotated.warnings.end());
+    return annotated;
+}
+
+/// A front is where a thing looks to, on its floor.
+void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (!drafts[i].front || scene.objects[i].front_source == FrontSource::Annotation) continue;
+        scene.report.warnings.push_back("the front given for \"" + scene.objects[i].name +
+                                        "\" points up or down; it is judged by its shape");
+    }
+}
+
+/// From one draft a node to one draft an object.
+void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
+                 std::vector<ObjectDraft>& drafts, ImportReport& report) {
+    MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
+    const std::size_t scattered = splitScattered(raw, labels, drafts);
+    if (scattered > 0) {
+        report.notes.push_back(
+            counted(scattered, "node held things far apart, which were made objects of their own",
+                    "nodes held things far apart, which were made objects of their own"));
+    }
+    const std::size_t split = splitMergedScenes(raw, labels, drafts);
+    if (split > 0) {
+        report.warnings.push_back(
+            "the file does not keep its objects apart; they were found as connected pieces, look "
+            "whether they are right");
+    }
+    std::erase_if(meshes.doubtful, [&](const std::string& name) {
+        return std::ranges::find(drafts, name, &ObjectDraft::name) == drafts.end();
+    });
+    noteMaterialMeshes(meshes, regroup, report);
+    const std::vector<bool> structure = findStructure(raw, drafts);
+    const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
+    nameObjects(drafts);
+    noteMerges(merges, drafts, report);
+}
+
+/// Says what is doubtful about unit and axis, and what is likelier.
+void doubtFrame(const FrameChoice& frame, Scene& scene) {
+    ImportProposal proposal = proposeImport(scene);
+    if (proposal.unit_doubt.empty()) proposal.unit_doubt = frame.unit_doubt;
+    for (std::string& line : describe(proposal)) scene.report.warnings.push_back(std::move(line));
+}
+
+/// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
+void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportReport& report) {
+    constexpr double kFar_m = 1000.0;
+    Eigen::AlignedBox3d box;
+    for (const MeshPart& part : raw.parts) {
+        if (!part.triangles.empty()) box.extend(part.bounds.cast<double>());
+    }
+    if (box.isEmpty()) return;
+    const Eigen::Vector3d center = world_from_source * box.center();
+    // A large thing, a sky, is no scene that lies far away.
+    const double reach = 0.5 * (world_from_source.linear() * box.sizes()).norm();
+    if (center.norm() - reach < kFar_m) return;
+    const Eigen::Vector3d moved = -center.array().round();
+    world_from_source.pretranslate(moved);
+    report.notes.push_back(
+        fmt::format("the scene lies {:.0f} m from the origin and was moved by "
+                    "({:.0f}, {:.0f}, {:.0f}) m",
+                    center.norm(), moved.x(), moved.y(), moved.z()));
+}
+
+/// What lies outside is no target, unless an edit says so; nor is it a part of the building, which
+/// would tell what is inside.
+void setOutsideRoles(Scene& scene) {
+    const std::vector<int> outside = findOutsideObjects(scene);
+    for (const int id : outside) {
+        scene.objects[static_cast<std::size_t>(id) - 1].role = Role::Structure;
+    }
+    if (outside.empty()) return;
+    scene.report.notes.push_back(
+        counted(outside.size(), "object outside the building is no target; edit its role if it is",
+                "objects outside the building are no targets; edit their roles if they are"));
+}
+
+Status checkOptions(const ImportOptions& options) {
+    if (options.unit_m && !(*options.unit_m > 0.0 && *options.unit_m < 1e6)) {
+        return fail(ErrorCode::Usage, "metres per unit must be above 0 and below 1e6", "unit_m");
+    }
+    if (options.up_axis && !options.up_axis->isAxis()) {
+        return fail(ErrorCode::Usage, fmt::format("the upward axis is {}", kUpAxes), "up_axis");
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options,
+                          const JobContext& job) {
+    if (Status ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
+    const Result<const SceneFormat*> format = checkSceneFile(path);
+    if (!format) return tl::unexpected(format.error());
+    const Result<ImportLabels> said_labels = importLabels(options);
+    if (!said_labels) return tl::unexpected(said_labels.error());
+    const LabelTable* labels = &said_labels->words;
+    Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
+    if (!said) return tl::unexpected(said.error());
+    ImportOptions reading = options;
+    if (!reading.unit_m) reading.unit_m = said->unit_m;
+    if (!reading.up_axis) reading.up_axis = said->up_axis;
+
+    job.report(0.0);
+    Result<io::SceneReading> read =
+        io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
+    if (!read) return tl::unexpected(read.error());
+    RawScene& raw = read->scene.raw;
+
+    Scene scene;
+    scene.name = cleanText(path.stem().string());
+    scene.source = path;
+    noteRepairs(raw.repairs, scene.report);
+    const bool knows_objects = !raw.objects.empty();
+    if (!knows_objects) {
+        const std::vector<std::string> proxies = dropProxies(raw);
+        noteUnseen(proxies, dropDuplicates(raw), scene.report);
+    }
+    AnnotatedDrafts annotated = draftsOfAnnotations(*said, *labels, raw, scene.report);
+    std::vector<ObjectDraft> drafts =
+        knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
+    if (drafts.empty() && annotated.drafts.empty()) {
+        return tl::unexpected<Error>(nothingToDraw(raw, path));
+    }
+    job.report(0.6);
+
+    std::vector<ObjectDraft> all = annotated.drafts;
+    all.insert(all.end(), drafts.begin(), drafts.end());
+    const FrameChoice frame = chooseFrame(raw, all, reading.unit_m, reading.up_axis);
+    scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
+    scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
+                                 raw.warnings.end());
+    scene.report.unit_m = frame.unit_m;
+    scene.report.unit_source = frame.unit_source;
+    scene.report.up_axis = frame.up_axis.text();
+    scene.report.up_source = frame.up_source;
+    scene.report.warnings.insert(scene.report.warnings.end(), frame.warnings.begin(),
+                                 frame.warnings.end());
+    noteFarAway(raw, frame.unit_m, scene.report);
+    Eigen::Affine3d world_from_source = frame.worldFromSource();
+    moveNear(raw, world_from_source, scene.report);
+    scene.source_from_world = raw.file_from_parts * world_from_source.inverse();
+    moveToWorld(raw.parts, world_from_source);
+    if (!knows_objects) findObjects(raw, *labels, options.regroup, drafts, scene.report);
+    drafts.insert(drafts.begin(), std::make_move_iterator(annotated.drafts.begin()),
+                  std::make_move_iterator(annotated.drafts.end()));
+    job.report(0.7);
+
+    TextureSet& textures = read->scene.textures;
+    textures.textures.resize(raw.textures.size());
+    scene.textures = std::move(textures.textures);
+    scene.report.textures_found = textures.found;
+    scene.report.textures_missing = textures.missing;
+    for (const std::string& name : textures.broken) {
+        scene.report.warnings.push_back("the texture " + name + " cannot be decoded");
+    }
+    job.report(0.9);
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
+
+    scene.materials = std::move(raw.materials);
+    assembleObjects(raw.parts, drafts, scene);
+    noteUprightFronts(drafts, scene);
+    std::vector<std::string> left_out;
+    scene.room_bounds = findRoomBounds(scene.objects, &left_out);
+    for (const std::string& name : left_out) {
+        scene.report.notes.push_back("\"" + name +
+                                     "\" lies outside or around the building and "
+                                     "does not count for its size");
+    }
+    doubtFrame(frame, scene);
+    setOutsideRoles(scene);
+    noteOddities(scene, scene.report);
+    noteSizeDoubts(scene, scene.report);
+    findFronts(scene);
+    sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
+    scene.class_table = said_labels->classes;
+    assignDatasetClasses(scene);
+
+    scene.report.notes = foldRepeats(scene.report.notes);
+    scene.report.warnings = foldRepeats(scene.report.warnings);
+    scene.source_sha256 = std::move(read->sha256);
+    job.report(1.0);
+    return scene;
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,229 @@
+#include "engine/io/import/structure_finder.h"
+
+#include "engine/geometry/oriented_box.h"
+#include "engine/jobs/parallel.h"
+#include "engine/scene/labels.h"
+#include "engine/scene/room_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace dollytrack {
+namespace {
+
+/// How a draft's surface is spread over directions and heights.
+struct Shape {
+    OrientedBox box;
+    Eigen::AlignedBox3d bounds;
+    std::size_t triangles = 0;
+    double area = 0.0;
+    double level_area = 0.0;     // faces up or down
+    double upright_area = 0.0;   // faces sideways
+    double sloped_area = 0.0;    // faces neither up, down nor sideways
+    double largest_plane = 0.0;  // upright area that faces along the box's thin side
+    double above = 0.0;          // share of the other objects whose middle is higher than its foot
+    double inside = 0.0;         // share of the other objects whose middle is inside its bounds
+};
+
+Eigen::AlignedBox3d boundsOf(const RawScene& raw, const ObjectDraft& draft) {
+    Eigen::AlignedBox3d box;
+    for (const std::size_t part : draft.parts) {
+        box.extend(raw.parts[part].bounds.cast<double>());
+    }
+    return box;
+}
+
+Shape measureShape(const RawScene& raw, const ObjectDraft& draft) {
+    Shape shape;
+    shape.bounds = boundsOf(raw, draft);
+    std::vector<Eigen::Vector3f> points;
+    for (const std::size_t part : draft.parts) {
+        const auto& more = raw.parts[part].positions;
+        points.insert(points.end(), more.begin(), more.end());
+    }
+    shape.box = fitUprightBox(points);
+    const double turn = shape.box.half_size.x() < shape.box.half_size.y()
+                            ? shape.box.yaw
+                            : shape.box.yaw + 0.5 * std::numbers::pi;
+    const Eigen::Vector3d thin(std::cos(turn), std::sin(turn), 0.0);
+    for (const std::size_t index : draft.parts) {
+        const MeshPart& part = raw.parts[index];
+        shape.triangles += part.triangles.size();
+        for (const Triangle& t : part.triangles) {
+            const Eigen::Vector3d a = part.positions[t[0]].cast<double>();
+            const Eigen::Vector3d normal = (part.positions[t[1]].cast<double>() - a)
+                                               .cross(part.positions[t[2]].cast<double>() - a);
+            const double length = normal.norm();
+            shape.area += 0.5 * length;
+            if (std::abs(normal.z()) > 0.97 * length) shape.level_area += 0.5 * length;
+            if (std::abs(normal.z()) < 0.2 * length) {
+                shape.upright_area += 0.5 * length;
+            } else if (std::abs(normal.z()) < 0.97 * length) {
+                shape.sloped_area += 0.5 * length;
+            }
+            if (std::abs(normal.dot(thin)) > 0.97 * length) shape.largest_plane += 0.5 * length;
+        }
+    }
+    return shape;
+}
+
+struct Verdict {
+    bool is_structure = false;
+    int nyu40 = 0;
+};
+
+/// A side of a roof: large and sloped, above nearly all else.
+bool isRoof(const Shape& shape, const Eigen::AlignedBox3d& building) {
+    const Eigen::Vector3d size = shape.bounds.sizes();
+    return size.x() * size.y() > 2.0 && std::max(size.x(), size.y()) > 2.0 &&
+           shape.sloped_area > 0.6 * shape.area && shape.above < 0.1 &&
+           shape.bounds.min().z() - building.min().z() > 1.8;
+}
+
+/// Share of the objects that have their middle higher than the shape's foot. Large things as high
+/// as it are other sides of the same roof.
+double shareAbove(const Shape& shape, const std::vector<Object>& boxes) {
+    double above = 0.0;
+    for (const Object& other : boxes) {
+        const double middle = other.box.center.z();
+        const bool is_beside = other.box.half_size.head<2>().prod() > 0.5 &&
+                               middle - other.box.half_size.z() > shape.bounds.min().z() - 0.3;
+        above += !is_beside && middle > shape.bounds.min().z();
+    }
+    return above / static_cast<double>(boxes.size());
+}
+
+Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
+    const Eigen::Vector3d size = shape.bounds.sizes();
+    const Eigen::Vector3d room_size = room.sizes();
+    const double covers_x = size.x() / std::max(1e-9, room_size.x());
+    const double covers_y = size.y() / std::max(1e-9, room_size.y());
+    const double low = shape.bounds.min().z() - room.min().z();
+    const double high = room.max().z() - shape.bounds.max().z();
+    const bool flat = size.z() < 0.4 && shape.level_area > 0.4 * shape.area;
+
+    if (covers_x > 1.3 && covers_y > 1.3) {
+        return {true, flat && low < 0.5 ? int{kNyuFloor} : int{kNyuOtherStructure}};
+    }
+    const double share = shape.box.half_size.x() * shape.box.half_size.y() * 4.0 /
+                         std::max(1e-9, room_size.x() * room_size.y());
+    // A step or platform: thicker than any rug, wider than any table top that low.
+    const bool platform = flat && size.z() > 0.06 && low < 0.6 && share > 0.12;
+    if (platform && shape.bounds.min().z() < room.min().z() + 0.45) return {true, kNyuFloor};
+    if (flat && share > 0.3) {
+        if (high < 0.3 * room_size.z() && low > 1.8) return {true, kNyuCeiling};
+        if (low < 0.3) return {true, kNyuFloor};
+    }
+    // A shell holds the whole room: its walls at least, often floor and ceiling too.
+    if (covers_x > 0.6 && covers_y > 0.6 && size.z() > 1.5 && shape.inside > 0.7) {
+        return {true, kNyuWall};
+    }
+    if (covers_x > 0.85 && covers_y > 0.85 && size.z() > 0.6 * room_size.z()) {
+        return {true, kNyuWall};
+    }
+    // A rim around the room: skirting, cornice, rails.
+    if (covers_x > 0.85 && covers_y > 0.85 && (low < 0.3 || high < 0.5)) {
+        return {true, kNyuOtherStructure};
+    }
+    // Beams, cornices, skirting boards: bars along most of the room.
+    const double across = std::max(size.z(), std::min(size.x(), size.y()));
+    const double along = std::max(size.x(), size.y());
+    if (across < 0.4 && along > 3.0 && std::max(covers_x, covers_y) > 0.7) {
+        return {true, kNyuOtherStructure};
+    }
+    const double thickness = 2.0 * std::min(shape.box.half_size.x(), shape.box.half_size.y());
+    const double length = 2.0 * std::max(shape.box.half_size.x(), shape.box.half_size.y());
+    const bool tall = size.z() > 0.75 * room_size.z() && size.z() > 1.8 && low < 0.3;
+    if (tall && thickness < 0.35 && length > 0.8 && shape.largest_plane > 0.6 * shape.area) {
+        return {true, kNyuWall};
+    }
+    // Narrow strips of wall beside and above doors, and columns, reach from floor to ceiling.
+    if (tall && high < 0.1 && shape.upright_area > 0.7 * shape.area && shape.triangles <= 64) {
+        return {true, kNyuWall};
+    }
+    return {};
+}
+
+/// Tiles and panels are thin upright sheets of the wall's own material, or longer than any picture.
+void addCladding(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
+                 const std::vector<Shape>& shapes, std::vector<Verdict>& verdicts) {
+    std::set<std::uint32_t> wall_materials;
+    const auto isSheet = [&](std::size_t i) {
+        const Eigen::Vector3d& half = shapes[i].box.half_size;
+        return shapes[i].area > 0.3 && 2.0 * half.head<2>().minCoeff() < 0.06 &&
+               shapes[i].largest_plane > 0.6 * shapes[i].area;
+    };
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const bool named = drafts[i].label.kind == LabelKind::Structure;
+        if ((named ? drafts[i].label.nyu40 : verdicts[i].nyu40) != kNyuWall) continue;
+        for (const std::size_t part : drafts[i].parts) {
+            wall_materials.insert(raw.parts[part].material);
+        }
+    }
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (verdicts[i].is_structure || !isSheet(i)) continue;
+        const Eigen::Vector3d& half = shapes[i].box.half_size;
+        const bool long_sheet = 2.0 * half.head<2>().maxCoeff() > 2.0 && half.z() > 0.3;
+        const bool same_material = std::any_of(
+            drafts[i].parts.begin(), drafts[i].parts.end(),
+            [&](std::size_t part) { return wall_materials.contains(raw.parts[part].material); });
+        if (!drafts[i].loose && (same_material || long_sheet)) verdicts[i] = {true, kNyuWall};
+    }
+}
+
+}  // namespace
+
+std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
+    std::vector<Object> boxes(drafts.size());
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const Eigen::AlignedBox3d bounds = boundsOf(raw, drafts[i]);
+        boxes[i].box.center = bounds.center();
+        boxes[i].box.half_size = 0.5 * bounds.sizes();
+    }
+    Eigen::AlignedBox3d room = findRoomBounds(boxes);
+
+    std::vector<Shape> shapes(drafts.size());
+    std::vector<Verdict> verdicts(drafts.size());
+    std::vector<char> by_shape(drafts.size(), 0);
+    parallelFor(drafts.size(), [&](std::size_t i) {
+        const Label& label = drafts[i].label;
+        // "House_12" is structure by its name, but its shape tells a wall from a floor.
+        const bool vague = label.kind == LabelKind::Structure && label.nyu40 == kNyuOtherStructure;
+        // A piece of a scene taken apart is called after its material: shape says more.
+        const bool by_name = label.kind == LabelKind::Target || label.kind == LabelKind::Structure;
+        if (by_name && !vague && !drafts[i].loose) return;
+        Shape& shape = shapes[i];
+        shape = measureShape(raw, drafts[i]);
+        double inside = 0.0;
+        for (const Object& other : boxes) inside += shape.bounds.contains(other.box.center);
+        shape.above = shareAbove(shape, boxes);
+        shape.inside = boxes.size() < 6 ? 0.0 : inside / static_cast<double>(boxes.size());
+        by_shape[i] = 1;
+    });
+    // As a ceiling a roof is left away where one looks in from above. Storeys are as high as what
+    // is below it.
+    std::vector<Object> below;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (by_shape[i] != 0 && isRoof(shapes[i], room)) {
+            verdicts[i] = {true, kNyuCeiling};
+        } else {
+            below.push_back(boxes[i]);
+        }
+    }
+    if (below.size() < boxes.size() && !below.empty()) room = findRoomBounds(below);
+    parallelFor(drafts.size(), [&](std::size_t i) {
+        if (by_shape[i] != 0 && !verdicts[i].is_structure) verdicts[i] = judge(shapes[i], room);
+    });
+    addCladding(raw, drafts, shapes, verdicts);
+    std::vector<bool> structure(drafts.size());
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        Label& label = drafts[i].label;
+        if (verdicts[i].is_structure) label = {LabelKind::Structure, verdicts[i].nyu40, "(shape)"};
+        structure[i] = label.kind == LabelKind::Structure;
+    }
+    return structure;
+}
+
+}  // namespace dollytrack

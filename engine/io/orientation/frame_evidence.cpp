@@ -1,0 +1,151 @@
+#include "engine/io/orientation/frame_evidence.h"
+
+#include "engine/jobs/parallel.h"
+#include "engine/scene/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kAcross = 0.985;            // cosine of 10 degrees
+constexpr std::size_t kEnoughFaces = 20000;  // of one mesh; larger ones are sampled evenly
+
+/// Triangles with their corners, of a part or of an object.
+struct Faces {
+    const std::vector<Eigen::Vector3f>* positions;
+    std::span<const Triangle> triangles;
+};
+
+struct Source {
+    MeasuredThing thing;  // class and kind; the rest is measured
+    std::vector<Faces> meshes;
+};
+
+/// Calls `visit(a, b, c, share)` for a sample of the faces; each stands for `share` faces.
+template <class Visit>
+void visitFaces(const Faces& mesh, Visit&& visit) {
+    const std::size_t stride = mesh.triangles.size() / kEnoughFaces + 1;
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += stride) {
+        const auto corner = [&](std::size_t k) {
+            return Eigen::Vector3d((*mesh.positions)[mesh.triangles[i][k]].cast<double>());
+        };
+        visit(corner(0), corner(1), corner(2), static_cast<double>(stride));
+    }
+}
+
+MeasuredThing measureThing(const Source& source) {
+    MeasuredThing thing = source.thing;
+    for (const Faces& mesh : source.meshes) {
+        for (const Triangle& triangle : mesh.triangles) {
+            for (const std::uint32_t v : triangle) {
+                thing.box.extend((*mesh.positions)[v].cast<double>());
+            }
+        }
+        visitFaces(mesh, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c, double share) {
+            const Eigen::Vector3d across = (b - a).cross(c - a);
+            const double area = 0.5 * across.norm() * share;
+            thing.area += area;
+            thing.centroid += area / 3.0 * (a + b + c);
+            Eigen::Index axis = 0;
+            if (across.cwiseAbs().maxCoeff(&axis) > kAcross * across.norm()) {
+                thing.facing[static_cast<std::size_t>(axis)] += area;
+            }
+        });
+    }
+    if (thing.area > 0.0) thing.centroid /= thing.area;
+    return thing;
+}
+
+Eigen::AlignedBox3d coreOfThings(const std::vector<MeasuredThing>& things) {
+    Eigen::AlignedBox3d core;
+    if (things.size() < 8) {
+        for (const MeasuredThing& thing : things) core.extend(thing.box);
+        return core;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> lows;
+        std::vector<double> highs;
+        for (const MeasuredThing& thing : things) {
+            lows.push_back(thing.box.min()[axis]);
+            highs.push_back(thing.box.max()[axis]);
+        }
+        std::sort(lows.begin(), lows.end());
+        std::sort(highs.begin(), highs.end());
+        const std::size_t cut = std::max<std::size_t>(1, things.size() / 20);
+        core.min()[axis] = lows[cut];
+        core.max()[axis] = highs[highs.size() - 1 - cut];
+    }
+    return core;
+}
+
+void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
+               std::array<LevelAreas, 3>& levels) {
+    const bool floor = source.thing.nyu40 == kNyuFloor || source.thing.nyu40 == kNyuCeiling;
+    for (const Faces& mesh : source.meshes) {
+        visitFaces(mesh, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c, double share) {
+            const Eigen::Vector3d across = (b - a).cross(c - a);
+            Eigen::Index axis = 0;
+            const double along = across.cwiseAbs().maxCoeff(&axis);
+            if (!(along > kAcross * across.norm())) return;
+            const double height = (a[axis] + b[axis] + c[axis]) / 3.0 - core.min()[axis];
+            const double step = LevelAreas::kSteps * height / std::max(core.sizes()[axis], 1e-12);
+            // A surface on the edge of the core belongs to it; what is outside may be a stray.
+            if (step < -0.5 || step > LevelAreas::kSteps + 0.5) return;
+            const auto at =
+                static_cast<std::size_t>(std::clamp(step, 0.0, LevelAreas::kSteps - 1.0));
+            LevelAreas& level = levels[static_cast<std::size_t>(axis)];
+            const double area = 0.5 * along * share;
+            level.all[at] += area;
+            if (!source.thing.building) level.furniture[at] += area;
+            if (floor) level.floors[at] += area;
+        });
+    }
+}
+
+FrameEvidence collect(const std::vector<Source>& sources) {
+    std::vector<MeasuredThing> measured(sources.size());
+    parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureThing(sources[i]); });
+    FrameEvidence evidence;
+    for (MeasuredThing& thing : measured) {
+        if (!thing.box.isEmpty()) evidence.things.push_back(std::move(thing));
+    }
+    evidence.core = coreOfThings(evidence.things);
+    if (evidence.core.isEmpty()) return evidence;
+    for (const Source& source : sources) addLevels(source, evidence.core, evidence.levels);
+    return evidence;
+}
+
+}  // namespace
+
+FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
+    std::vector<Source> sources;
+    for (const ObjectDraft& draft : drafts) {
+        Source& source = sources.emplace_back();
+        source.thing.nyu40 = draft.label.nyu40;
+        source.thing.building = draft.label.kind == LabelKind::Structure;
+        for (const std::size_t part : draft.parts) {
+            source.meshes.push_back({&raw.parts[part].positions, raw.parts[part].triangles});
+        }
+    }
+    return collect(sources);
+}
+
+FrameEvidence collectEvidence(const Scene& scene) {
+    std::vector<Source> sources;
+    for (const Object& object : scene.objects) {
+        Source& source = sources.emplace_back();
+        source.thing.nyu40 = object.nyu40;
+        source.thing.building = object.structure;
+        source.meshes.push_back(
+            {&scene.positions,
+             std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count)});
+    }
+    return collect(sources);
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,164 @@
+#include "engine/io/orientation/frame_guess.h"
+
+#include "engine/io/orientation/frame_evidence.h"
+#include "engine/io/orientation/unit_judgement.h"
+#include "engine/io/orientation/up_judgement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kSlightly = 0.15;     // scores of upward axes that are no nearer are told apart
+constexpr double kOverwhelming = 2.0;  // a lead from which on the file's axis is not believed
+
+/// How much an axis is favoured before anything is looked at: files have y up or z up.
+double habit(UpAxis axis) {
+    const double letter = axis.letter == 'x' ? -0.3 : axis.letter == 'y' ? 0.05 : 0.0;
+    return letter - (axis.negative ? 0.3 : 0.0);
+}
+
+/// The six axes by how much speaks for each, with habit.
+std::vector<UpEvidence> rankAxes(const FrameEvidence& evidence) {
+    std::vector<UpEvidence> ranked = judgeUp(evidence);
+    for (UpEvidence& one : ranked) one.score += habit(one.axis);
+    std::ranges::stable_sort(ranked, std::greater(), &UpEvidence::score);
+    return ranked;
+}
+
+/// What the file says counts, unless all evidence is against it. What a data set or a home has for
+/// its axis is no setting of an exporter. Lesser doubts are told by proposeImport().
+void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoice& choice) {
+    choice.up_axis = raw.file_up_axis;
+    choice.up_source = "file";
+    if (!raw.objects.empty()) return;
+    const std::vector<UpEvidence> ranked = judgeUp(evidence);
+    if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) return;
+    choice.up_axis = ranked.front().axis;
+    choice.up_source = "judged from floors and what stands on them, against the file";
+    choice.warnings.push_back(
+        fmt::format("the file says {0} is up, but floors and what stands on them say {1}, which "
+                    "was taken; pass --up {0} to keep the file's",
+                    raw.file_up_axis.text(), choice.up_axis.text()));
+}
+
+void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<UpAxis> given,
+              FrameChoice& choice) {
+    if (given) {
+        choice.up_axis = *given;
+        choice.up_source = "given";
+        return;
+    }
+    if (raw.file_up_axis.isAxis()) return weighFileAxis(raw, evidence, choice);
+    const std::vector<UpEvidence> ranked = rankAxes(evidence);
+    choice.up_axis = ranked[0].axis;
+    choice.up_source = "judged from floors, ceilings and what stands on them";
+    const std::string axis = choice.up_axis.text();
+    if (ranked[0].score - ranked[1].score < kSlightly) {
+        choice.warnings.push_back(
+            fmt::format("the upward axis is doubtful: {} is only slightly likelier than {}; pass "
+                        "--up {} if it is wrong",
+                        axis, ranked[1].axis.text(), ranked[1].axis.text()));
+    } else if (choice.up_axis.negative) {
+        choice.warnings.push_back(fmt::format(
+            "the file is upside down for its kind: floors and what stands on them say {} is up; "
+            "pass --up {} if not",
+            axis, axis.substr(1)));
+    }
+}
+
+void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<double> given,
+                FrameChoice& choice) {
+    if (given) {
+        choice.unit_m = *given;
+        choice.unit_source = "given";
+        return;
+    }
+    const UnitEvidence evidence = measureForUnit(all, choice.up_axis);
+    // A data set's or home's own unit is no setting of an exporter.
+    if (raw.file_unit_m && !raw.objects.empty()) {
+        choice.unit_m = *raw.file_unit_m;
+        choice.unit_source = "file";
+        return;
+    }
+    constexpr double kDoubtful = 0.35;
+    constexpr double kBelievable = 0.9;  // of what a file says; rooms of usual sizes score 1
+    constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
+    double best_unit = 1.0;
+    UnitScore best;
+    best.score = -1.0;
+    const UnitScore in_metres = scoreUnit(evidence, 1.0);
+    bool maybe_feet = false;
+    for (const double unit : kUnits) {
+        UnitScore score = scoreUnit(evidence, unit);
+        if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
+        // A hall in metres is a room in feet; only furniture can tell them apart.
+        if (unit == 0.3048 && !(score.furniture > in_metres.furniture)) {
+            maybe_feet = best_unit == 1.0 && score.score > best.score;
+            continue;
+        }
+        if (score.score > best.score) {
+            best = score;
+            best_unit = unit;
+        }
+    }
+    if (raw.file_unit_m) {
+        const double unit = *raw.file_unit_m;
+        const UnitScore by_file = scoreUnit(evidence, unit);
+        // Exporters write wrong units often enough; a dolls' house is rarer.
+        if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
+            choice.unit_m = unit;
+            choice.unit_source = "file";
+            // Several storeys and attics are high; that alone speaks for no other unit.
+            const bool another_fits_better = best_unit != unit && best.score > by_file.score;
+            if (by_file.score < kDoubtful || (by_file.score < kBelievable && another_fits_better)) {
+                choice.unit_doubt = fmt::format(
+                    "the unit is doubtful: the file says 1 unit = {:.3g} m, which "
+                    "makes the {}",
+                    unit, by_file.evidence);
+            }
+            return;
+        }
+        choice.warnings.push_back(
+            fmt::format("the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was taken "
+                        "instead",
+                        unit, by_file.evidence, best_unit));
+    }
+    choice.unit_m = best_unit;
+    choice.unit_source = "judged: " + best.evidence;
+    if (maybe_feet) {
+        choice.warnings.push_back("the unit is doubtful: this is a hall in metres (" +
+                                  best.evidence +
+                                  "), or a room in feet; give 0.3048 metres per unit for feet");
+    } else if (best.score < kDoubtful) {
+        choice.unit_doubt = "the unit is doubtful: no usual unit gives this scene a room's size";
+    }
+}
+
+}  // namespace
+
+Eigen::Affine3d FrameChoice::worldFromSource() const {
+    Eigen::Affine3d world = Eigen::Affine3d::Identity();
+    world.linear() = unit_m * up_axis.zUpFromSource();
+    return world;
+}
+
+FrameChoice chooseFrame(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
+                        std::optional<double> given_unit_m, std::optional<UpAxis> given_up_axis) {
+    FrameChoice choice;
+    if (given_unit_m && given_up_axis) {
+        choice.unit_m = *given_unit_m;
+        choice.up_axis = *given_up_axis;
+        choice.unit_source = choice.up_source = "given";
+        return choice;
+    }
+    const FrameEvidence evidence = collectEvidence(raw, drafts);
+    chooseUp(raw, evidence, given_up_axis, choice);
+    chooseUnit(raw, evidence, given_unit_m, choice);
+    return choice;
+}
+
+}  // namespace dollytrack

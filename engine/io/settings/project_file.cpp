@@ -1,0 +1,92 @@
+#include "engine/io/settings/project_file.h"
+
+#include "engine/document/json_reader.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
+#include "engine/io/files/sha256.h"
+#include "engine/io/files/text_file.h"
+#include "engine/io/settings/stored_plan.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::io {
+namespace {
+
+tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message,
+                                 const std::string& field = {}) {
+    return fail(ErrorCode::BadInput, std::move(message),
+                path.string() + (field.empty() ? "" : ": " + field));
+}
+
+/// A member that has to be an object, empty where it is absent.
+nlohmann::json objectAt(const JsonReader& from, const char* key) {
+    const JsonReader member = from.at(key);
+    if (member.absent()) return nlohmann::json::object();
+    if (!member.json().is_object()) member.refuse("This must be an object.");
+    return member.json();
+}
+
+/// All fields but the result's, whose form is checkStoredPlan()'s.
+void readFields(const JsonReader& from, const std::filesystem::path& folder, ProjectFile& project) {
+    const JsonReader scene = from.at("scene");
+    project.scene = (folder / scene.at("path").text()).lexically_normal();
+    if (const JsonReader sum = scene.at("sha256"); !sum.absent()) {
+        project.scene_sha256 = sum.text();
+    }
+    project.import = objectAt(scene, "import");
+    project.parameters = objectAt(from, "parameters");
+    project.edits = objectAt(from, "edits");
+    project.result = from.at("result").json();
+}
+
+}  // namespace
+
+Result<ProjectFile> loadProject(const std::filesystem::path& path) {
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected<Error>(text.error());
+    Result<nlohmann::json> json = parseBoundedJson(*text, path.string());
+    if (!json) return tl::unexpected<Error>(std::move(json.error()));
+    if (!json->is_object() || !json->contains("dollytrack_project")) {
+        return badProject(path, "This is JSON, but no Dollytrack project.");
+    }
+    ProjectFile project;
+    Status status;
+    const JsonReader from(*json, "", status);
+    const int version = from.at("dollytrack_project").integer(1, 1'000'000);
+    if (from.good() && version > ProjectFile::kVersion) {
+        return badProject(path, fmt::format("The project has version {}, this program knows up "
+                                            "to {}; use a newer Dollytrack.",
+                                            version, ProjectFile::kVersion));
+    }
+    readFields(from, std::filesystem::absolute(path).parent_path(), project);
+    if (status) status = checkStoredPlan(project.result, "result");
+    if (!status) return badProject(path, status.error().message, status.error().where);
+    for (const char* known : {"dollytrack_project", "scene", "parameters", "edits", "result"}) {
+        json->erase(known);
+    }
+    project.others = std::move(*json);
+    project.file_sha256 = sha256Of(*text);
+    return project;
+}
+
+std::string projectText(const ProjectFile& project, const std::filesystem::path& path) {
+    nlohmann::json json = project.others.is_object() ? project.others : nlohmann::json::object();
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    const std::filesystem::path scene = std::filesystem::absolute(project.scene);
+    const std::filesystem::path relative = scene.lexically_relative(folder);
+    // Without edits an older program reads the file just as well.
+    json["dollytrack_project"] = project.edits.empty() ? 1 : ProjectFile::kVersion;
+    json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
+                     {"sha256", project.scene_sha256}};
+    if (!project.import.empty()) json["scene"]["import"] = project.import;
+    json["parameters"] = project.parameters;
+    if (!project.edits.empty()) json["edits"] = project.edits;
+    if (!project.result.is_null()) json["result"] = project.result;
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Status saveProject(const ProjectFile& project, const std::filesystem::path& path) {
+    return writeWhole(path, projectText(project, path));
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,151 @@
+#include "engine/io/settings/stored_plan.h"
+
+#include "engine/document/json_reader.h"
+#include "engine/plan/motion_metrics.h"
+
+#include <limits>
+
+namespace dollytrack::io {
+namespace {
+
+using nlohmann::json;
+
+/// The form of a stored plan. A text is the type of a value; "?" lets it be null. A list has
+/// entries of one form. Members of an object may be absent, but for those whose name ends in "!".
+json planForm() {
+    const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
+    const json remedy = {{"text", "text"},
+                         {"well", "flag"},
+                         {"set", {"text"}},
+                         {"pin", {{"position!", "point"}, {"quaternion_xyzw!", "quaternion"}}},
+                         {"remove_no_go", "text"},
+                         {"unpin", "text"},
+                         {"restore_point", "flag"},
+                         {"move", "text"},
+                         {"operations", {json::object()}}};
+    const json ledger_row = {
+        {"object!", "text"},     {"id!", "count"},           {"class", "text"},
+        {"captured!", "flag"},   {"well_captured!", "flag"}, {"frame", "count"},
+        {"time_s", "number"},    {"key_frame", "flag"},      {"visible_fraction", "number"},
+        {"box_share", "number"}, {"mask_share", "number"},   {"distance_m", "number"},
+        {"loss", "text"},        {"reason", "text"},         {"occluder", "text"},
+        {"remedy", remedy}};
+    const json room_tour = {{"name!", "text"},   {"low", "point"},
+                            {"high", "point"},   {"paths!", {"count"}},
+                            {"frames", "count"}, {"path_length_m", "number"}};
+    json metrics = {
+        {"uncaptured", {{{"object", "text"}, {"id", "count"}, {"reason", "text"}}}},
+        {"refused_pins", {{{"point", "text"}, {"reason", "text"}}}},
+        {"must_see",
+         {{{"region", "text"},
+           {"patches", "count"},
+           {"seeable", "count"},
+           {"seen", "count"},
+           {"rate", "number"}}}},
+        {"anchors", {{{"kind", "text"}, {"found", "count"}, {"visited", "count"}}}},
+        {"min_clearance_at", {{"position!", "point"}, {"object!", "text"}, {"frame!", "count"}}},
+        {"repair",
+         {{"rounds", "count"},
+          {"threshold", "number"},
+          {"before!", tally},
+          {"after!", tally},
+          {"glances", "count"},
+          {"replanned", "count"},
+          {"dropped", "count"}}},
+        {"ledger", {ledger_row}},
+        {"rooms", {room_tour}}};
+    for (const char* name : {"objects", "captured", "well_captured", "frames", "key_frames",
+                             "straight_lines_that_hit"}) {
+        metrics[name] = "count";
+    }
+    for (const char* name : {"capture_rate", "well_captured_rate", "small_capture_rate",
+                             "area_share_box", "area_share_mask", "repeat_rate", "object_pixels",
+                             "corner_collision_rate", "frame_collision_rate", "min_clearance_m",
+                             "must_see_rate", "capturable_rate", "well_capturable_rate"}) {
+        metrics[name] = "number?";
+    }
+    for (const char* name : {"path_length_m", "frame_interval_s"}) metrics[name] = "number";
+    for (const char* name : {"not_well_captured", "missed_capturable", "missed_well_capturable"}) {
+        metrics[name] = {"text"};
+    }
+    MotionMetrics motion;
+    visitMotionMetrics(motion, [&](const std::string& name, double) { metrics[name] = "number"; });
+    const json frame = {{"position!", "point"},       {"quaternion_xyzw!", "quaternion"},
+                        {"time_s!", "number"},        {"target!", "point"},
+                        {"component", "integer"},     {"path", "integer"},
+                        {"position_point", "integer"}};
+    const json position_point = {{"position!", "point"},
+                                 {"quaternion_xyzw!", "quaternion"},
+                                 {"observation_point", "integer"},
+                                 {"component", "integer"},
+                                 {"fill", "number"},
+                                 {"well_captured", {"text"}},
+                                 {"captured", {"text"}},
+                                 {"pin", "integer"}};
+    return {{"metrics", std::move(metrics)},
+            {"rooms", {{{"low!", "point"}, {"high!", "point"}}}},
+            {"trajectory", {{"frame_interval_s!", "number"}, {"frames!", {frame}}}},
+            {"observation_points",
+             {{{"kind", "text"},
+               {"position", "point"},
+               {"direction", "point"},
+               {"objects", {"text"}},
+               {"carrier", "integer"}}}},
+            {"position_points", {position_point}},
+            {"key_frames", {"integer"}},
+            {"paths",
+             {{{"component!", "integer"},
+               {"vertices!", {{{"position!", "point"}, {"position_point!", "integer"}}}}}}}};
+}
+
+void checkValue(const JsonReader& from, std::string_view type) {
+    constexpr int kMost = std::numeric_limits<int>::max();
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    if (type == "number?" && from.absent()) return;
+    if (type == "count") {
+        static_cast<void>(from.integer(0, kMost));
+    } else if (type == "integer") {
+        static_cast<void>(from.integer(-kMost, kMost));
+    } else if (type.starts_with("number")) {
+        static_cast<void>(from.number(-kLargest, kLargest));
+    } else if (type == "text") {
+        static_cast<void>(from.text());
+    } else if (type == "flag") {
+        if (!from.json().is_boolean()) from.refuse("This must be true or false.");
+    } else if (type == "point") {
+        static_cast<void>(from.point());
+    } else if (type == "quaternion") {
+        const std::size_t size = from.json().is_array() ? from.size() : 0;
+        if (size != 4) return from.refuse("This must be a list of four numbers.");
+        for (std::size_t i = 0; i < size; ++i) static_cast<void>(from.at(i).number(-2.0, 2.0));
+    }
+}
+
+void checkForm(const JsonReader& from, const json& form) {
+    if (form.is_string()) return checkValue(from, form.get_ref<const std::string&>());
+    if (form.is_array()) {
+        if (!from.json().is_array()) return from.refuse("This must be a list.");
+        for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
+            checkForm(from.at(i), form[0]);
+        }
+        return;
+    }
+    if (!from.json().is_object()) return from.refuse("This must be an object.");
+    for (const auto& [name, member] : form.items()) {
+        const bool needed = name.ends_with('!');
+        const std::string key = needed ? name.substr(0, name.size() - 1) : name;
+        if (needed || from.json().contains(key)) checkForm(from.at(key), member);
+        if (!from.good()) return;
+    }
+}
+
+}  // namespace
+
+Status checkStoredPlan(const json& result, const std::string& where) {
+    static const json form = planForm();
+    Status status;
+    if (!result.is_null()) checkForm(JsonReader(result, where, status), form);
+    return status;
+}
+
+}  // namespace dollytrack::io

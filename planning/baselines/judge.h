@@ -1,0 +1,85 @@
+#pragma once
+
+#include "engine/plan/capture.h"
+#include "planning/baselines/flight.h"
+#include "planning/baselines/rival_scene.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// What a flight is worth, whoever planned it: every number comes from the poses and the scene
+/// alone, by the same code for all. Rates are 0..1. What does not apply is absent: there is no
+/// speed between pictures that no motion joins.
+struct Judgement {
+    CaptureMetrics captures;
+    std::vector<ObjectCapture> objects;  // one a target
+    int frames = 0;
+    double repeat_rate = 0.0;           // see TrajectoryMetrics
+    double object_pixels = 0.0;         // likewise
+    double frame_collision_rate = 0.0;  // frames where a surface is inside the camera's sphere
+    double outside_rate = 0.0;          // frames that are not in a room's free space
+    double min_clearance_m = 0.0;       // camera's centre to surface all along, to a centimetre
+    std::optional<double> move_collision_rate;    // ways from frame to frame that touch a surface
+    std::optional<double> corner_collision_rate;  // see Flight
+    std::optional<double> path_length_m;
+    std::optional<double> speed_median_mps, speed_max_mps;  // from frame to frame
+    std::optional<double> turn_median_dps, turn_max_dps;    // likewise
+    std::optional<double> jerk_median_mps3, jerk_max_mps3;  // third difference of the positions
+    std::optional<double> plan_ms;  // of the planner's own; absent for poses from a file
+};
+
+/// Error: Cancelled.
+Result<Judgement> judge(const RivalScene& scene, const Flight& flight, const JobContext& job);
+
+enum class Better { Higher, Lower, Neither };
+
+/// What every table, file and picture needs to know of one number of a Judgement.
+struct MetricInfo {
+    std::string_view name;   // as published
+    std::string_view title;  // head of a column
+    std::string_view unit;   // "%": the value is a rate, 0..1
+    Better better = Better::Neither;
+};
+
+/// The one list of them. Calls visit(info, value); the value is a number or an optional one.
+template <class J, class Visitor>
+void visitJudgement(J& j, Visitor&& visit) {
+    using enum Better;
+    visit(MetricInfo{"objects", "objects", "", Neither}, j.captures.objects);
+    visit(MetricInfo{"capture_rate", "captured", "%", Higher}, j.captures.capture_rate);
+    visit(MetricInfo{"well_captured_rate", "well", "%", Higher}, j.captures.well_captured_rate);
+    visit(MetricInfo{"small_capture_rate", "small", "%", Higher}, j.captures.small_capture_rate);
+    visit(MetricInfo{"area_share_box", "box", "%", Higher}, j.captures.area_share_box);
+    visit(MetricInfo{"area_share_mask", "mask", "%", Higher}, j.captures.area_share_mask);
+    visit(MetricInfo{"object_pixels", "on objects", "%", Higher}, j.object_pixels);
+    visit(MetricInfo{"repeat_rate", "repeats", "%", Lower}, j.repeat_rate);
+    visit(MetricInfo{"frame_collision_rate", "hit frames", "%", Lower}, j.frame_collision_rate);
+    visit(MetricInfo{"move_collision_rate", "hit moves", "%", Lower}, j.move_collision_rate);
+    visit(MetricInfo{"corner_collision_rate", "hit corners", "%", Lower}, j.corner_collision_rate);
+    visit(MetricInfo{"outside_rate", "outside", "%", Lower}, j.outside_rate);
+    visit(MetricInfo{"min_clearance_m", "clearance", "m", Higher}, j.min_clearance_m);
+    visit(MetricInfo{"frames", "frames", "", Neither}, j.frames);
+    visit(MetricInfo{"path_length_m", "path", "m", Lower}, j.path_length_m);
+    visit(MetricInfo{"speed_median_mps", "speed", "m/s", Neither}, j.speed_median_mps);
+    visit(MetricInfo{"speed_max_mps", "max", "m/s", Neither}, j.speed_max_mps);
+    visit(MetricInfo{"turn_median_dps", "turn", "deg/s", Neither}, j.turn_median_dps);
+    visit(MetricInfo{"turn_max_dps", "max", "deg/s", Lower}, j.turn_max_dps);
+    visit(MetricInfo{"jerk_median_mps3", "jerk", "m/s3", Neither}, j.jerk_median_mps3);
+    visit(MetricInfo{"jerk_max_mps3", "max", "m/s3", Lower}, j.jerk_max_mps3);
+    visit(MetricInfo{"plan_ms", "plan", "ms", Lower}, j.plan_ms);
+}
+
+/// A Judgement as a row of numbers, in the order of judgedMetrics().
+using JudgedRow = std::vector<std::optional<double>>;
+
+const std::vector<MetricInfo>& judgedMetrics();
+JudgedRow toRow(const Judgement& judgement);
+
+/// Column by column over the rows that have a value there.
+JudgedRow medianOf(const std::vector<JudgedRow>& rows);
+JudgedRow meanOf(const std::vector<JudgedRow>& rows);
+
+}  // namespace dollytrack::planning

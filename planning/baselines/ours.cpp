@@ -1,0 +1,106 @@
+#include "planning/baselines/ours.h"
+
+#include "engine/plan/plan.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/pipeline/pipeline.h"
+#include "planning/smoothing/smooth_path.h"
+#include "planning/timing/frame_moves.h"
+#include "planning/timing/time_trajectory.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kFineStep = 0.01;  // m; chords this short stay within 0.1 mm of the curves
+
+/// The way from frame to frame, along each smoothed path and beside it where the camera sways.
+std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
+                                                    const Trajectory& trajectory) {
+    const auto& frames = trajectory.frames;
+    std::vector<std::vector<Eigen::Vector3d>> between(frames.size());
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const TrajectoryFrame& from = frames[i];
+        const TrajectoryFrame& to = frames[i + 1];
+        if (from.path != to.path) continue;
+        for (const auto& piece :
+             moveBetween(paths[static_cast<std::size_t>(from.path)], from, to)) {
+            const double longest =
+                (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
+            const int steps = std::max(1, static_cast<int>(std::ceil(longest / kFineStep)));
+            for (int j = 1; j <= steps; ++j) {
+                between[i].push_back(piece.at(static_cast<double>(j) / steps));
+            }
+        }
+        if (!between[i].empty()) between[i].pop_back();  // the next frame itself
+    }
+    return between;
+}
+
+Flight flightAlong(const std::vector<SmoothPath>& paths, Trajectory trajectory) {
+    Flight flight;
+    flight.between = waysAlong(paths, trajectory);
+    flight.trajectory = std::move(trajectory);
+    int corners = 0;
+    int collisions = 0;
+    for (const SmoothPath& path : paths) {
+        for (const SmoothPath::Piece& piece : path.pieces) corners += piece.curved ? 1 : 0;
+        collisions += path.corner_collisions;
+    }
+    flight.corner_collision_rate = corners > 0 ? static_cast<double>(collisions) / corners : 0.0;
+    return flight;
+}
+
+Result<std::shared_ptr<const Plan>> runPipeline(const RivalScene& scene, PlanParams params,
+                                                int seed, const JobContext& job) {
+    params.seed = seed;
+    params.timing.max_frames = frameBudget(params);
+    return Pipeline(scene.scene).run(params, scene.edits, job);
+}
+
+}  // namespace
+
+Flight flightOf(const Plan& plan) {
+    Flight flight = flightAlong(plan.smooth_paths, plan.trajectory);
+    flight.plan_ms = plan.plan_ms;
+    return flight;
+}
+
+Result<Flight> smoothAsThePaper(const RivalScene& scene, const Plan& plan,
+                                const PlanParams& params) {
+    const PitchBand pitch = pitchBand(params.constraints);
+    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere, pitch};
+    std::vector<SmoothPath> paths;
+    for (const CameraPath& path : plan.paths) {
+        paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, around));
+    }
+    return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing,
+                          pitch, headingLimit(params.body))
+        .map([&](Trajectory&& trajectory) {
+            Flight flight = flightAlong(paths, std::move(trajectory));
+            flight.plan_ms = plan.plan_ms;
+            return flight;
+        });
+}
+
+Result<Flight> planOurs(const RivalScene& scene, const PlanParams& params, int seed,
+                        const JobContext& job) {
+    return runPipeline(scene, params, seed, job).map([](const auto& plan) {
+        return flightOf(*plan);
+    });
+}
+
+Result<Flight> planPaperSmoothing(const RivalScene& scene, const PlanParams& params, int seed,
+                                  const JobContext& job) {
+    PlanParams with_budget = params;
+    with_budget.timing.max_frames = frameBudget(params);
+    return runPipeline(scene, params, seed, job).and_then([&](const auto& plan) {
+        return smoothAsThePaper(scene, *plan, with_budget);
+    });
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,73 @@
+#include "planning/baselines/best_view.h"
+#include "planning/baselines/density_walk.h"
+#include "planning/baselines/ours.h"
+#include "planning/baselines/planner.h"
+#include "planning/baselines/random_keys.h"
+#include "planning/baselines/two_body.h"
+#include "planning/baselines/uniform.h"
+
+#include "engine/core/field_list.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr std::array kPlanners = {
+    Planner{"dollytrack", "a view for every object, joined by proven moves",
+            "this program, after Information 2025, 16(4), 315",
+            "proven for the whole way, corners included", planOurs},
+    Planner{"paper-smoothing", "the same path with the paper's smoothing",
+            "Camera Pose Generation Based on Unity3D, Information 2025, 16(4), 315",
+            "none: up to 15 % of the corners are accepted", planPaperSmoothing},
+    Planner{"two-body", "two randomly pushed bodies: the camera and what it looks at",
+            "SceneNet RGB-D (McCormac et al., ICCV 2017), InteriorNet (Li et al., BMVC 2018)",
+            "places are tested at every step, the ways between are not", planTwoBody},
+    Planner{"density-walk", "a random walk drawn to dense triangles",
+            "Hypersim (Roberts et al., ICCV 2021)",
+            "places are tested; of the ways only that the next place is in sight", planDensityWalk},
+    Planner{"best-view", "the views that overlook most of each room's floor plan",
+            "3D-FRONT (Fu et al., ICCV 2021)", "places are tested; there is no motion",
+            planBestView},
+    Planner{"random-keys", "random key frames joined by RRT* at even speed",
+            "TartanAir, easy (Wang et al., IROS 2020)", "RRT* in free space", planRandomKeysEasy},
+    Planner{"random-keys-hard", "the same with sinusoidal bumps",
+            "TartanAir, hard (Wang et al., IROS 2020)",
+            "RRT* in free space, then shaken: frames are tested, the ways between are not",
+            planRandomKeysHard},
+    Planner{"uniform", "random legal poses", "the usual baseline, as in BlenderProc",
+            "places are tested; there is no motion", planUniform},
+};
+
+}  // namespace
+
+std::span<const Planner> planners() {
+    return kPlanners;
+}
+
+Result<std::vector<const Planner*>> choosePlanners(const std::vector<std::string>& names) {
+    std::vector<std::string> known = {"all"};
+    for (const Planner& planner : kPlanners) known.emplace_back(planner.name);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string closest = closestName(name, known);
+        std::string list;
+        for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+        return fail(
+            ErrorCode::Usage,
+            "There is no planner of that name; " +
+                (closest.empty() ? "there are " + list + "." : "did you mean " + closest + "?"),
+            name);
+    }
+    const auto asked = [&](std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::vector<const Planner*> chosen;
+    for (const Planner& planner : kPlanners) {
+        if (asked("all") || asked(planner.name)) chosen.push_back(&planner);
+    }
+    return chosen;
+}
+
+}  // namespace dollytrack::planning

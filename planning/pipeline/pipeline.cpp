@@ -1,0 +1,128 @@
+#include "planning/pipeline/pipeline.h"
+
+#include "engine/scene/move_object.h"
+#include "planning/metrics/capture_ledger.h"
+#include "planning/path/frame_budget.h"
+#include "planning/pipeline/pipeline_stages.h"
+#include "planning/timing/clip.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+/// What keeps key frames off the path, as a sentence's part.
+std::string leftOutFor(const PlanParams& params) {
+    if (params.path.path_mode == PathMode::LongestBranch) {
+        return "as path_mode=longest_branch takes one branch of the tree only";
+    }
+    if (params.timing.duration_s > 0.0) {
+        return fmt::format("to keep to duration_s={:g}", params.timing.duration_s);
+    }
+    if (clipFrames(params.timing) > 0) {
+        return fmt::format("to keep to max_frames={} at a kept frame rate",
+                           params.timing.max_frames);
+    }
+    if (params.path.max_length_m <= 0.0) return "as no way leads there";
+    return params.timing.max_frames > 0
+               ? fmt::format("to keep to max_length_m={:g} with max_frames={}",
+                             params.path.max_length_m, params.timing.max_frames)
+               : fmt::format("to keep to max_length_m={:g}", params.path.max_length_m);
+}
+
+}  // namespace
+
+Plan Pipeline::Stages::collectMoves() const {
+    Plan plan;
+    for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
+    plan.observation_points = points().viewpoints.observation_points;
+    plan.searches = points().viewpoints.searches;
+    plan.position_points = points().viewpoints.position_points;
+    plan.key_frames = *key_frames;
+    plan.roadmap = paths->roadmap;
+    plan.paths = repair->paths;
+    plan.smooth_paths = repair->smooth_paths;
+    plan.trajectory = repair->trajectory;
+    if (asks) plan.tour_rooms = asked->tour_rooms;
+    if (asks) plan.anchors = countAnchors(*asked, plan.smooth_paths);
+    plan.refused_pins = points().refused;
+    plan.stages = times;
+    for (const StageTime& stage : times) {
+        const bool maps = stage.name == "rays" || stage.name == "surfaces" ||
+                          stage.name == "free_space" || stage.name == "region" ||
+                          stage.name == "views";
+        if (maps) plan.map_ms += stage.milliseconds;
+        if (!maps && stage.name != "metrics") plan.plan_ms += stage.milliseconds;
+    }
+    return plan;
+}
+
+Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
+    Plan plan = collectMoves();
+    plan.captures = metrics->estimate.captures;
+    plan.frame_views = metrics->estimate.frame_views;
+    plan.series = metrics->series;
+    plan.capture_metrics = summarize(*scene, plan.captures);
+    plan.trajectory_metrics = metrics->trajectory;
+    plan.repair = metrics->repair;
+    plan.must_see = metrics->must_see;
+    refusePinsOverBudget(edits, plan);
+    plan.ledger = captureLedger(*scene, plan, left_out_for);
+    return plan;
+}
+
+void Pipeline::setScene(std::shared_ptr<const Scene> scene, bool same_geometry) {
+    const Scene& before = *stages_->scene;
+    const auto moved =
+        same_geometry ? std::optional(std::vector<int>{}) : movedObjects(before, *scene);
+    if (!moved) {
+        stages_ = std::make_unique<Stages>();
+    } else {
+        stages_->memory.noteMoves(before, *scene, *moved, stages_->rays.share(), stages_->mapped());
+        if (!moved->empty()) ++stages_->geometry_version;
+    }
+    stages_->scene = std::move(scene);
+    ++stages_->scene_version;
+}
+
+Pipeline::Pipeline(std::shared_ptr<const Scene> scene) : stages_(std::make_unique<Stages>()) {
+    stages_->scene = std::move(scene);
+}
+Pipeline::~Pipeline() = default;
+Pipeline::Pipeline(Pipeline&&) noexcept = default;
+Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
+
+Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, const PlanEdits& edits,
+                                                  const JobContext& job,
+                                                  const OnTrajectory& on_trajectory) {
+    if (Status status = validate(params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
+        return fail(ErrorCode::Usage,
+                    "A loop ends where it begins; leave its end open, or do without the loop.",
+                    "loop");
+    }
+    if (Status status = validateClip(params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    stages_->times.clear();
+    stages_->left_out_for = leftOutFor(params);
+    return stages_->map(params, edits, job)
+        .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
+        .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });
+}
+
+std::shared_ptr<const FreeSpace> Pipeline::freeSpace() const {
+    return stages_->free_space.share();
+}
+std::shared_ptr<const AllowedRegion> Pipeline::region() const {
+    return stages_->region.share();
+}
+std::shared_ptr<const RayCaster> Pipeline::rays() const {
+    return stages_->rays.share();
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "render/draw/gpu_scene.h"
+#include "render/draw/view.h"
+#include "render/gl/handle.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dollytrack::render {
+
+/// What an object would cover of the image if nothing stood before it.
+struct WholeMask {
+    int object_id = 0;
+    int x0 = 0;  // px, of the rectangle that the mask lies in
+    int y0 = 0;
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> inside;  // by pixel of the rectangle, rows from the top: 0 or 255
+
+    [[nodiscard]] bool covers(int x, int y) const {
+        return x >= x0 && y >= y0 && x < x0 + width && y < y0 + height &&
+               inside[static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x - x0)] != 0;
+    }
+};
+
+/// Draws objects one by one, side by side on one large image. Pixels are those of the picture.
+class WholeMaskDrawer {
+  public:
+    [[nodiscard]] static Result<WholeMaskDrawer> create();
+
+    /// The masks of those that reach into the image, in the order of the ids.
+    [[nodiscard]] Result<std::vector<WholeMask>> draw(const GpuScene& scene, const View& view,
+                                                      std::span<const int> object_ids);
+
+  private:
+    gl::Program program_;
+    gl::Texture sheet_;
+    gl::Framebuffer frame_;
+    int side_ = 0;  // of the sheet, px
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,314 @@
+#include "render/dataset/dataset_folder.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "render/dataset/dataset_journal.h"
+#include "render/formats/tables/fold_files.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Within the dataset's folder, so that both lie on one disk and nothing around it is written to.
+constexpr const char* kNewFolder = ".dollytrack-new";
+// What the dataset.json of the old dataset is called, in the folder of the new one, while that one
+// takes its place. Where it is, the new dataset counts.
+constexpr const char* kReplacedCard = "replaced.json";
+constexpr int kMostLevels = 8;
+
+/// Whether a descriptor still is what its path names: the export before may just have ended and
+/// removed its journal.
+bool isAt(int descriptor, const fs::path& path) {
+    struct stat held {};
+    struct stat named {};
+    return ::fstat(descriptor, &held) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+           held.st_ino == named.st_ino && held.st_dev == named.st_dev;
+}
+
+/// Whether another export holds the lock, and keeps it. One that was just killed may hold it until
+/// the system has taken its memory back.
+bool isTaken(int lock) {
+    constexpr int kTries = 40;
+    for (int i = 0; i < kTries; ++i) {
+        // Some file systems know no locks: there, two exports are the user's to keep apart.
+        if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return true;
+}
+
+std::string folderOf(const std::string& file) {
+    const std::size_t slash = file.rfind('/');
+    return slash == std::string::npos ? std::string() : file.substr(0, slash);
+}
+
+/// Relative paths of all that lies in a folder which is ours alone.
+Status listAll(const io::GuardedFolder& folder, const std::string& within, int levels,
+               std::vector<std::string>& files, std::vector<std::string>& folders) {
+    const Result<std::vector<std::string>> names = folder.list(within);
+    if (!names) return tl::unexpected(names.error());
+    for (const std::string& name : *names) {
+        const std::string path = within.empty() ? name : within + "/" + name;
+        const auto found = folder.find(path);
+        if (!found) continue;
+        if (!S_ISDIR(found->st_mode)) {
+            files.push_back(path);
+            continue;
+        }
+        folders.push_back(path);
+        if (levels == 0) continue;
+        Status status = listAll(folder, path, levels - 1, files, folders);
+        if (!status) return status;
+    }
+    return {};
+}
+
+}  // namespace
+
+DatasetFolder::~DatasetFolder() {
+    if (!lock_.valid()) return;
+    // Before the lock goes: another export may mark it as its own at once.
+    if (marked_) (void)folder_.remove(kJournalFile);
+    if (made_) ::rmdir(path().c_str());
+}
+
+Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrite,
+                                           const fs::path& root) {
+    std::error_code ignored;
+    const bool made = !fs::exists(folder, ignored);
+    Result<io::GuardedFolder> opened = io::GuardedFolder::makeBelow(folder, root);
+    if (!opened) return tl::unexpected(opened.error());
+    DatasetFolder claimed(std::move(*opened));
+    claimed.made_ = made;
+    const io::GuardedFolder& own = claimed.folder_;
+    const bool was_marked = own.has(kJournalFile);
+    const Result<bool> complete = hasOurCard(own);
+    if (!complete) return tl::unexpected(complete.error());
+    if (!overwrite && !was_marked && !*complete) {
+        const Result<std::vector<std::string>> names = own.list("");
+        if (!names) return tl::unexpected(names.error());
+        if (!names->empty()) {
+            return fail(ErrorCode::CannotWrite,
+                        "the folder holds files that are not a Dollytrack dataset; choose an empty "
+                        "folder, or give --overwrite",
+                        folder.string());
+        }
+    }
+    Result<io::FileDescriptor> lock = own.openFile(kJournalFile, O_RDWR | O_CREAT);
+    if (!lock) return tl::unexpected(lock.error());
+    if (isTaken(lock->get()) || !isAt(lock->get(), folder / kJournalFile)) {
+        return fail(ErrorCode::CannotWrite,
+                    "another export is writing into this folder; wait for it, stop it, or choose "
+                    "another folder",
+                    folder.string());
+    }
+    claimed.lock_ = std::move(*lock);
+    claimed.marked_ = !was_marked;
+    if (own.has(kNewFolder)) {
+        Result<io::GuardedFolder> staged = own.openWithin(kNewFolder);
+        if (!staged) return tl::unexpected(staged.error());
+        const Result<std::vector<std::string>> names = staged->list("");
+        if (!names) return tl::unexpected(names.error());
+        if (names->empty()) {
+            own.removeEmpty(kNewFolder);
+        } else {
+            claimed.staged_ = std::move(*staged);
+        }
+    }
+    if (claimed.isMoving()) {
+        if (Status status = claimed.moveIntoPlace(); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
+    // Another export may have ended before the lock was had.
+    const Result<bool> complete_now = hasOurCard(own);
+    if (!complete_now) return tl::unexpected(complete_now.error());
+    claimed.complete_ = *complete_now;
+    return claimed;
+}
+
+Status DatasetFolder::checkNotComplete() const {
+    if (!isComplete()) return {};
+    const std::size_t frames = framesListed(folder_);
+    return fail(ErrorCode::Usage,
+                "the folder holds a complete dataset of " + std::to_string(frames) + " frame" +
+                    (frames == 1 ? "" : "s") +
+                    "; choose another folder, give --overwrite to replace it, or --resume to check "
+                    "that it is the one wanted",
+                path().string());
+}
+
+bool DatasetFolder::isThere() const {
+    return lock_.valid() && isAt(lock_.get(), path() / kJournalFile);
+}
+
+Result<std::vector<std::string>> DatasetFolder::leftFiles(const std::set<std::string>& keep) const {
+    std::vector<std::string> files;
+    if (staged_) {
+        std::vector<std::string> folders;
+        if (Status status = listAll(*staged_, "", kMostLevels, files, folders); !status) {
+            return tl::unexpected(status.error());
+        }
+    } else if (!isComplete()) {
+        const JournalContents journal = readJournal(folder_);
+        Result<std::vector<std::string>> named = filesNamed(folder_, journal.names);
+        if (!named) return named;
+        files = std::move(*named);
+        for (const auto& [index, entry] : journal.entries) {
+            for (const auto& [file, hash] : entry.sha256s) {
+                if (io::GuardedFolder::isPlain(file) && folder_.has(file)) files.push_back(file);
+            }
+        }
+    }
+    std::erase_if(files, [&](const std::string& file) { return keep.contains(file); });
+    return files;
+}
+
+Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const {
+    const std::optional<std::uint64_t> now = folder_.freeBytes();
+    const Result<std::vector<std::string>> left = leftFiles(keep);
+    if (!now || !left) return {};  // begin() says what is in the way
+    std::uint64_t free = *now;
+    for (const std::string& file : std::set<std::string>(left->begin(), left->end())) {
+        const auto held = unfinished().find(file);
+        // What it takes on the disk, and only when no other name keeps it there.
+        if (held && held->st_nlink == 1) free += static_cast<std::uint64_t>(held->st_blocks) * 512U;
+    }
+    if (bytes <= free) return {};
+    return fail(ErrorCode::CannotWrite,
+                "about " + std::to_string(bytes / 1'000'000 + 1) + " MB are needed" +
+                    (isComplete() ? " beside the old dataset" : "") + " and " +
+                    std::to_string(free / 1'000'000) +
+                    " MB are free; free some space or choose another folder",
+                path().string());
+}
+
+Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::string>& keep) {
+    made_ = false;
+    marked_ = false;
+    // Said now, not when all is drawn: where the new dataset has its place nothing must stand.
+    std::set<std::string> wanted = names.folders;
+    for (const std::string& file : names.files) wanted.insert(folderOf(file));
+    wanted.erase("");
+    for (const std::string& folder : wanted) {
+        if (Status status = folder_.checkFolder(folder); !status) return status;
+    }
+    if (isComplete()) {
+        const Result<std::set<std::string>> old = filesListed(folder_, kCardFile);
+        if (!old) return tl::unexpected(old.error());
+        for (const std::string& file : *old) {
+            const std::string folder = folderOf(file);
+            if (folder.empty()) continue;
+            if (Status status = folder_.checkFolder(folder); !status) return status;
+        }
+    }
+    const Result<std::vector<std::string>> left = leftFiles(keep);
+    if (!left) return tl::unexpected(left.error());
+    std::set<std::string> emptied;
+    for (const std::string& file : *left) {
+        if (Status status = unfinished().remove(file); !status) return status;
+        emptied.insert(folderOf(file));
+    }
+    if (!staged_ && !isComplete()) emptied.merge(readJournal(folder_).names.folders);
+    emptied.erase("");
+    for (const std::string& folder : emptied) unfinished().removeEmpty(folder);
+    if (staged_ && !isComplete() && keep.empty()) {  // the old one was taken away
+        staged_.reset();
+        folder_.removeEmpty(kNewFolder);
+    } else if (!staged_ && isComplete()) {
+        Result<io::GuardedFolder> staged = folder_.makeWithin(kNewFolder);
+        if (!staged) return tl::unexpected(staged.error());
+        staged_ = std::move(*staged);
+    }
+    for (const std::string& folder : names.folders) {
+        if (folder == kFoldFolder) continue;  // made with the first list, where there are any
+        if (const auto made = unfinished().makeWithin(folder); !made) {
+            return tl::unexpected(made.error());
+        }
+    }
+    return {};
+}
+
+bool DatasetFolder::isMoving() const {
+    return staged_ && staged_->has(kReplacedCard);
+}
+
+Status DatasetFolder::moveIntoPlace() {
+    if (staged_->has(kCardFile)) {
+        const Result<std::set<std::string>> files = filesListed(*staged_, kCardFile);
+        if (!files) return tl::unexpected(files.error());
+        const Result<std::set<std::string>> old = filesListed(*staged_, kReplacedCard);
+        if (!old) return tl::unexpected(old.error());
+        std::set<std::string> emptied;
+        for (const std::string& file : *old) {
+            if (files->contains(file)) continue;
+            if (Status status = folder_.remove(file); !status) return status;
+            emptied.insert(folderOf(file));
+        }
+        emptied.erase("");
+        for (const std::string& folder : emptied) folder_.removeEmpty(folder);
+        for (const std::string& file : *files) {  // those that are not there have moved already
+            const Result<bool> moved = staged_->move(file, folder_, file);
+            if (!moved) return tl::unexpected(moved.error());
+        }
+        if (Status status = folder_.syncAll(); !status) return status;
+        const Result<bool> moved = staged_->move(kCardFile, folder_, kCardFile);
+        if (!moved) return tl::unexpected(moved.error());
+        if (Status status = folder_.syncNames(); !status) return status;
+    }
+    return removeStaged();
+}
+
+Status DatasetFolder::removeStaged() {
+    std::vector<std::string> files;
+    std::vector<std::string> folders;
+    if (Status status = listAll(*staged_, "", kMostLevels, files, folders); !status) return status;
+    // The file that marks the new dataset as the valid one is removed last.
+    std::ranges::stable_partition(files,
+                                  [](const std::string& file) { return file != kReplacedCard; });
+    for (const std::string& file : files) {
+        if (Status status = staged_->remove(file); !status) return status;
+    }
+    std::ranges::reverse(folders);  // the innermost first
+    for (const std::string& folder : folders) staged_->removeEmpty(folder);
+    staged_.reset();
+    folder_.removeEmpty(kNewFolder);
+    return {};
+}
+
+Status DatasetFolder::finish() {
+    if (staged_) {
+        // With this rename the old dataset is none any more, and the new one is the one that
+        // counts.
+        const Result<bool> moved = folder_.move(kCardFile, *staged_, kReplacedCard);
+        if (!moved) return tl::unexpected(moved.error());
+        Status status;
+        if (!*moved) status = staged_->write(kReplacedCard, std::string_view("{}\n"));
+        if (status) status = folder_.syncNames();
+        if (status) status = staged_->syncNames();
+        if (status) status = moveIntoPlace();
+        if (!status) return status;
+    }
+    return release();
+}
+
+Status DatasetFolder::release() {
+    if (staged_) {
+        if (Status status = removeStaged(); !status) return status;
+    }
+    if (Status status = folder_.remove(kJournalFile); !status) return status;
+    (void)lock_.close();
+    return folder_.syncAll();
+}
+
+}  // namespace dollytrack::render

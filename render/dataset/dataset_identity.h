@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/dataset/dataset_journal.h"
+#include "render/dataset/dataset_order.h"
+
+namespace dollytrack::render {
+
+/// All that decides over a dataset's bytes.
+[[nodiscard]] DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
+                                         const DatasetOrigin& origin);
+
+}  // namespace dollytrack::render

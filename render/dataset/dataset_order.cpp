@@ -1,0 +1,123 @@
+#include "render/dataset/dataset_order.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "render/dataset/motion_hash.h"
+#include "render/dataset/scene_hash.h"
+#include "render/sensors/sensor_lens.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace dollytrack::render {
+namespace {
+
+Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
+    Result<nlohmann::json> value = io::parseBoundedJson(text, what);
+    if (!value) {
+        return fail(ErrorCode::Failed, std::string(what) + " handed to the export are no JSON");
+    }
+    return value;
+}
+
+std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const FrameRange& range) {
+    std::vector<DatasetFrame> frames;
+    for (const int source : framesOf(range, static_cast<int>(trajectory.frames.size()))) {
+        DatasetFrame frame;
+        frame.camera = trajectory.frames[static_cast<std::size_t>(source)];
+        frame.source_frame = source;
+        frame.room = "room " + std::to_string(std::max(frame.camera.component, 0) + 1);
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
+/// The motions in the frames of the dataset.
+std::vector<ObjectMotion> motionsOf(const std::vector<DatasetFrame>& frames,
+                                    const std::vector<ObjectMotion>& planned) {
+    std::vector<ObjectMotion> motions;
+    for (const ObjectMotion& motion : planned) {
+        ObjectMotion& kept = motions.emplace_back(ObjectMotion{motion.object_id, {}});
+        for (const DatasetFrame& frame : frames) {
+            kept.by_frame.push_back(motion.by_frame[static_cast<std::size_t>(frame.source_frame)]);
+        }
+    }
+    return motions;
+}
+
+}  // namespace
+
+Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
+                                   const Trajectory& trajectory, const DatasetSettings& settings,
+                                   const DatasetOrigin& origin) {
+    DatasetOrder order{{scene, camera, {}, plannedFrames(trajectory, settings.range)}, {}};
+    if (order.contents.frames.empty()) {
+        return fail(ErrorCode::Usage,
+                    "the range holds none of the trajectory's " +
+                        std::to_string(trajectory.frames.size()) + " frames",
+                    "--range");
+    }
+    Result<ModalitySet> modalities = chooseModalities(settings.modalities, !settings.rig.empty());
+    if (!modalities) return tl::unexpected(modalities.error());
+    order.contents.modalities = std::move(*modalities);
+    order.contents.camera_motion = CameraMotion(trajectory);
+    order.contents.imu_rate_hz = settings.imu_rate_hz;
+    for (const int distance : settings.flow_distances) {
+        if (distance >= 1) continue;
+        return fail(ErrorCode::Usage, "A distance of flow is a number of frames from 1 on.",
+                    "--flow-distances");
+    }
+    const bool has_flow =
+        std::ranges::any_of(order.contents.modalities, [](const Modality* modality) {
+            return std::string_view(modality->name).starts_with("flow_");
+        });
+    const int nearest =
+        settings.flow_distances.empty() ? 1 : *std::ranges::min_element(settings.flow_distances);
+    if (has_flow && nearest > 1 && nearest >= std::ssize(order.contents.frames)) {
+        return fail(ErrorCode::Usage,
+                    "no two of the " + std::to_string(order.contents.frames.size()) +
+                        " frames are " + std::to_string(nearest) + " apart",
+                    "--flow-distances");
+    }
+    order.contents.flow_distances = settings.flow_distances;
+    order.contents.stereo_baseline_m = settings.stereo_baseline_m;
+    order.contents.motions = motionsOf(order.contents.frames, origin.motions);
+    order.contents.sensor = settings.sensor;
+    order.contents.light = settings.light;
+    if (contains(order.contents.modalities, kRgbSensor)) {
+        if (Status status = validateLens(camera, settings.sensor); !status) {
+            return tl::unexpected(status.error());
+        }
+    }
+    order.contents.score = settings.score;
+    order.contents.folds = settings.folds;
+    if (Status status = validate(settings.rig); !status) return tl::unexpected(status.error());
+    order.contents.rig = settings.rig;
+    const auto folds = splitFrames(order.contents.frames, settings.folds);
+    if (!folds) return tl::unexpected(folds.error());
+    DatasetCard& card = order.card;
+    Result<FormatSet> formats = chooseFormats(settings.formats);
+    if (!formats) return tl::unexpected(formats.error());
+    card.formats = std::move(*formats);
+    if (Status status = checkNeeds(card.formats, order.contents.modalities); !status) {
+        return tl::unexpected(status.error());
+    }
+    Result<nlohmann::json> parameters = parseJson(origin.parameters_json, "the parameters");
+    if (!parameters) return tl::unexpected(parameters.error());
+    card.parameters = std::move(*parameters);
+    Result<nlohmann::json> edits = parseJson(origin.edits_json, "the edits");
+    if (!edits) return tl::unexpected(edits.error());
+    card.edits = std::move(*edits);
+    Result<nlohmann::json> metrics = parseJson(origin.planned_metrics_json, "the metrics");
+    if (!metrics) return tl::unexpected(metrics.error());
+    card.planned_metrics = std::move(*metrics);
+    card.product_version = origin.product_version;
+    card.relations = origin.relations;
+    card.seed = origin.seed;
+    card.geometry_sha256 = geometryHash(scene);
+    card.appearance_sha256 = appearanceHash(scene);
+    card.whole_trajectory_sha256 = trajectoryHash(trajectory);
+    card.whole_motions_sha256 = motionsHash(origin.motions);
+    return order;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,184 @@
+#include "render/dataset/dataset_resume.h"
+
+#include "engine/core/log.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
+#include "engine/jobs/parallel.h"
+#include "engine/plan/plan_json.h"
+#include "render/gl/context.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isWhole(const io::GuardedFolder& folder, const std::string& file, const std::string& sha256) {
+    const auto bytes = folder.read(file);
+    return bytes && io::sha256Of(std::span<const std::uint8_t>(*bytes)) == sha256;
+}
+
+/// Calls check(i) for all i on all threads, in portions between which it reports and may stop.
+template <class Check>
+void checkAll(std::size_t count, const JobContext& job, const Check& check) {
+    constexpr std::size_t kPortion = 64;
+    for (std::size_t begin = 0; begin < count && !job.cancelled(); begin += kPortion) {
+        const std::size_t end = std::min(begin + kPortion, count);
+        parallelFor(end - begin, [&](std::size_t i) { check(begin + i); });
+        job.report(static_cast<double>(end) / static_cast<double>(count));
+    }
+}
+
+Json readCard(const DatasetFolder& folder) {
+    return io::readBoundedJson<Json>(folder.folder(), kCardFile).value_or(Json());
+}
+
+tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,
+                              std::size_t count) {
+    return fail(ErrorCode::BadInput,
+                "the dataset is complete, but " +
+                    (count == 1 ? std::string("this file is")
+                                : "this and " + std::to_string(count - 1) + " more files are") +
+                    " missing or damaged; export it again with --overwrite in place of --resume",
+                (folder.path() / file).string());
+}
+
+/// Those of the journal's frames whose files are all there and whole. Fewer when cancelled.
+std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
+                                        std::map<int, JournalEntry> entries,
+                                        const JobContext& job) {
+    std::vector<const JournalEntry*> list;
+    for (const auto& [index, entry] : entries) list.push_back(&entry);
+    std::vector<char> whole(list.size(), 0);
+    checkAll(list.size(), job, [&](std::size_t i) {
+        const auto& hashes = list[i]->sha256s;
+        whole[i] = std::all_of(hashes.begin(), hashes.end(), [&](const auto& file) {
+            return isWhole(folder.unfinished(), file.first, file.second);
+        });
+    });
+    std::size_t i = 0;
+    std::erase_if(entries, [&](const auto&) { return whole[i++] == 0; });
+    return entries;
+}
+
+/// As far as can be said before it is rendered, the complete dataset must be the one wanted.
+Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
+                              const JobContext& job) {
+    const Json found = readCard(folder);
+    if (!found.is_object()) return damaged(folder, "dataset.json", 1);
+    std::string differing;
+    const Json expected = datasetCardJson(order.contents, order.card);
+    for (const auto& [name, value] : expected.items()) {
+        // These follow from the pictures; all others decide over them.
+        if (name == "files" || name == "metrics") continue;
+        if (!found.contains(name) || found[name] != value) {
+            differing += (differing.empty() ? "" : ", ") + name;
+        }
+    }
+    if (!differing.empty()) {
+        return fail(ErrorCode::Usage,
+                    "the folder holds a complete dataset of something else (it differs in " +
+                        differing +
+                        "); choose another folder, or give --overwrite in place of --resume to "
+                        "replace it",
+                    folder.path().string());
+    }
+    try {
+        std::vector<std::pair<std::string, std::string>> files;
+        for (const auto& [file, hash] : found.at("files").items()) {
+            files.emplace_back(file, hash.get<std::string>());
+        }
+        std::vector<char> whole(files.size(), 0);
+        checkAll(files.size(), job, [&](std::size_t i) {
+            whole[i] = isWhole(folder.folder(), files[i].first, files[i].second);
+        });
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
+        const auto first = std::find(whole.begin(), whole.end(), 0);
+        if (first != whole.end()) {
+            return damaged(folder, files[static_cast<std::size_t>(first - whole.begin())].first,
+                           static_cast<std::size_t>(std::count(whole.begin(), whole.end(), 0)));
+        }
+        const Json& metrics = found.at("metrics");
+        const Result<CaptureMetrics> captures = captureMetricsFromJson(metrics.at("counted"));
+        if (!captures) return tl::unexpected<Error>(captures.error());
+        Counted counted{*captures, {}};
+        if (metrics.contains("pictures")) {  // older datasets have none
+            counted.pictures = pictureTallyFrom(metrics["pictures"]);
+        }
+        return counted;
+    } catch (const nlohmann::json::exception&) {
+        return damaged(folder, "dataset.json", 1);
+    }
+}
+
+}  // namespace
+
+std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries) {
+    std::set<std::string> files;
+    for (const auto& [index, entry] : entries) {
+        for (const auto& [file, hash] : entry.sha256s) files.insert(file);
+    }
+    return files;
+}
+
+Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& order,
+                            const DatasetIdentity& identity, const JobContext& job) {
+    Earlier earlier;
+    JournalContents& journal = earlier.journal;
+    journal = readJournal(folder.folder());
+    const bool begun = journal.identity.has_value();
+    if (folder.isComplete() && !(begun && folder.isStaged())) {
+        const Result<Counted> counted = checkComplete(folder, order, job);
+        if (counted) {
+            log::info("export", "the dataset in the folder is complete and whole");
+            earlier.complete = *counted;
+            return earlier;
+        }
+        // With a journal, one that was to replace it was cut off before its first frame.
+        if (!begun || counted.error().code == ErrorCode::Cancelled) {
+            return tl::unexpected(counted.error());
+        }
+        journal.entries.clear();
+    }
+    if (!begun) {
+        log::info("export", "there is nothing to continue in the folder: beginning anew");
+        return Earlier{};
+    }
+    if (*journal.identity != identity) {
+        return fail(
+            ErrorCode::Usage,
+            "the unfinished dataset in the folder is another one (it differs in " +
+                differences(*journal.identity, identity) +
+                "); continue it as it was begun, or begin anew without --resume (with --overwrite "
+                "where a complete dataset is beside it)",
+            folder.path().string());
+    }
+    // Nothing to refuse, but the bytes may not be those of one run.
+    if (journal.drawn_by != gl::rendererName()) {
+        log::warn("export", "the finished frames were drawn by " + journal.drawn_by +
+                                ", the others will be by " + gl::rendererName() +
+                                "; they may differ in shades");
+    }
+    const int count = static_cast<int>(order.contents.frames.size());
+    std::erase_if(journal.entries,
+                  [&](const auto& one) { return one.first < 0 || one.first >= count; });
+    const std::size_t listed = journal.entries.size();
+    journal.entries = wholeFrames(folder, std::move(journal.entries), job);
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
+    const std::size_t found = journal.entries.size();
+    log::info("export", "continuing: " + std::to_string(found) + " of " + std::to_string(count) +
+                            " frames are done");
+    if (found < listed) {
+        log::warn("export", "missing or damaged, and rendered again: " +
+                                std::to_string(listed - found) + " of the finished frames");
+    }
+    return earlier;
+}
+
+}  // namespace dollytrack::render

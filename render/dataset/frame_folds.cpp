@@ -1,0 +1,114 @@
+#include "render/dataset/frame_folds.h"
+
+#include "engine/core/random.h"
+#include "render/dataset/dataset_contents.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace dollytrack::render {
+namespace {
+
+using Parts = std::vector<std::vector<int>>;
+
+/// The frames of each room, the largest first, equal ones in an order that the seed decides.
+Parts roomsOf(const std::vector<DatasetFrame>& frames, Random& random) {
+    std::map<std::string, std::vector<int>> by_name;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        by_name[frames[i].room].push_back(static_cast<int>(i));
+    }
+    Parts rooms;
+    for (auto& [name, members] : by_name) rooms.push_back(std::move(members));
+    for (std::size_t i = rooms.size(); i > 1; --i) {
+        std::swap(rooms[i - 1], rooms[random.below(static_cast<std::uint32_t>(i))]);
+    }
+    std::stable_sort(rooms.begin(), rooms.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return rooms;
+}
+
+/// Whole rooms, each to the part that has least; empty where the parts become too unequal.
+Parts partsByRoom(const std::vector<DatasetFrame>& frames, std::size_t count, Random& random) {
+    const Parts rooms = roomsOf(frames, random);
+    if (rooms.size() < count) return {};
+    Parts parts(count);
+    for (const std::vector<int>& room : rooms) {
+        auto& least =
+            *std::min_element(parts.begin(), parts.end(),
+                              [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        least.insert(least.end(), room.begin(), room.end());
+    }
+    for (std::vector<int>& part : parts) {
+        if (part.size() * count > 2 * frames.size() || 2 * part.size() * count < frames.size()) {
+            return {};
+        }
+        std::sort(part.begin(), part.end());
+    }
+    return parts;
+}
+
+/// Blocks of consecutive frames; the seed says where the first one begins.
+Parts blocks(std::size_t frames, std::size_t count, Random& random) {
+    Parts parts(count);
+    const std::size_t start = random.below(static_cast<std::uint32_t>(frames));
+    for (std::size_t i = 0; i < frames; ++i) {
+        parts[i * count / frames].push_back(static_cast<int>((start + i) % frames));
+    }
+    for (std::vector<int>& part : parts) std::sort(part.begin(), part.end());
+    return parts;
+}
+
+bool areNeighbours(const TrajectoryFrame& a, const TrajectoryFrame& b) {
+    if (a.path == b.path && std::abs(a.time_s - b.time_s) < kFoldGuard_s) return true;
+    return (a.pose.position - b.pose.position).norm() < kFoldGuard_m &&
+           angleBetween(a.pose.rotation, b.pose.rotation) <
+               kFoldGuard_deg * std::numbers::pi / 180.0;
+}
+
+}  // namespace
+
+Result<FrameFolds> splitFrames(const std::vector<DatasetFrame>& frames,
+                               const FoldSettings& settings) {
+    const auto count = static_cast<std::size_t>(std::max(settings.count, 0));
+    if (frames.size() < count) {
+        return fail(ErrorCode::Usage,
+                    std::to_string(frames.size()) + " frames cannot be split into " +
+                        std::to_string(count) + " folds; ask for fewer, or for more frames",
+                    "--folds");
+    }
+    FrameFolds result;
+    if (count == 0) return result;
+    Random random(settings.seed);
+    Parts parts = partsByRoom(frames, count, random);
+    result.by_room = !parts.empty();
+    if (parts.empty()) parts = blocks(frames.size(), count, random);
+    for (std::vector<int>& part : parts) {
+        Fold fold;
+        std::vector<char> held_back(frames.size());
+        for (const int i : part) held_back[static_cast<std::size_t>(i)] = 1;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            if (held_back[i] != 0) continue;
+            const bool leaks =
+                !result.by_room && std::any_of(part.begin(), part.end(), [&](int other) {
+                    return areNeighbours(frames[i].camera,
+                                         frames[static_cast<std::size_t>(other)].camera);
+                });
+            if (!leaks) fold.train.push_back(static_cast<int>(i));
+        }
+        if (fold.train.empty()) {
+            return fail(
+                ErrorCode::Usage,
+                "fold " + std::to_string(result.folds.size()) +
+                    " would have no frame to train on: all are within a second or a step of those "
+                    "it is judged by; export more of the trajectory, or ask for more folds",
+                "--folds");
+        }
+        fold.val = std::move(part);
+        result.folds.push_back(std::move(fold));
+    }
+    return result;
+}
+
+}  // namespace dollytrack::render

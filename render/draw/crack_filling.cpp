@@ -1,0 +1,188 @@
+#include "render/draw/crack_filling.h"
+
+#include "render/draw/seen_normal.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kNudge_px = 0.01;  // what drawing may place an edge beside the truth
+
+struct Neighbours {
+    int inside = 0;                   // the image
+    std::vector<std::size_t> pixels;  // those shown
+};
+
+Neighbours neighboursOf(std::size_t pixel, const Intrinsics& image,
+                        std::span<const std::uint16_t> labels) {
+    Neighbours found;
+    const int x = static_cast<int>(pixel) % image.width;
+    const int y = static_cast<int>(pixel) / image.width;
+    for (int row = std::max(0, y - 1); row <= std::min(image.height - 1, y + 1); ++row) {
+        for (int column = std::max(0, x - 1); column <= std::min(image.width - 1, x + 1);
+             ++column) {
+            if (row == y && column == x) continue;
+            const std::size_t other =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                static_cast<std::size_t>(column);
+            ++found.inside;
+            if (labels[other] != 0) found.pixels.push_back(other);
+        }
+    }
+    return found;
+}
+
+/// The ray through a place beside the pixel's centre.
+ViewRay rayThrough(const View& view, std::size_t pixel, double right_px = 0.0,
+                   double down_px = 0.0) {
+    const auto width = static_cast<std::size_t>(view.intrinsics.width);
+    return view.rayThrough(static_cast<double>(pixel % width) + 0.5 + right_px,
+                           static_cast<double>(pixel / width) + 0.5 + down_px);
+}
+
+/// What the rays through these pixels' centres meet.
+std::vector<RayHit> castPixels(const View& view, std::span<const std::size_t> pixels,
+                               const RayCaster& rays) {
+    std::vector<RayCaster::BundleRay> bundle;
+    for (const std::size_t pixel : pixels) bundle.push_back({rayThrough(view, pixel).direction});
+    std::vector<RayHit> hits;
+    rays.castBundle(view.pose.position, bundle, view.near_m, hits);
+    return hits;
+}
+
+/// What is met by the first ray around the pixel's centre that meets anything. A ray along a
+/// surface may pass through the joint of two of its triangles.
+RayHit castAround(const View& view, std::size_t pixel, const RayCaster& rays) {
+    RayHit hit;
+    for (const double down : {0.0, -kNudge_px, kNudge_px}) {
+        for (const double right : {0.0, -kNudge_px, kNudge_px}) {
+            const ViewRay ray = rayThrough(view, pixel, right, down);
+            hit = rays.cast(ray.origin, ray.direction, std::numeric_limits<double>::infinity(),
+                            view.near_m);
+            if (hit.object_id != 0) return hit;
+        }
+    }
+    return hit;
+}
+
+/// Whether the object has a surface at the same place: which of two is met first is chance there,
+/// and drawing has chosen.
+bool isInSamePlace(const View& view, std::size_t pixel, int object_id, const RayHit& hit,
+                   const RayCaster& rays) {
+    const double slack = 5e-5 * (1.0 + hit.distance);  // single precision
+    const ViewRay ray = rayThrough(view, pixel);
+    return rays.meetsObject(object_id, ray.origin + (hit.distance - slack) * ray.direction,
+                            ray.direction, 2.0 * slack);
+}
+
+CrackPixel crackAt(std::size_t pixel, const View& view, std::span<const std::uint16_t> labels,
+                   const RayHit& hit, const RayCaster& rays) {
+    CrackPixel crack{pixel, labels[pixel] != 0, pixel, static_cast<std::uint16_t>(hit.object_id),
+                     hit};
+    if (hit.object_id == labels[pixel]) return crack;
+    if (crack.drawn && hit.object_id != 0 && isInSamePlace(view, pixel, labels[pixel], hit, rays)) {
+        crack.object_id = labels[pixel];
+        return crack;
+    }
+    const Neighbours around = neighboursOf(pixel, view.intrinsics, labels);
+    const auto same =
+        std::find_if(around.pixels.begin(), around.pixels.end(),
+                     [&](std::size_t other) { return labels[other] == hit.object_id; });
+    if (same != around.pixels.end()) {
+        crack.like = *same;
+    } else if (!crack.drawn) {
+        crack.like = around.pixels.front();
+    }
+    return crack;
+}
+
+float depthOf(const CrackPixel& crack) {
+    return crack.hit.object_id == 0 ? 0.0F : static_cast<float>(crack.hit.distance);
+}
+
+void copyColour(std::vector<std::uint8_t>& rgb, const CrackPixel& crack) {
+    if (!rgb.empty()) std::copy_n(&rgb[3 * crack.like], 3, &rgb[3 * crack.pixel]);
+}
+
+}  // namespace
+
+std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16_t> labels,
+                                   const RayCaster& rays) {
+    std::vector<std::size_t> gaps;
+    for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
+        if (labels[pixel] != 0) continue;
+        const Neighbours around = neighboursOf(pixel, view.intrinsics, labels);
+        if (2 * static_cast<int>(around.pixels.size()) > around.inside) gaps.push_back(pixel);
+    }
+    const std::vector<RayHit> hits = castPixels(view, gaps, rays);
+    std::vector<CrackPixel> cracks;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        if (hits[i].object_id != 0) {
+            cracks.push_back(crackAt(gaps[i], view, labels, hits[i], rays));
+        }
+    }
+    return cracks;
+}
+
+std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16_t> labels,
+                                   std::span<const float> drawn_depth_m, const RayCaster& rays) {
+    std::vector<CrackPixel> cracks = findCracks(view, labels, rays);
+    std::vector<std::size_t> unknown;
+    for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
+        const float depth = drawn_depth_m[pixel];
+        if (labels[pixel] != 0 && !(depth > 0.0F && std::isfinite(depth))) unknown.push_back(pixel);
+    }
+    const std::vector<RayHit> hits = castPixels(view, unknown, rays);
+    for (std::size_t i = 0; i < unknown.size(); ++i) {
+        const RayHit hit = hits[i].object_id != 0 ? hits[i] : castAround(view, unknown[i], rays);
+        cracks.push_back(crackAt(unknown[i], view, labels, hit, rays));
+    }
+    return cracks;
+}
+
+void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
+                FrameRecord& record) {
+    if (cracks.empty()) return;
+    const std::vector<Eigen::Isometry3d> to_rest = context.moving.toRest(record.index);
+    for (const CrackPixel& crack : cracks) {
+        record.instance[crack.pixel] = crack.object_id;
+        if (!record.depth_m.empty()) {
+            record.depth_m[crack.pixel] = depthOf(crack);
+        }
+        // What was drawn is the mean of what the whole pixel sees.
+        if (!crack.drawn) copyColour(record.rgb, crack);
+        copyColour(record.albedo, crack);
+        if (record.normals_in_world.empty()) continue;
+        Eigen::Vector3f& normal = record.normals_in_world[crack.pixel];
+        const ViewRay ray = rayThrough(view, crack.pixel);
+        normal = crack.object_id == 0
+                     ? Eigen::Vector3f(Eigen::Vector3f::Zero())
+                     : Eigen::Vector3f(seenNormal(context.contents.scene, to_rest, crack.hit,
+                                                  ray.origin, ray.direction)
+                                           .cast<float>());
+    }
+}
+
+void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb) {
+    for (const CrackPixel& crack : cracks) copyColour(rgb, crack);
+}
+
+void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record) {
+    std::vector<std::uint16_t> shown(record.depth_right_m.size());
+    std::transform(record.depth_right_m.begin(), record.depth_right_m.end(), shown.begin(),
+                   [](float depth) { return std::uint16_t{depth != 0.0F}; });
+    for (const CrackPixel& crack :
+         findCracks(right, shown, record.depth_right_m, *context.moving.raysAt(record.index))) {
+        record.depth_right_m[crack.pixel] = depthOf(crack);
+        if (!crack.drawn) copyColour(record.rgb_right, crack);
+    }
+}
+
+}  // namespace dollytrack::render

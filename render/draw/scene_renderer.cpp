@@ -1,0 +1,267 @@
+#include "render/draw/scene_renderer.h"
+
+#include "render/amodal/silhouette_counter.h"
+#include "render/draw/gpu_scene.h"
+#include "render/draw/light_pass.h"
+#include "render/draw/look_images.h"
+#include "render/draw/occlusion_culling.h"
+#include "render/draw/surface_pass.h"
+#include "render/draw/view_uniforms.h"
+#include "render/gl/context.h"
+#include "render/light/traced_reflections.h"
+
+#include <GL/glew.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace dollytrack::render {
+namespace {
+
+/// By how much the picture is shifted, px, each time that four looks at every pixel are drawn.
+/// Those of the second time stand between those of the first.
+std::span<const Eigen::Vector2d> shiftsOf(Antialias antialias) {
+    static const std::array<Eigen::Vector2d, 1> once = {Eigen::Vector2d::Zero()};
+    static const std::array<Eigen::Vector2d, 2> twice = {Eigen::Vector2d(1, -1) / 16.0,
+                                                         Eigen::Vector2d(-1, 1) / 16.0};
+    if (antialias == Antialias::Samples4) return once;
+    if (antialias == Antialias::Samples8) return twice;
+    return {};
+}
+
+/// What is seen through a place beside the pixels' middles.
+View shiftedBy(const Eigen::Vector2d& offset, const View& view) {
+    View moved = view;
+    moved.intrinsics.cx -= offset.x();
+    moved.intrinsics.cy -= offset.y();
+    return moved;
+}
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+    GpuScene scene;
+    SurfacePass surfaces;
+    OcclusionCulling culling;
+    LightPass light;
+    std::map<std::pair<int, int>, LookImages> looks;  // by size
+    SilhouetteCounter silhouettes;
+    WholeMaskDrawer whole_masks;
+    std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
+    const TracedReflections* reflections = nullptr;
+    std::vector<Eigen::Vector4f> reflected;  // kept between pictures
+
+    Status setLight(const LightVolume& volume) {
+        surfaces.setLight(volume);
+        return light.setLight(volume);
+    }
+
+    /// @param first_row, last_row  of the image, which light is wanted of
+    Status prepare(const View& view, int first_row, int last_row) {
+        if (reflections != nullptr && reflections->trace(view, first_row, last_row, reflected)) {
+            light.setReflections(reflected, view, first_row, last_row);
+        } else {
+            light.blurReflections();
+        }
+        glDisable(GL_CULL_FACE);
+        if (Status status = surfaces.prepare(scene, view); !status) return status;
+        return light.prepare(scene);
+    }
+
+    /// @param labels  whether to draw these in the same pass
+    void drawPicture(const View& view, bool labels, RenderTarget& target) {
+        if (labels) {
+            surfaces.drawSurfaces(scene, view, target);
+        } else {
+            surfaces.drawLook(scene, view, target);
+        }
+        light.drawOcclusion(scene, view, target);
+        light.drawPicture(view, surfaces.shine(), target);
+        light.smoothEdges(target);
+    }
+
+    Result<LookImages*> looksOf(int width, int height) {
+        const auto known = looks.find({width, height});
+        if (known != looks.end()) return &known->second;
+        Result<LookImages> made = LookImages::create(width, height);
+        if (!made) return tl::unexpected(made.error());
+        return &looks.emplace(std::pair(width, height), std::move(*made)).first->second;
+    }
+
+    /// The mean of several looks.
+    Status drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
+                     RenderTarget& target) {
+        const Result<LookImages*> images = looksOf(target.width(), target.height());
+        if (!images) return tl::unexpected(images.error());
+        const std::array<float, 4> zero{};
+        target.makeSum();
+        glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
+        const float share = 1.0F / static_cast<float>(LookImages::kLooks * shifts.size());
+        for (std::size_t i = 0; i < shifts.size(); ++i) {
+            const View shifted = shiftedBy(shifts[i], view);
+            surfaces.drawLooks(scene, shifted, culling, **images);
+            // It is soft: that of one look is good for all.
+            if (i == 0) light.drawOcclusion(scene, shifted, **images, target);
+            light.addLooks(shifted, surfaces.shine(), share, **images, target);
+        }
+        light.encodeSum(target);
+        return {};
+    }
+
+    /// @param cull  whether looks at the same view come next
+    void drawLabels(const View& view, bool cull, RenderTarget& target, SurfaceTarget* materials) {
+        OcclusionCulling* asked = cull ? &culling : nullptr;
+        if (materials != nullptr) {
+            surfaces.drawMaterials(scene, view, asked, *materials);
+        } else {
+            surfaces.drawLabels(scene, view, asked, target);
+        }
+    }
+
+    void addLight(const View& view, const LightSum& sum, RenderTarget& target) {
+        // What darkens corners looks so far beyond the rows.
+        constexpr int kBeyond = 160;
+        const int first = std::max(sum.first_row - kBeyond, 0);
+        const int count = sum.last_row - first + kBeyond;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, first, target.width(), count);
+        surfaces.drawLook(scene, view, target);
+        glScissor(0, first / 2, target.width(), count / 2 + 1);
+        light.drawOcclusion(scene, view, target);
+        glScissor(0, sum.first_row, target.width(), sum.last_row - sum.first_row);
+        light.addLight(view, surfaces.shine(), sum, target);
+        glDisable(GL_SCISSOR_TEST);
+    }
+};
+
+SceneRenderer::SceneRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneRenderer::~SceneRenderer() = default;
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+
+Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolume& light,
+                                            Detail detail) {
+    Result<GpuScene> uploaded = uploadScene(scene, detail);
+    if (!uploaded) return tl::unexpected(uploaded.error());
+    Result<SurfacePass> surfaces = SurfacePass::create();
+    if (!surfaces) return tl::unexpected(surfaces.error());
+    Result<OcclusionCulling> culling = OcclusionCulling::create();
+    if (!culling) return tl::unexpected(culling.error());
+    Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
+    if (!silhouettes) return tl::unexpected(silhouettes.error());
+    Result<WholeMaskDrawer> whole_masks = WholeMaskDrawer::create();
+    if (!whole_masks) return tl::unexpected(whole_masks.error());
+    auto impl = std::make_unique<Impl>(Impl{std::move(*uploaded),
+                                            std::move(*surfaces),
+                                            std::move(*culling),
+                                            {},
+                                            {},
+                                            std::move(*silhouettes),
+                                            std::move(*whole_masks),
+                                            {},
+                                            nullptr,
+                                            {}});
+    if (Status status = impl->setLight(light); !status) return tl::unexpected(status.error());
+    render::setAnisotropy(impl->scene, 0);
+    // Depth runs from 1 at the near plane to 0 at infinity.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    if (Status status = gl::checkErrors("preparing to draw"); !status) {
+        return tl::unexpected(status.error());
+    }
+    return SceneRenderer(std::move(impl));
+}
+
+Status SceneRenderer::setLight(const LightVolume& light) {
+    return impl_->setLight(light);
+}
+
+void SceneRenderer::changeLight(const LightVolume& light) {
+    impl_->surfaces.setLight(light);
+    impl_->light.changeLight(light);
+}
+
+Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
+    if (Status status = impl_->prepare(view, 0, target.height()); !status) return status;
+    if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
+        impl_->drawLabels(view, true, target, surfaces);
+        if (Status status = impl_->drawLooks(view, shifts, target); !status) return status;
+    } else {
+        impl_->drawPicture(view, surfaces == nullptr, target);
+        if (surfaces != nullptr) impl_->drawLabels(view, false, target, surfaces);
+    }
+    return gl::checkErrors("drawing");
+}
+
+Status SceneRenderer::drawLabels(const View& view, RenderTarget& target, SurfaceTarget* surfaces) {
+    glDisable(GL_CULL_FACE);
+    if (Status status = impl_->surfaces.prepare(impl_->scene, view); !status) return status;
+    impl_->drawLabels(view, false, target, surfaces);
+    return gl::checkErrors("drawing labels");
+}
+
+Status SceneRenderer::beginLight(RenderTarget& target) {
+    const std::array<float, 4> zero{};
+    target.makeSum();
+    glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
+    // Looks at some rows see what is around these: nothing of frames before.
+    glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 1, zero.data());
+    glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 2, zero.data());
+    glClearNamedFramebufferfv(target.occlusion_frame_.get(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferfv(target.soft_frame_.get(), GL_COLOR, 0, zero.data());
+    return gl::checkErrors("preparing to add light");
+}
+
+Status SceneRenderer::addLight(const View& view, const LightSum& sum, RenderTarget& target) {
+    if (sum.first_row >= sum.last_row) return {};
+    if (Status status = impl_->prepare(view, sum.first_row, sum.last_row); !status) return status;
+    impl_->addLight(view, sum, target);
+    return gl::checkErrors("adding light");
+}
+
+Result<std::vector<WholeMask>> SceneRenderer::drawWhole(const View& view,
+                                                        std::span<const int> object_ids) {
+    return impl_->whole_masks.draw(impl_->scene, view, object_ids);
+}
+
+void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
+    auto resting = impl_->resting.find(object_id);
+    if (resting == impl_->resting.end()) {
+        resting = impl_->resting.emplace(object_id, copyOf(impl_->scene, object_id)).first;
+    }
+    render::place(impl_->scene, resting->second, motion);
+    impl_->light.forgetShadow();
+}
+
+Status SceneRenderer::reserve(int width, int height, Antialias antialias) {
+    if (shiftsOf(antialias).empty()) return {};
+    const Result<LookImages*> images = impl_->looksOf(width, height);
+    return images ? Status() : tl::unexpected(images.error());
+}
+
+void SceneRenderer::setReflections(const TracedReflections* reflections) {
+    impl_->reflections = reflections;
+}
+
+void SceneRenderer::setAnisotropy(int places) {
+    render::setAnisotropy(impl_->scene, places);
+}
+
+int SceneRenderer::hiddenByOthers() const {
+    return impl_->culling.hidden();
+}
+
+std::vector<bool> SceneRenderer::inView(const View& view) const {
+    return objectsInView(impl_->scene, view);
+}
+
+Status SceneRenderer::startSilhouettes(const View& view, std::span<const int> object_ids,
+                                       int beyond) {
+    return impl_->silhouettes.start(impl_->scene, view, object_ids, beyond);
+}
+
+std::vector<std::uint64_t> SceneRenderer::finishSilhouettes() {
+    return impl_->silhouettes.finish();
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,113 @@
+#include "render/formats/labels/coco.h"
+
+#include "render/formats/labels/mask_outline.h"
+
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Segmentation { RunLengths, Polygons };
+
+Json segmentation(const ObjectMask& mask, int width, int height, Segmentation kind) {
+    if (kind == Segmentation::RunLengths) {
+        return {{"size", {height, width}}, {"counts", compressCounts(mask.counts)}};
+    }
+    Json polygons = Json::array();
+    for (const Outline& outline : outlinesOfCounts(width, height, mask.counts)) {
+        if (outline.hole) continue;
+        Json corners = Json::array();
+        for (const Eigen::Vector2i& corner : outline.corners) {
+            corners.push_back(corner.x());
+            corners.push_back(corner.y());
+        }
+        polygons.push_back(std::move(corners));
+    }
+    return polygons;
+}
+
+/// How much of the object is in sight.
+void addAttributes(const DatasetFrame& frame, int object_id, Json& annotation) {
+    for (const InstanceInFrame& seen : frame.instances) {
+        if (seen.object_id != object_id) continue;
+        annotation["attributes"] = {{"visible_fraction", seen.visibleFraction()},
+                                    {"truncation", seen.truncation()},
+                                    {"occluder", seen.occluder},
+                                    {"occluder_fraction", seen.occluderFraction()}};
+    }
+}
+
+std::string textOf(const DatasetContents& contents, std::span<const int> frames,
+                   Segmentation kind) {
+    const Scene& scene = contents.scene;
+    const int width = contents.camera.width_px;
+    const int height = contents.camera.height_px;
+    // Lists are built apart: a reference into an ordered object ends with its next key.
+    Json root;
+    root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
+    root["licenses"] = Json::array();
+    Json categories = Json::array();
+    for (const DatasetClass& one : scene.classes().classes()) {
+        // Readers ask for the key; a class without one above it stands alone.
+        const std::string& above = one.supercategory.empty() ? one.name : one.supercategory;
+        categories.push_back({{"id", one.id}, {"name", one.name}, {"supercategory", above}});
+    }
+    Json images = Json::array();
+    Json annotations = Json::array();
+    for (const int index : frames) {
+        const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
+        images.push_back({{"id", index + 1},
+                          {"file_name", contents.pictureFile(index)},
+                          {"width", width},
+                          {"height", height}});
+        for (const ObjectMask& mask : frame.masks) {
+            const Object& object = scene.object(mask.object_id);
+            const DatasetClass* category = scene.classes().boxClassOf(object);
+            if (object.role != Role::Target || mask.area == 0 || category == nullptr) continue;
+            annotations.push_back({{"id", annotations.size() + 1},
+                                   {"image_id", index + 1},
+                                   {"category_id", category->id},
+                                   {"iscrowd", 0},
+                                   {"area", mask.area},
+                                   {"bbox", mask.bbox},
+                                   {"segmentation", segmentation(mask, width, height, kind)},
+                                   {"object_id", object.id}});
+            // Whole masks are measured for the outlines alone: what annotations.json holds must not
+            // depend on which other formats are written.
+            if (kind == Segmentation::Polygons) {
+                addAttributes(frame, object.id, annotations.back());
+            }
+        }
+    }
+    root["categories"] = std::move(categories);
+    root["images"] = std::move(images);
+    root["annotations"] = std::move(annotations);
+    // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
+    return root.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<int> allOf(const DatasetContents& contents) {
+    std::vector<int> all(contents.frames.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+}  // namespace
+
+std::string cocoText(const DatasetContents& contents) {
+    return cocoText(contents, allOf(contents));
+}
+
+std::string cocoText(const DatasetContents& contents, std::span<const int> frames) {
+    return textOf(contents, frames, Segmentation::RunLengths);
+}
+
+std::string cocoPolygonsText(const DatasetContents& contents) {
+    return textOf(contents, allOf(contents), Segmentation::Polygons);
+}
+
+}  // namespace dollytrack::render

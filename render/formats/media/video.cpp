@@ -1,0 +1,86 @@
+#include "render/formats/media/video.h"
+
+#include "engine/io/files/guarded_folder.h"
+#include "render/dataset/picture_file.h"
+#include "render/formats/media/video_encoder.h"
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
+
+constexpr double kUnknown = 5.0;  // pictures a second, where a frame alone has no rate
+constexpr double kSlowest = 0.01;
+constexpr double kFastest = 1000.0;
+
+/// Pictures a second, as the camera flies: one second of film is one of the trajectory.
+double rateOf(const std::vector<DatasetFrame>& frames) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        if (frames[i].camera.path != frames[i - 1].camera.path) continue;
+        steps.push_back(frames[i].camera.time_s - frames[i - 1].camera.time_s);
+    }
+    if (steps.empty()) return kUnknown;
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
+}
+
+Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
+    cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
+    if (picture.empty()) {
+        return fail(ErrorCode::CannotWrite, "the picture cannot be read again for the video",
+                    (folder.path() / file).string());
+    }
+    cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
+    return picture;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    Result<VideoEncoder> video = VideoEncoder::begin(
+        contents.camera.width_px, contents.camera.height_px, rateOf(contents.frames));
+    if (!video) return tl::unexpected(video.error());
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
+    if (!folder) return tl::unexpected(folder.error());
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        const Result<cv::Mat> picture = readPicture(*folder, frameFile("rgb", static_cast<int>(i)));
+        if (!picture) return tl::unexpected(picture.error());
+        const Status status = video->add({picture->data, picture->total() * picture->elemSize()});
+        if (!status) return tl::unexpected(status.error());
+    }
+    Result<std::string> file = video->finish();
+    if (!file) return tl::unexpected(file.error());
+    return std::vector<DatasetFile>{{kFiles[0], std::move(*file)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"file", kFiles[0]},
+            {"format",
+             "MP4, H.264: a look at the trajectory, every frame of rgb once and for the same time, "
+             "at the trajectory's own rate; lossy, no data"}};
+}
+
+}  // namespace
+
+const Format kVideoFormat = {
+    .name = "video",
+    .text = "the pictures as a film, in preview.mp4",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = {},
+    .write = write,
+    .encode = nullptr,
+    .convention = convention,
+    .modality = "rgb",
+    .bytes_per_pixel = 0.15,
+};
+
+}  // namespace dollytrack::render

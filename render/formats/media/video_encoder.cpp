@@ -1,0 +1,258 @@
+#include "render/formats/media/video_encoder.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+}
+
+#include <locale.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace dollytrack::render {
+namespace {
+
+tl::unexpected<Error> problem(const char* doing, int error) {
+    std::array<char, 128> text{};
+    ::av_strerror(error, text.data(), text.size());
+    return fail(ErrorCode::Failed,
+                std::string("libav could not ") + doing + " (" + text.data() + ")", "preview.mp4");
+}
+
+/// x264 writes its settings into the file, with the decimal comma of the thread's locale.
+class PlainNumbers {
+  public:
+    PlainNumbers() : plain_(::newlocale(LC_ALL_MASK, "C", nullptr)) {
+        if (plain_) before_ = ::uselocale(plain_);
+    }
+    ~PlainNumbers() {
+        if (!plain_) return;
+        ::uselocale(before_);
+        ::freelocale(plain_);
+    }
+    PlainNumbers(const PlainNumbers&) = delete;
+    PlainNumbers& operator=(const PlainNumbers&) = delete;
+
+  private:
+    locale_t plain_;
+    locale_t before_ = nullptr;
+};
+
+struct Freed {
+    void operator()(AVCodecContext* p) const { ::avcodec_free_context(&p); }
+    void operator()(AVFrame* p) const { ::av_frame_free(&p); }
+    void operator()(AVPacket* p) const { ::av_packet_free(&p); }
+    void operator()(AVFormatContext* p) const { ::avformat_free_context(p); }
+    void operator()(AVIOContext* p) const {
+        ::av_freep(&p->buffer);
+        ::avio_context_free(&p);
+    }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Freed>;
+
+/// A file in memory that the muxer writes into, and goes back in.
+struct MemoryFile {
+    std::string bytes;
+    std::size_t at = 0;
+
+    static int write(void* self, std::uint8_t* data, int size) {
+        auto& file = *static_cast<MemoryFile*>(self);
+        const auto count = static_cast<std::size_t>(size);
+        if (file.bytes.size() < file.at + count) file.bytes.resize(file.at + count);
+        std::memcpy(file.bytes.data() + file.at, data, count);
+        file.at += count;
+        return size;
+    }
+    static std::int64_t seek(void* self, std::int64_t offset, int whence) {
+        auto& file = *static_cast<MemoryFile*>(self);
+        const auto size = static_cast<std::int64_t>(file.bytes.size());
+        if ((whence & AVSEEK_SIZE) != 0) return size;
+        const std::int64_t from = whence == SEEK_CUR   ? static_cast<std::int64_t>(file.at)
+                                  : whence == SEEK_END ? size
+                                                       : 0;
+        if (from + offset < 0) return AVERROR(EINVAL);
+        file.at = static_cast<std::size_t>(from + offset);
+        return from + offset;
+    }
+};
+
+/// BT.709 in video range, by whole numbers: the same on every processor.
+void toYuv(std::span<const std::uint8_t> rgb, int stride_px, AVFrame& out) {
+    const auto pixel = [&](int x, int y) {
+        return rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_px) +
+                                 static_cast<std::size_t>(x));
+    };
+    // Shares of 65536, with the range (219 and 224 of 255) in them.
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            const std::uint8_t* p = pixel(x, y);
+            out.data[0][y * out.linesize[0] + x] = static_cast<std::uint8_t>(
+                (11966 * p[0] + 40254 * p[1] + 4064 * p[2] + 32768) / 65536 + 16);
+        }
+    }
+    for (int y = 0; y < out.height / 2; ++y) {
+        for (int x = 0; x < out.width / 2; ++x) {
+            std::array<int, 3> sum{};
+            for (const std::uint8_t* p : {pixel(2 * x, 2 * y), pixel(2 * x + 1, 2 * y),
+                                          pixel(2 * x, 2 * y + 1), pixel(2 * x + 1, 2 * y + 1)}) {
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += p[c];
+            }
+            const auto chroma = [&](int r, int g, int b) {
+                const int value = r * sum[0] + g * sum[1] + b * sum[2];
+                return static_cast<std::uint8_t>((value + 128 * 4 * 65536 + 2 * 65536) /
+                                                 (4 * 65536));
+            };
+            out.data[1][y * out.linesize[1] + x] = chroma(-6596, -22189, 28785);
+            out.data[2][y * out.linesize[2] + x] = chroma(28785, -26145, -2640);
+        }
+    }
+}
+
+}  // namespace
+
+struct VideoEncoder::Impl {
+    MemoryFile file;
+    Owned<AVIOContext> io;
+    Owned<AVFormatContext> muxer;
+    Owned<AVCodecContext> codec;
+    Owned<AVFrame> frame;
+    Owned<AVPacket> packet;
+    AVStream* stream = nullptr;  // the muxer's
+    int width = 0;               // of the pictures that come
+    int height = 0;
+
+    Status open(double frames_per_s);
+    Status openCodec(double frames_per_s);
+    Status send(const AVFrame* picture);
+};
+
+Status VideoEncoder::Impl::openCodec(double frames_per_s) {
+    const PlainNumbers plain;
+    const AVCodec* encoder = ::avcodec_find_encoder(AV_CODEC_ID_H264);
+    if (!encoder) {
+        return fail(ErrorCode::Failed,
+                    "libavcodec has no encoder for H.264 here; leave out the format 'video'",
+                    "--formats");
+    }
+    codec.reset(::avcodec_alloc_context3(encoder));
+    if (!codec) return problem("make an encoder", AVERROR(ENOMEM));
+    codec->width = width / 2 * 2;
+    codec->height = height / 2 * 2;
+    codec->pix_fmt = AV_PIX_FMT_YUV420P;
+    codec->framerate = ::av_d2q(frames_per_s, 100'000);
+    codec->time_base = ::av_inv_q(codec->framerate);
+    codec->gop_size = 24;  // whole pictures often, to find places quickly
+    codec->color_primaries = AVCOL_PRI_BT709;
+    codec->color_trc = AVCOL_TRC_BT709;
+    codec->colorspace = AVCOL_SPC_BT709;
+    codec->color_range = AVCOL_RANGE_MPEG;
+    codec->thread_count = 1;
+    codec->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
+    // Options of x264; another encoder does not know them, and takes its own.
+    ::av_opt_set(codec->priv_data, "preset", "veryfast", 0);
+    ::av_opt_set(codec->priv_data, "crf", "24", 0);
+    // With it, x264 164 does not give small pictures the same bytes twice.
+    ::av_opt_set(codec->priv_data, "mbtree", "0", 0);
+    if (const int error = ::avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
+        return problem("begin the encoder", error);
+    }
+    return {};
+}
+
+Status VideoEncoder::Impl::open(double frames_per_s) {
+    if (Status status = openCodec(frames_per_s); !status) return status;
+    AVFormatContext* made = nullptr;
+    if (const int error = ::avformat_alloc_output_context2(&made, nullptr, "mp4", nullptr);
+        error < 0) {
+        return problem("make a file", error);
+    }
+    muxer.reset(made);
+    constexpr int kBuffer = 1 << 16;
+    io.reset(::avio_alloc_context(static_cast<unsigned char*>(::av_malloc(kBuffer)), kBuffer, 1,
+                                  &file, nullptr, MemoryFile::write, MemoryFile::seek));
+    stream = ::avformat_new_stream(muxer.get(), nullptr);
+    frame.reset(::av_frame_alloc());
+    packet.reset(::av_packet_alloc());
+    if (!io || !stream || !frame || !packet) return problem("begin a file", AVERROR(ENOMEM));
+    muxer->pb = io.get();
+    muxer->flags |= AVFMT_FLAG_BITEXACT;  // neither version nor date
+    stream->time_base = codec->time_base;
+    stream->avg_frame_rate = codec->framerate;
+    int error = ::avcodec_parameters_from_context(stream->codecpar, codec.get());
+    if (error >= 0) error = ::avformat_write_header(muxer.get(), nullptr);
+    if (error < 0) return problem("begin a file", error);
+    frame->format = codec->pix_fmt;
+    frame->width = codec->width;
+    frame->height = codec->height;
+    frame->pts = 0;
+    return {};
+}
+
+/// Hands over a picture, null for the end, and writes what comes back.
+Status VideoEncoder::Impl::send(const AVFrame* picture) {
+    const PlainNumbers plain;
+    int error = ::avcodec_send_frame(codec.get(), picture);
+    while (error >= 0) {
+        error = ::avcodec_receive_packet(codec.get(), packet.get());
+        if (error == AVERROR(EAGAIN) || error == AVERROR_EOF) return {};
+        if (error < 0) break;
+        packet->duration = 1;
+        ::av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
+        packet->stream_index = stream->index;
+        error = ::av_interleaved_write_frame(muxer.get(), packet.get());
+    }
+    return problem("encode a picture", error);
+}
+
+VideoEncoder::VideoEncoder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VideoEncoder::~VideoEncoder() = default;
+VideoEncoder::VideoEncoder(VideoEncoder&&) noexcept = default;
+VideoEncoder& VideoEncoder::operator=(VideoEncoder&&) noexcept = default;
+
+Result<VideoEncoder> VideoEncoder::begin(int width, int height, double frames_per_s) {
+    ::av_log_set_level(AV_LOG_ERROR);
+    auto impl = std::make_unique<Impl>();
+    impl->width = width;
+    impl->height = height;
+    if (Status status = impl->open(frames_per_s); !status) return tl::unexpected(status.error());
+    return VideoEncoder(std::move(impl));
+}
+
+Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
+    Impl& impl = *impl_;
+    if (rgb.size() !=
+        3U * static_cast<std::size_t>(impl.width) * static_cast<std::size_t>(impl.height)) {
+        return fail(ErrorCode::Failed, "a picture of another size came for the video",
+                    "preview.mp4");
+    }
+    // The encoder may still hold the picture before: each gets memory of its own.
+    const std::int64_t pts = impl.frame->pts;
+    ::av_frame_unref(impl.frame.get());
+    impl.frame->format = impl.codec->pix_fmt;
+    impl.frame->width = impl.codec->width;
+    impl.frame->height = impl.codec->height;
+    if (const int error = ::av_frame_get_buffer(impl.frame.get(), 0); error < 0) {
+        return problem("make a picture", error);
+    }
+    toYuv(rgb, impl.width, *impl.frame);
+    impl.frame->pts = pts;
+    Status status = impl.send(impl.frame.get());
+    impl.frame->pts = pts + 1;
+    return status;
+}
+
+Result<std::string> VideoEncoder::finish() {
+    if (Status status = impl_->send(nullptr); !status) return tl::unexpected(status.error());
+    if (const int error = ::av_write_trailer(impl_->muxer.get()); error < 0) {
+        return problem("end the file", error);
+    }
+    ::avio_flush(impl_->io.get());
+    return std::move(impl_->file.bytes);
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,75 @@
+#include "render/formats/poses/calibration.h"
+
+#include "engine/camera/intrinsics.h"
+#include "render/sensors/sensor_lens.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <initializer_list>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"calibration.yaml"};
+
+/// A map that OpenCV reads as a matrix by its dt, and others by the rest. Without OpenCV's tag,
+/// which other readers of YAML refuse.
+std::string matrix(const char* name, int rows, int columns, std::initializer_list<double> values) {
+    std::string text =
+        fmt::format("{}:\n   rows: {}\n   cols: {}\n   dt: d\n", name, rows, columns);
+    text += "   data: [";
+    const char* before = "";
+    for (const double value : values) {
+        text += fmt::format("{} {:.12f}", before, value + 0.0);
+        before = ",";
+    }
+    return text + " ]\n";
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    const Intrinsics lens = makeIntrinsics(contents.camera);
+    const bool of_sensor = contains(contents.modalities, kRgbSensor);
+    const LensDistortion bent = of_sensor ? distortionOf(contents.sensor) : LensDistortion{};
+    // The middle of the first pixel is (0, 0) there.
+    const double cx = lens.cx - 0.5, cy = lens.cy - 0.5;
+    std::string text = "%YAML 1.0\n---\n";
+    text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", lens.width,
+                        lens.height, of_sensor ? "rgb_sensor" : "camera");
+    text += matrix("camera_matrix", 3, 3, {lens.fx, 0, cx, 0, lens.fy, cy, 0, 0, 1});
+    text += "distortion_model: plumb_bob\n";
+    text += matrix("distortion_coefficients", 1, 5, {bent.k1, bent.k2, bent.p1, bent.p2, bent.k3});
+    text += matrix("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1});
+    text += matrix("projection_matrix", 3, 4, {lens.fx, 0, cx, 0, 0, lens.fy, cy, 0, 0, 0, 1, 0});
+    return std::vector<DatasetFile>{{kFiles[0], text}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"format",
+             "OpenCV FileStorage and ROS camera_info: of rgb_sensor where there is one, else "
+             "without distortion; pixel centres are whole; undistorted, its pictures have the "
+             "clean ones' camera_matrix"}};
+}
+
+}  // namespace
+
+LensDistortion pictureDistortion(const DatasetContents& contents) {
+    return contents.pictureModality().name == kRgbSensor ? distortionOf(contents.sensor)
+                                                         : LensDistortion{};
+}
+
+const Format kCalibrationFormat = {
+    .name = "calibration",
+    .text = "the camera for OpenCV and ROS, with rgb_sensor's distortion, in calibration.yaml",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = {},
+    .write = write,
+    .encode = nullptr,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

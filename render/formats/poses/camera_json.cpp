@@ -1,0 +1,59 @@
+#include "render/formats/poses/camera_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Eigen::Vector3d& v) {
+    // -0 is a number readers stumble over when they compare texts.
+    return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0});
+}
+
+}  // namespace
+
+Eigen::Isometry3d cameraJsonFromWorld(const Scene& scene) {
+    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+    const Eigen::Matrix3d linear = scene.source_from_world.linear();
+    const double scale = linear.col(0).norm();
+    // A mirrored source is no right-handed frame; it gets the general one.
+    if (scene.report.up_axis == "y" && scale > 0.0 && linear.determinant() > 0.0) {
+        result.linear() = linear / scale;
+        result.translation() = scene.source_from_world.translation() / scale;
+    } else {
+        result.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    }
+    return result;
+}
+
+std::string cameraJsonText(const Scene& scene, const CameraParams& camera, double far_m,
+                           const std::vector<CameraEntry>& entries) {
+    const Eigen::Isometry3d out_from_world = cameraJsonFromWorld(scene);
+    Json root = Json::array();
+    for (const CameraEntry& entry : entries) {
+        const Pose& pose = entry.frame.pose;
+        // A target beside the axis would say another direction than the pose's; take the point
+        // of the axis nearest to it.
+        const Eigen::Vector3d offset = entry.frame.target_in_world - pose.position;
+        const double along = std::max(offset.dot(pose.forward()), 0.1);
+        const Eigen::Vector3d target = pose.position + along * pose.forward();
+        root.push_back(
+            {{"pos", toJson(out_from_world * pose.position)},
+             {"target", toJson(out_from_world * target)},
+             {"fov", camera.hfov_deg},
+             {"fov_axis", "h"},
+             {"near", camera.near_m},
+             {"far", far_m},
+             {"up", toJson(out_from_world.linear() * (pose.rotation * -Eigen::Vector3d::UnitY()))},
+             {"width", camera.width_px},
+             {"height", camera.height_px},
+             {"time", entry.frame.time_s},
+             {"room", entry.room},
+             {"targets", entry.targets}});
+    }
+    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,69 @@
+#include "render/formats/poses/instant_ngp.h"
+
+#include "render/formats/poses/calibration.h"
+#include "render/formats/poses/transforms.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 1> kFiles = {"transforms_ngp.json"};
+constexpr double kFilled = 0.95;  // of the unit cube's edge: what lies on its faces flickers
+
+/// All that is seen and all that looks: a room, or without one what the cameras span.
+Eigen::AlignedBox3d spanOf(const DatasetContents& contents) {
+    Eigen::AlignedBox3d span = contents.scene.room_bounds;
+    for (const DatasetFrame& frame : contents.frames) span.extend(frame.camera.pose.position);
+    return span;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    const Eigen::AlignedBox3d span = spanOf(contents);
+    const double scale = kFilled / std::max(span.sizes().maxCoeff(), 1e-3);
+    // Added after scaling, before the axes are renamed: the middle comes to (0.5, 0.5, 0.5).
+    const Eigen::Vector3d offset = Eigen::Vector3d::Constant(0.5) - scale * span.center();
+    const Json lens = transformsLens(contents);
+    const auto angle = [&](const char* size, const char* focal) {
+        return 2.0 * std::atan(0.5 * lens[size].get<double>() / lens[focal].get<double>());
+    };
+    Json root = {{"camera_angle_x", angle("w", "fl_x")}, {"camera_angle_y", angle("h", "fl_y")}};
+    root.update(lens);
+    root.update(Json{
+        {"aabb_scale", 1}, {"scale", scale}, {"offset", {offset.x(), offset.y(), offset.z()}}});
+    if (contains(contents.modalities, "depth") && pictureDistortion(contents).none()) {
+        root["enable_depth_loading"] = true;
+        root["integer_depth_scale"] = 0.001;  // metres a step; `scale` is applied on top
+    }
+    root["frames"] = transformFrames(contents, "depth_path");
+    return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};
+}
+
+Json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"format",
+             "instant-ngp: world from camera, the camera's axes x right, y up, z back, world z up, "
+             "metres; `scale` and `offset` put all of the room into the unit cube"}};
+}
+
+}  // namespace
+
+const Format kInstantNgpFormat = {
+    .name = "instant_ngp",
+    .text = "poses for instant-ngp, in transforms_ngp.json",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = {},
+    .write = write,
+    .encode = nullptr,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,101 @@
+#include "render/formats/poses/kitti.h"
+
+#include "engine/camera/intrinsics.h"
+#include "engine/io/files/png_writer.h"
+#include "render/encoders/pack.h"
+#include "render/formats/frame_text.h"
+#include "render/frames/frame_context.h"
+#include "render/truth/motion_field.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 3> kFiles = {"poses.txt", "times.txt", "calib.txt"};
+
+constexpr std::array<const char*, 1> kFolders = {"kitti_flow"};
+
+/// Where the centre of the first pixel is at (0, 0), the principal point is half a pixel less.
+std::string projection(const Intrinsics& lens, double right_m) {
+    Eigen::Matrix<double, 3, 4> matrix;
+    matrix << lens.fx, 0, lens.cx - 0.5, -lens.fx * right_m, 0, lens.fy, lens.cy - 0.5, 0, 0, 0, 1,
+        0;
+    return rowsText(matrix);
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    std::string poses, times;
+    const Eigen::Isometry3d first_from_world =
+        contents.frames.front().camera.pose.worldFromCamera().inverse();
+    for (const DatasetFrame& frame : contents.frames) {
+        const Eigen::Isometry3d first_from_camera =
+            first_from_world * frame.camera.pose.worldFromCamera();
+        poses += rowsText(first_from_camera.matrix().topRows<3>()) + "\n";
+        times += stampText(frame.camera.time_s) + "\n";
+    }
+    const Intrinsics lens = makeIntrinsics(contents.camera);
+    std::string calibration;
+    for (int camera = 0; camera < 4; ++camera) {
+        // 0 and 2 are the left ones, 1 and 3 the right ones.
+        const double right_m = camera % 2 == 1 ? contents.stereo_baseline_m : 0.0;
+        calibration += fmt::format("P{}: {}\n", camera, projection(lens, right_m));
+    }
+    return std::vector<DatasetFile>{{kFiles[0], std::move(poses)},
+                                    {kFiles[1], std::move(times)},
+                                    {kFiles[2], std::move(calibration)}};
+}
+
+/// Flow to the next frame, where there is one.
+Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+    const int next = frame.index + 1;
+    if (next >= static_cast<int>(context.contents.frames.size())) return std::vector<FrameFile>{};
+    const MotionField field = motionField(context, frame, next);
+    return oneFile(frameFile(kFolders[0], frame.index),
+                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16,
+                                 bytesOf(kittiFlow(field.motion))));
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"folder", kFolders[0]},
+            {"format",
+             "KITTI odometry: rows of 3 x 4 matrices that map from camera i into the first camera "
+             "(frames[0] says where in the world that is), seconds, and projections P0 to P3 in "
+             "pixels whose centres are whole numbers, of which 1 and 3 are the right camera's; "
+             "kitti_flow: uint16 x 3 to the next frame, u = (R - 32768) / 64, v from G, B is 1 "
+             "where both are valid"}};
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> kittiFlow(const std::vector<Eigen::Vector2f>& motion) {
+    std::vector<std::uint16_t> pixels;
+    pixels.reserve(3 * motion.size());
+    for (const Eigen::Vector2f& flow : motion) {
+        const Eigen::Vector2f steps = (64.0F * flow).array().round() + 32768.0F;
+        const bool fits = steps.minCoeff() >= 0.0F && steps.maxCoeff() <= 65535.0F;
+        for (int c = 0; c < 2; ++c) {
+            pixels.push_back(fits ? static_cast<std::uint16_t>(steps[c]) : std::uint16_t{0});
+        }
+        pixels.push_back(fits ? 1 : 0);
+    }
+    return pixels;
+}
+
+const Format kKittiFormat = {
+    .name = "kitti",
+    .text = "poses, times and projections as KITTI odometry's, in poses.txt ...",
+    .standard = false,
+    .needs = kNeedsDepth,
+    .files = kFiles,
+    .folders = kFolders,
+    .write = write,
+    .encode = encode,
+    .convention = convention,
+    .bytes_per_pixel = 3.0,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,44 @@
+#include "render/formats/poses/nerfstudio.h"
+
+#include "render/formats/poses/transforms.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 1> kFiles = {"transforms.json"};
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    Json root = {{"camera_model", "OPENCV"}};
+    root.update(transformsLens(contents));
+    root["frames"] = transformFrames(contents, "depth_file_path");
+    return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};
+}
+
+Json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"format",
+             "nerfstudio: world from camera, the camera's axes x right, y up, z back, world z up, "
+             "metres; depth in millimetres (depth_unit_scale_factor 0.001)"}};
+}
+
+}  // namespace
+
+const Format kNerfstudioFormat = {
+    .name = "nerfstudio",
+    .text = "poses for nerfstudio, in transforms.json",
+    .standard = false,
+    .needs = 0,
+    .files = kFiles,
+    .folders = {},
+    .write = write,
+    .encode = nullptr,
+    .convention = convention,
+};
+
+}  // namespace dollytrack::render

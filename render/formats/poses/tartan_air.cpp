@@ -1,0 +1,123 @@
+#include "render/formats/poses/tartan_air.h"
+
+#include "engine/io/files/png_writer.h"
+#include "render/encoders/pack.h"
+#include "render/formats/frame_text.h"
+#include "render/formats/tables/numpy_file.h"
+#include "render/frames/frame_context.h"
+#include "render/truth/motion_field.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 2> kFiles = {"pose_left.txt", "pose_right.txt"};
+
+constexpr std::array<const char*, 4> kFolders = {"image_left", "depth_left", "seg_left", "flow"};
+constexpr float kSkyDepth = 10'000.0F;  // where nothing is seen
+
+/// A line a frame of a camera so far to the right.
+std::string poseLines(const DatasetContents& contents, double right_m) {
+    // North is our x: east is -y, and down is -z.
+    const Eigen::Vector3d ned_from_world(1, -1, -1);
+    // The camera's own axes are forward, right, down.
+    Eigen::Matrix3d body_from_camera;
+    body_from_camera << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+    std::string poses;
+    for (const DatasetFrame& frame : contents.frames) {
+        const Pose& pose = frame.camera.pose;
+        const Eigen::Quaterniond rotation(
+            Eigen::Matrix3d(ned_from_world.asDiagonal() * pose.rotation.toRotationMatrix() *
+                            body_from_camera.transpose()));
+        const Eigen::Vector3d position = pose.toWorld({right_m, 0.0, 0.0});
+        poses += positionQuaternionText(ned_from_world.cwiseProduct(position), rotation);
+        poses += '\n';
+    }
+    return poses;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFiles[0], poseLines(contents, 0.0)},
+                                    {kFiles[1], poseLines(contents, contents.stereo_baseline_m)}};
+}
+
+/// 10: hidden, 100: out of the picture, as its masks have them.
+std::uint8_t maskOf(Sight sight) {
+    switch (sight) {
+        case Sight::Seen:
+            return 0;
+        case Sight::Occluded:
+            return 10;
+        default:
+            return 100;
+    }
+}
+
+Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+    const int width = frame.width;
+    const int height = frame.height;
+    auto image = io::encodePng(width, height, io::PngFormat::Rgb8, frame.rgb);
+    if (!image) return tl::unexpected<Error>(std::move(image.error()));
+    std::vector<float> depth = frame.depth_m;
+    std::replace(depth.begin(), depth.end(), 0.0F, kSkyDepth);
+    const Scene& scene = context.contents.scene;
+    const auto classes = classBytes(scene.classes(), classesOf(scene, frame.instance));
+    std::vector<FrameFile> files;
+    files.push_back({frameFile(kFolders[0], frame.index, "_left.png"), std::move(*image)});
+    files.push_back({frameFile(kFolders[1], frame.index, "_left_depth.npy"),
+                     numpyBytes("<f4", {height, width}, bytesOf(depth))});
+    files.push_back(
+        {frameFile(kFolders[2], frame.index, "_left_seg.npy"),
+         numpyBytes(scene.classes().isWide() ? "<u2" : "|u1", {height, width}, classes)});
+    const int next = frame.index + 1;
+    if (next < static_cast<int>(context.contents.frames.size())) {
+        const MotionField field = motionField(context, frame, next);
+        std::vector<float> flow;
+        for (const Eigen::Vector2f& motion : field.motion) {
+            flow.insert(flow.end(), {motion.x(), motion.y()});
+        }
+        std::vector<std::uint8_t> mask;
+        for (const Sight sight : field.sight) mask.push_back(maskOf(sight));
+        files.push_back({pairFile(kFolders[3], frame.index, next, "_flow.npy"),
+                         numpyBytes("<f4", {height, width, 2}, bytesOf(flow))});
+        files.push_back({pairFile(kFolders[3], frame.index, next, "_mask.npy"),
+                         numpyBytes("|u1", {height, width}, bytesOf(mask))});
+    }
+    return files;
+}
+
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const std::string classes = contents.scene.classes().isNyu40() ? "NYU40" : "id in classes";
+    return {
+        {"files", kFiles},
+        {"folders", kFolders},
+        {"format",
+         "TartanAir: position and quaternion (x y z w) of the camera in the world, a line a "
+         "frame, both with x north (the world's x), y east, z down; the camera's x is forward; "
+         "depth_left: float32, planar metres, 10000 where nothing is seen; seg_left: " +
+             classes +
+             "; "
+             "flow: float32 u, v to the next frame, its mask 0 in sight, 10 hidden, 100 out of the "
+             "picture"}};
+}
+
+}  // namespace
+
+const Format kTartanAirFormat = {
+    .name = "tartanair",
+    .text = "poses, images, depth and flow as TartanAir's, in pose_left.txt, image_left ...",
+    .standard = false,
+    .needs = kNeedsRgb | kNeedsDepth,
+    .files = kFiles,
+    .folders = kFolders,
+    .write = write,
+    .encode = encode,
+    .convention = convention,
+    .bytes_per_pixel = 17.0,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,94 @@
+#include "render/formats/poses/tum.h"
+
+#include "engine/io/files/png_writer.h"
+#include "render/encoders/pack.h"
+#include "render/formats/frame_text.h"
+#include "render/frames/frame_context.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 4> kFiles = {"groundtruth.txt", "rgb.txt", "depth.txt",
+                                               "associations.txt"};
+
+constexpr std::array<const char*, 1> kFolders = {"depth_tum"};
+constexpr float kDepthPerMetre = 5000.0F;
+
+/// A list of one folder's pictures.
+std::string pictureList(const DatasetContents& contents, const char* folder) {
+    std::string text = "# timestamp filename\n";
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        text += stampText(contents.frames[i].camera.time_s) + " " +
+                frameFile(folder, static_cast<int>(i)) + "\n";
+    }
+    return text;
+}
+
+/// In the order in which ORB-SLAM reads it: colour, depth.
+std::string associations(const DatasetContents& contents) {
+    std::string text;
+    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
+        const std::string stamp = stampText(contents.frames[i].camera.time_s);
+        text += stamp + " " + frameFile("rgb", static_cast<int>(i)) + " " + stamp + " " +
+                frameFile(kFolders[0], static_cast<int>(i)) + "\n";
+    }
+    return text;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    std::string poses = "# timestamp tx ty tz qx qy qz qw\n";
+    for (const DatasetFrame& frame : contents.frames) {
+        const Pose& pose = frame.camera.pose;
+        poses += stampText(frame.camera.time_s) + " " +
+                 positionQuaternionText(pose.position, pose.rotation) + "\n";
+    }
+    std::vector<DatasetFile> files = {{kFiles[0], std::move(poses)}};
+    // Only pictures that are there are listed.
+    const bool rgb = contains(contents.modalities, "rgb");
+    if (rgb) files.push_back({kFiles[1], pictureList(contents, "rgb")});
+    files.push_back({kFiles[2], pictureList(contents, kFolders[0])});
+    if (rgb) files.push_back({kFiles[3], associations(contents)});
+    return files;
+}
+
+/// What is farther than 13.1 m does not fit, and counts as not measured.
+Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const FrameRecord& frame) {
+    std::vector<std::uint16_t> depth(frame.depth_m.size());
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const float value = frame.depth_m[i] * kDepthPerMetre + 0.5F;
+        depth[i] = value < 65536.0F ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
+    }
+    return oneFile(frameFile(kFolders[0], frame.index),
+                   io::encodePng(frame.width, frame.height, io::PngFormat::Gray16, bytesOf(depth)));
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"files", kFiles},
+            {"folder", kFolders[0]},
+            {"format",
+             "TUM RGB-D: seconds, position and quaternion (x y z w) of the camera's centre in the "
+             "world, camera axes x right, y down, z forward; depth_tum is planar, 5000 a "
+             "metre, 0 for none and beyond 13.1 m"},
+            {"depth_per_m", kDepthPerMetre}};
+}
+
+}  // namespace
+
+const Format kTumFormat = {
+    .name = "tum",
+    .text = "poses and lists of pictures as TUM RGB-D's, in groundtruth.txt, rgb.txt ...",
+    .standard = false,
+    .needs = kNeedsDepth,
+    .files = kFiles,
+    .folders = kFolders,
+    .write = write,
+    .encode = encode,
+    .convention = convention,
+    .bytes_per_pixel = 0.4,
+};
+
+}  // namespace dollytrack::render

@@ -1,0 +1,78 @@
+#include "render/formats/tables/hdf5_frames.h"
+
+#include "engine/io/files/hdf5_writer.h"
+#include "render/encoders/pack.h"
+#include "render/formats/poses/transforms.h"
+#include "render/frames/frame_context.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr std::array<const char*, 1> kFolders = {"hdf5"};
+
+/// The classes and names of what the frame shows.
+std::string attributes(const Scene& scene, const FrameRecord& frame) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ObjectMask& mask : objectMasks(frame.width, frame.height, frame.instance)) {
+        const Object& object = scene.object(mask.object_id);
+        list.push_back({{"idx", object.id},
+                        {"name", object.name},
+                        {"category_id", scene.classes().classOf(object).id}});
+    }
+    return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+    const Scene& scene = context.contents.scene;
+    const std::vector<std::uint8_t> classes =
+        classBytes(scene.classes(), classesOf(scene, frame.instance));
+    const auto height = static_cast<std::uint64_t>(frame.height);
+    const auto width = static_cast<std::uint64_t>(frame.width);
+    using io::Hdf5Type;
+    const Hdf5Type class_type = scene.classes().isWide() ? Hdf5Type::Uint16 : Hdf5Type::Uint8;
+    return oneFile(
+        frameFile(kFolders[0], frame.index, ".hdf5"),
+        io::packHdf5(
+            {{"colors", Hdf5Type::Uint8, {height, width, 3}, frame.rgb.data()},
+             {"depth", Hdf5Type::Float32, {height, width}, frame.depth_m.data()},
+             {"instance_segmaps", Hdf5Type::Uint16, {height, width}, frame.instance.data()},
+             {"category_id_segmaps", class_type, {height, width}, classes.data()}},
+            {{"instance_attribute_maps", attributes(scene, frame)},
+             {"campose", transformRows(frame.pose).dump()}}));
+}
+
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const ClassTable& table = contents.scene.classes();
+    const std::string type = std::string(table.isWide() ? "uint16" : "uint8") +
+                             (table.isNyu40() ? ", NYU40" : ", id in classes");
+    return {
+        {"folder", kFolders[0]},
+        {"format",
+         "HDF5 as BlenderProc's: colors (uint8), depth (float32, planar metres, 0 for none), "
+         "instance_segmaps (uint16), category_id_segmaps (" +
+             type +
+             "), "
+             "instance_attribute_maps (JSON), campose (JSON: world from camera, the camera's axes "
+             "x right, y up, z back)"}};
+}
+
+}  // namespace
+
+const Format kHdf5FramesFormat = {
+    .name = "hdf5",
+    .text = "a file a frame with its images and pose as BlenderProc's, in hdf5",
+    .standard = false,
+    .needs = kNeedsRgb | kNeedsDepth,
+    .files = {},
+    .folders = kFolders,
+    .write = nullptr,
+    .encode = encode,
+    .convention = convention,
+    .bytes_per_pixel = 4.0,
+};
+
+}  // namespace dollytrack::render

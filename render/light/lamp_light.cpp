@@ -1,0 +1,163 @@
+#include "render/light/lamp_light.h"
+
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr double kReach = 9.0;    // m; farther lamps add too little to be worth a ray
+constexpr int kShadowRays = 6;    // per lamp and place
+constexpr int kNearestLamps = 4;  // considered per place
+constexpr std::size_t kNearestOwnLamps = 6;
+constexpr int kOwnShadowRays = 9;
+constexpr double kOffSurface = 2e-3;  // m; of places that light falls on
+
+class OwnLampGatherer {
+  public:
+    OwnLampGatherer(const LightRig& rig, const RayCaster& rays, const LightCells& cells,
+                    const LightBounces& bounces)
+        : rig_(rig), rays_(rays), cells_(cells), bounces_(bounces) {}
+
+    [[nodiscard]] Eigen::Vector3f at(std::size_t cell) const {
+        Random random(18, cell);
+        const Eigen::Vector3d from = cells_.center(cell);
+        std::vector<std::pair<double, const OwnLamp*>> near;  // by what they would give unshaded
+        for (const OwnLamp& lamp : rig_.own_lamps) {
+            const double squared = (lamp.position - from).squaredNorm();
+            if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
+        }
+        std::sort(near.begin(), near.end());  // lamps are in one array
+        if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
+        const bool free = standsFree(cell);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const auto& [unshaded, lamp] : near) {
+            const Eigen::Vector3d on = litPlace(cell, *lamp);
+            const Eigen::Vector3d way = lamp->position - on;
+            // What is nearer than the grid can tell is the lamp itself.
+            const double least = std::max(lamp->radius_m, 0.5 * cells_.size_m());
+            const double squared = std::max(way.squaredNorm(), least * least);
+            sum += way.normalized() *
+                   (lamp->intensity / squared * visibleShare(from, free, on, *lamp, random));
+        }
+        return sum.cast<float>();
+    }
+
+  private:
+    /// Nothing is in the cell, as far as its rays tell.
+    [[nodiscard]] bool standsFree(std::size_t cell) const {
+        const double corner = 0.5 * std::sqrt(3.0) * cells_.size_m();
+        for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+            const float distance_m = bounces_.of(cell, k).distance_m;
+            if (distance_m > 0.0F && distance_m < corner) return false;
+        }
+        return true;
+    }
+
+    /// The volume is looked up off the surfaces. The place on the nearest surface that the lamp
+    /// shines on, but its own; else the cell's middle.
+    [[nodiscard]] Eigen::Vector3d litPlace(std::size_t cell, const OwnLamp& lamp) const {
+        const Eigen::Vector3d from = cells_.center(cell);
+        Eigen::Vector3d nearest = from;
+        double least = 2.1 * cells_.size_m();  // twice what look-ups are off, as cells interpolate
+        for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+            const LightBounce& ray = bounces_.of(cell, k);
+            if (ray.isSky() || ray.distance_m > 4.0 * cells_.size_m()) continue;
+            const Eigen::Vector3d way = bounces_.way(cell, k);
+            const Eigen::Vector3d normal = ray.normal().cast<double>();
+            const double off = -ray.distance_m * normal.dot(way);
+            if (off >= least || lamp.shade.contains(from + ray.distance_m * way)) continue;
+            const Eigen::Vector3d on = from - (off - kOffSurface) * normal;
+            if (normal.dot(lamp.position - on) <= 0.0) continue;
+            least = off;
+            nearest = on;
+        }
+        return nearest;
+    }
+
+    /// Of the ball, from places in the cell, in one that is not free as far as they are seen from
+    /// its middle.
+    [[nodiscard]] double visibleShare(const Eigen::Vector3d& middle, bool free,
+                                      const Eigen::Vector3d& at, const OwnLamp& lamp,
+                                      Random& random) const {
+        int asked = 0;
+        int visible = 0;
+        for (int k = 0; k < kOwnShadowRays; ++k) {
+            Eigen::Vector3d aside;
+            Eigen::Vector3d on_ball;
+            for (int axis = 0; axis < 3; ++axis) aside[axis] = random.uniform(-0.5, 0.5);
+            for (int axis = 0; axis < 3; ++axis) on_ball[axis] = random.uniform(-1.0, 1.0);
+            // Along the surface, where there is one.
+            const Eigen::Vector3d off = middle - at;
+            if (off.squaredNorm() > 1e-8) aside -= off * (off.dot(aside) / off.squaredNorm());
+            const Eigen::Vector3d from = k == 0 ? at : at + cells_.size_m() * aside;
+            if (k != 0 && !free && !rays_.sees(middle, from)) continue;
+            ++asked;
+            const Eigen::Vector3d to =
+                lamp.position + 0.8 * lamp.radius_m / std::max(on_ball.norm(), 1.0) * on_ball;
+            const double distance = (to - from).norm();
+            const Eigen::Vector3d way = (to - from) / distance;
+            const double end = lamp.shadowedFor(from, way, distance);
+            if (end <= 0.0 || rays_.sees(from, from + end * way)) ++visible;
+        }
+        return static_cast<double>(visible) / asked;
+    }
+
+    const LightRig& rig_;
+    const RayCaster& rays_;
+    const LightCells& cells_;
+    const LightBounces& bounces_;
+};
+
+}  // namespace
+
+Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
+                              const RayCaster& rays, Random& random) {
+    std::vector<std::pair<double, const Lamp*>> near;  // by what they would give unshaded
+    for (const Lamp& lamp : rig.lamps) {
+        const Eigen::Vector3d way = lamp.position - place;
+        const double squared = way.squaredNorm() + lamp.radius_m * lamp.radius_m;
+        if (way.z() <= 0.0 || squared > kReach * kReach) continue;
+        near.emplace_back(lamp.intensity * way.z() / (squared * std::sqrt(squared)), &lamp);
+    }
+    std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    if (near.size() > kNearestLamps) near.resize(kNearestLamps);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& [unshaded, lamp] : near) {
+        const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+        for (int k = 0; k < kShadowRays; ++k) {
+            const double angle = turn + k * 2.0 * std::numbers::pi / kShadowRays;
+            const double r = lamp->radius_m * std::sqrt((k + random.uniform()) / kShadowRays);
+            const Eigen::Vector3d on =
+                lamp->position + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0);
+            const Eigen::Vector3d way = on - place;
+            const double distance = way.norm();
+            const double down = way.z() / distance;
+            const double free = std::max(0.0, 1.0 - kLampShade / distance);  // see light_rig.h
+            if (down <= 0.0 || !rays.sees(place, place + free * way)) continue;
+            const double strength = lamp->radiance() * lamp->area() * down / (distance * distance);
+            sum += way * (strength / distance / kShadowRays);
+        }
+    }
+    return sum.cast<float>();
+}
+
+std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig, const RayCaster& rays,
+                                            const LightCells& cells, const LightBounces& bounces,
+                                            const JobContext& job) {
+    std::vector<Eigen::Vector3f> result(cells.count());
+    const OwnLampGatherer gatherer(rig, rays, cells, bounces);
+    parallelRanges(result.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !job.cancelled(); ++i) result[i] = gatherer.at(i);
+    });
+    cells.closeHoles(result);
+    return result;
+}
+
+}  // namespace dollytrack::render

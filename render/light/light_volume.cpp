@@ -1,0 +1,366 @@
+#include "render/light/light_volume.h"
+
+#include "engine/core/random.h"
+#include "engine/jobs/parallel.h"
+#include "render/light/lamp_light.h"
+#include "render/light/light_bounces.h"
+#include "render/light/light_cells.h"
+#include "render/pathtrace/layer_albedo.h"
+#include "render/pathtrace/sun_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::render {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kWhitest = 0.9F;        // albedo
+constexpr double kSettled = 2e-3;       // of the light, by one more bounce
+constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
+constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
+
+/// The share of the light that a surface of this material throws back, in its colour and by the
+/// dielectric layer over it, see SurfaceBrdf. Whiter things than real ones would never be dark.
+Eigen::Vector3f meanAlbedo(const Scene& scene, const Material& material) {
+    Eigen::Vector3f base = material.base_color;
+    if (material.texture >= 0 && scene.textures[material.texture].width > 0) {
+        base = base.cwiseProduct(meanTexel(scene.textures[material.texture]));
+    }
+    const float layer = (1.0F - material.metallic) * meanDielectricAlbedo(material.roughness);
+    return (base * (1.0F - layer) + Eigen::Vector3f::Constant(layer)).cwiseMin(kWhitest);
+}
+
+class Baker {
+  public:
+    Baker(const Scene& scene, const RayCaster& rays, const LightRig& rig,
+          const LightVolumeParams& params)
+        : scene_(scene),
+          rays_(rays),
+          rig_(rig),
+          neutral_(rig),
+          params_(params),
+          cells_(scene.room_bounds, params.cell_m, params.max_cells),
+          bounces_(scene, rays, cells_, params.rays_per_cell) {
+        const std::size_t count = cells_.count();
+        volume_.low = cells_.low();
+        volume_.cell_m = cells_.size_m();
+        volume_.cells = cells_.along();
+        volume_.ambient.assign(count, Eigen::Vector3f::Zero());
+        volume_.slope.assign(count, Eigen::Vector3f::Zero());
+        volume_.lamps.assign(count, Eigen::Vector3f::Zero());
+        setStrengths(rig, volume_);
+        // What the balance is made for, before anybody's wishes.
+        neutral_.lamp_factor = neutral_.emission_factor = 1.0F;
+        neutral_.sky_factor.setOnes();
+        if (rig.sun.shines()) {
+            sun_rays_.emplace(scene, rays, surface_.emplace(scene, nullptr), rig.sun);
+            sunny_.assign(count * bounces_.perCell(), 0.0F);
+        }
+        sees_sky_.assign(count, 0);
+        balanced_.assign(count, 0.0F);
+        for (const Material& material : scene.materials) {
+            albedo_.push_back(meanAlbedo(scene, material));
+            emission_.push_back(neutral_.emissionOf(meanEmission(scene, material)));
+        }
+    }
+
+    LightVolume bake(const JobContext& job) {
+        parallelRanges(cells_.count(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !job.cancelled(); ++i) gather(i);
+        });
+        if (job.cancelled()) return {};
+        cells_.link(rays_);
+        leaveOutside();
+        cells_.blur(volume_.lamps, blurWidth());
+        cells_.closeHoles(volume_.lamps);
+        balance();
+        gatherSent();
+        if (!rig_.own_lamps.empty()) own_ = ownLampsByCell(rig_, rays_, cells_, bounces_, job);
+        double before = 0.0;
+        for (int i = 0; i < params_.bounces && !job.cancelled(); ++i) {
+            bounce();
+            cells_.closeHoles(volume_.ambient);
+            cells_.closeHoles(volume_.slope);
+            const double now = allAmbient();
+            if (now - before <= kSettled * now) break;
+            before = now;
+        }
+        if (job.cancelled()) return {};
+        smoothAmbient();
+        joinOwnLamps();
+        expose();
+        return std::move(volume_);
+    }
+
+  private:
+    void gather(std::size_t i) {
+        Random random(17, i);
+        volume_.lamps[i] = placedLampsAt(cells_.center(i), rig_, rays_, random);
+        bounces_.follow(i, random);
+        const std::size_t count = bounces_.perCell();
+        std::size_t escaped = 0;
+        std::size_t stuck = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const LightBounce& ray = bounces_.of(i, k);
+            const Eigen::Vector3d way = bounces_.way(i, k);
+            balanced_[i] += sentAlong(ray, way).mean();
+            if (sun_rays_) sunny_[i * count + k] = sunOn(ray, cells_.center(i), way);
+            escaped += ray.distance_m == 0.0F ? 1 : 0;
+            stuck += ray.distance_m > 0.0F && ray.distance_m < volume_.cell_m ? 1 : 0;
+        }
+        // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
+        // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
+        sees_sky_[i] = escaped > 0 ? 1 : 0;
+        const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
+        if (in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count)) cells_.leaveAir(i);
+    }
+
+    /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
+    /// a wall: the day there must not shine through where the wall is thinner than cells. What no
+    /// light gets into at all is the inside of a column or a cupboard: nor must the night there.
+    void leaveOutside() {
+        std::vector<std::size_t> lit;
+        std::vector<std::size_t> bright;
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
+            if (volume_.lamps[i].squaredNorm() > 0.0F) lit.push_back(i);
+            if (volume_.lamps[i].squaredNorm() > 0.0F || balanced_[i] > 0.0F) bright.push_back(i);
+        }
+        if (lit.empty()) return;
+        const std::vector<char> in_rooms = cells_.reachedFrom(lit);
+        const std::vector<char> in_light = cells_.reachedFrom(bright);
+        for (std::size_t i = 0; i < in_rooms.size(); ++i) {
+            if (in_rooms[i] != 0) continue;
+            if (sees_sky_[i] != 0 || in_light[i] == 0) cells_.leaveAir(i);
+        }
+    }
+
+    /// One vector for all lamps is what the pictures are lit by.
+    void joinOwnLamps() {
+        if (own_.empty()) return;
+        volume_.own_share.assign(own_.size(), 0.0F);
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            const float own = own_[i].norm();
+            if (own == 0.0F) continue;
+            volume_.own_share[i] = own / (own + volume_.lamps[i].norm());
+            volume_.lamps[i] += own_[i];
+        }
+    }
+
+    /// The share of the sun's light that a ray's end gets, its slant included.
+    [[nodiscard]] float sunOn(const LightBounce& ray, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& way) const {
+        if (ray.isSky()) return 0.0F;
+        const Eigen::Vector3d normal = ray.normal().cast<double>();
+        const double slant = normal.dot(rig_.sun.way);
+        if (slant <= 0.0) return 0.0F;
+        constexpr double kLift = 1e-3;
+        const Eigen::Vector3d at = from + ray.distance_m * way + kLift * normal;
+        return static_cast<float>(slant * sun_rays_->share(at, rig_.sun.way));
+    }
+
+    /// Emission, or the sky's light, as it is balanced: before anybody's wishes.
+    [[nodiscard]] Eigen::Vector3f sentAlong(const LightBounce& ray,
+                                            const Eigen::Vector3d& way) const {
+        return ray.isSky() ? neutral_.skyRadiance(way) : emission_[ray.material];
+    }
+
+    /// What a cell's ray finds that sends light by itself. What the sun lights sends that on like
+    /// something that shines.
+    [[nodiscard]] Eigen::Vector3f sent(std::size_t cell, std::size_t ray) const {
+        const LightBounce& bounce = bounces_.of(cell, ray);
+        Eigen::Vector3f light = volume_.dimmed * sentAlong(bounce, bounces_.way(cell, ray));
+        if (bounce.isSky()) return light.cwiseProduct(rig_.sky_factor);
+        light *= rig_.shineFactor(bounce.outside);
+        if (!sunny_.empty()) {
+            light += albedo_[bounce.material].cwiseProduct(volume_.sun.irradiance) *
+                     (sunny_[cell * bounces_.perCell() + ray] / kPi);
+        }
+        return light;
+    }
+
+    /// What sky, shining things and sunlit places send straight to each cell. Few of its rays find
+    /// a small bright one: what they find is shared with the cells around, as far as these are open
+    /// to each other.
+    void gatherSent() {
+        sent_.resize(cells_.count());
+        sent_aside_.resize(cells_.count());
+        parallelRanges(sent_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                Eigen::Vector3f aside = Eigen::Vector3f::Zero();
+                for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+                    const Eigen::Vector3f light = sent(i, k);
+                    sum += light;
+                    aside += light.mean() * bounces_.unturned(k);
+                }
+                sent_[i] = sum;
+                sent_aside_[i] = bounces_.turn(i) * aside;
+            }
+        });
+        // Wider than what bounces: few rays find a small bright thing.
+        const double width = std::max(0.18, 1.5 * volume_.cell_m);
+        cells_.blur(sent_, width);
+        cells_.blur(sent_aside_, width);
+    }
+
+    void bounce() {
+        std::vector<Eigen::Vector3f> next(cells_.count());
+        std::vector<Eigen::Vector3f> slope(cells_.count(), Eigen::Vector3f::Zero());
+        parallelRanges(next.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                Eigen::Vector3f aside = Eigen::Vector3f::Zero();
+                for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
+                    const Eigen::Vector3f light = thrownBack(bounces_.of(i, k));
+                    sum += light;
+                    aside += light.mean() * bounces_.unturned(k);
+                }
+                sum += sent_[i];
+                next[i] = sum * (kPi / static_cast<float>(bounces_.perCell()));
+                // Of radiance l0 + l1 . way, pi * l0 + 2/3 pi * l1 . n falls on a surface; l1 is
+                // three times the mean of radiance * way.
+                const Eigen::Vector3f mean_way = bounces_.turn(i) * aside + sent_aside_[i];
+                if (sum.mean() > 0.0F) slope[i] = mean_way * (2.0F / sum.mean());
+            }
+        });
+        volume_.ambient = std::move(next);
+        volume_.slope = std::move(slope);
+    }
+
+    /// Of the light that falls onto a ray's end by what is known of it so far.
+    [[nodiscard]] Eigen::Vector3f thrownBack(const LightBounce& ray) const {
+        if (ray.isSky()) return Eigen::Vector3f::Zero();
+        const Eigen::Vector3f normal = ray.normal();
+        const float lamp = std::max(0.0F, normal.dot(volume_.lamps[ray.cell]));
+        const float facing = 1.0F + volume_.slope[ray.cell].dot(normal);
+        Eigen::Vector3f falls =
+            volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lampLight() * lamp;
+        if (!own_.empty()) {
+            falls += rig_.ownLampLight() * std::max(0.0F, normal.dot(own_[ray.cell]));
+        }
+        return albedo_[ray.material].cwiseProduct(falls) / kPi;
+    }
+
+    /// Standard deviation, m: as far as the rays' chance shows.
+    [[nodiscard]] double blurWidth() const { return std::max(0.06, 0.7 * volume_.cell_m); }
+
+    [[nodiscard]] double allAmbient() const {
+        double sum = 0.0;
+        for (const Eigen::Vector3f& ambient : volume_.ambient) sum += ambient.sum();
+        return sum;
+    }
+
+    void smoothAmbient() {
+        std::vector<Eigen::Vector3f> aside(cells_.count());
+        for (std::size_t i = 0; i < aside.size(); ++i) {
+            aside[i] = volume_.slope[i] * volume_.ambient[i].mean();
+        }
+        for (std::vector<Eigen::Vector3f>* values : {&volume_.ambient, &aside}) {
+            cells_.blur(*values, blurWidth());
+            cells_.closeHoles(*values);
+        }
+        for (std::size_t i = 0; i < aside.size(); ++i) {
+            const float mean = volume_.ambient[i].mean();
+            volume_.slope[i].setZero();
+            if (mean <= 0.0F) continue;
+            volume_.slope[i] = aside[i] / mean;
+            if (params_.limit_slopes) volume_.slope[i] = limited(volume_.slope[i]);
+        }
+    }
+
+    static float median(std::vector<float> values) {
+        if (values.empty()) return 0.0F;
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+
+    /// Dims sky, sun and emitting things where they would drown the lamps: files give emission in
+    /// any unit, and a house without a roof would be all cool daylight.
+    void balance() {
+        std::vector<float> lamps;
+        std::vector<float> others;
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
+            const float lamp = volume_.lamps[i].norm();
+            if (lamp == 0.0F || !cells_.inAir(i)) continue;
+            lamps.push_back(lamp);
+            others.push_back(balanced_[i] * kPi / static_cast<float>(bounces_.perCell()));
+        }
+        const float wanted = kDaylightShare * median(std::move(lamps));
+        const float found = median(std::move(others));
+        if (found > wanted && wanted > 0.0F) volume_.dimmed = wanted / found;
+        volume_.sun = rig_.sun;
+        volume_.sun.irradiance *= volume_.dimmed;
+    }
+
+    /// From what the lit cells receive: dark solids and the outside must not decide.
+    void expose() {
+        std::vector<float> levels;
+        for (std::size_t i = 0; i < cells_.count(); ++i) {
+            const float lamp = volume_.lamps[i].norm();
+            if (lamp > 0.0F) {
+                levels.push_back(volume_.ambient[i].mean() + 0.6F * lamp * rig_.lamp_factor);
+            }
+        }
+        if (levels.empty()) {
+            for (const Eigen::Vector3f& ambient : volume_.ambient) levels.push_back(ambient.mean());
+        }
+        const float middle = median(std::move(levels));
+        if (middle > 0.0F) volume_.exposure = kWhiteLevel / middle;
+        volume_.exposure *= static_cast<float>(std::exp2(rig_.exposure_ev));
+    }
+
+    const Scene& scene_;
+    const RayCaster& rays_;
+    const LightRig& rig_;
+    LightRig neutral_;
+    const LightVolumeParams& params_;
+    LightCells cells_;
+    LightBounces bounces_;
+    std::optional<TracedSurface> surface_;
+    std::optional<SunRays> sun_rays_;  // where there is a sun
+    std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
+    LightVolume volume_;
+    std::vector<Eigen::Vector3f> own_;         // as lamps, of the scene's own; empty without these
+    std::vector<float> balanced_;              // by cell, what its rays find that sends light
+    std::vector<char> sees_sky_;               // by cell
+    std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
+    std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
+    std::vector<Eigen::Vector3f> albedo_;      // by material
+    std::vector<Eigen::Vector3f> emission_;    // likewise
+};
+
+}  // namespace
+
+Eigen::Vector3f limited(const Eigen::Vector3f& slope) {
+    constexpr float kSteepest = 0.75F;
+    const float length = slope.norm();
+    return length > kSteepest ? Eigen::Vector3f(slope * (kSteepest / length)) : slope;
+}
+
+void setStrengths(const LightRig& rig, LightVolume& volume) {
+    volume.lamp_color = rig.lampLight();
+    volume.own_color = rig.ownLampLight();
+    volume.lamps_shine = rig.shineFactor(false);
+    volume.outside_shines = rig.shineFactor(true);
+    volume.backdrop_factor = rig.backdrop_factor;
+    volume.backdrop_grey = rig.backdrop_grey;
+}
+
+LightRig balanced(LightRig rig, const LightVolume& volume) {
+    rig.sky_strength *= volume.dimmed;
+    rig.emission_scale *= volume.dimmed;
+    rig.sun.irradiance *= volume.dimmed;
+    return rig;
+}
+
+LightVolume bakeLightVolume(const Scene& scene, const RayCaster& rays, const LightRig& rig,
+                            const LightVolumeParams& params, const JobContext& job) {
+    return Baker(scene, rays, rig, params).bake(job);
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,266 @@
+// COLMAP's text model beside its poses: the lens, the names, and the points of the first guess.
+#include "engine/io/files/text_file.h"
+#include "engine/io/trajectories/number_lines.h"
+#include "render/verify/check_list.h"
+#include "render/verify/read/sensor_files.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace dollytrack::verify {
+namespace {
+
+constexpr const char* kCameras = "sparse/0/cameras.txt";
+constexpr const char* kImages = "sparse/0/images.txt";
+constexpr const char* kPoints = "sparse/0/points3D.txt";
+
+constexpr double kLens_px = 1e-6;      // nine digits are written
+constexpr double kOnSurface_m = 1e-4;  // of single precision, in the largest rooms
+
+/// A point may show before what the pixels around it show by so much and this share of its depth.
+constexpr double kBefore_m = 0.01;
+constexpr double kBeforeShare = 0.01;
+
+struct Point {
+    Eigen::Vector3d place;
+    int line = 0;
+};
+
+/// How a frame sees the points.
+struct Sighting {
+    std::size_t judged = 0;
+    std::size_t before = 0;  // what the frame shows there is behind the point
+    std::string example;
+};
+
+/// The words of the lines that say something, with their numbers.
+std::vector<std::pair<int, std::vector<std::string_view>>> wordLines(std::string_view text) {
+    std::vector<std::pair<int, std::vector<std::string_view>>> lines;
+    int number = 0;
+    for (const std::string_view line : io::splitLines(text)) {
+        ++number;
+        auto words = io::splitWords(line);
+        if (words.empty() || words.front().starts_with('#')) continue;
+        lines.emplace_back(number, std::move(words));
+    }
+    return lines;
+}
+
+std::string textOf(const StoredDataset& dataset, const char* file, Findings& findings) {
+    Result<std::string> text = io::readText(dataset.folder / file);
+    if (text) return std::move(*text);
+    findings.add({file, {}, {}, text.error().message, "COLMAP's text"});
+    return {};
+}
+
+void checkCameras(const StoredDataset& dataset, Findings& findings) {
+    const auto wrong = [&](std::string found, std::string expected) {
+        findings.add({kCameras, {}, {}, std::move(found), std::move(expected)});
+    };
+    const std::string text = textOf(dataset, kCameras, findings);
+    const auto lines = wordLines(text);
+    if (lines.size() != 1) return wrong(fmt::format("{} cameras", lines.size()), "1");
+    const auto& words = lines.front().second;
+    const Intrinsics& lens = dataset.lens;
+    const StoredDistortion bent = distortionOfPictures(dataset);
+    std::vector<double> expected = {
+        double(lens.width), double(lens.height), lens.fx, lens.fy, lens.cx, lens.cy};
+    std::string_view model = "PINHOLE";
+    if (!bent.none()) {
+        model = "FULL_OPENCV";
+        expected.insert(expected.end(), {bent.k1, bent.k2, bent.p1, bent.p2, bent.k3, 0, 0, 0});
+    }
+    if (words.size() != expected.size() + 2 || words[0] != "1" || words[1] != model) {
+        return wrong("another camera", fmt::format("1 {} and {} numbers", model, expected.size()));
+    }
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const auto found = io::parseNumber(words[i + 2], kCameras, lines.front().first);
+        if (!found) return wrong(found.error().message, "a number");
+        if (std::abs(*found - expected[i]) <= kLens_px) continue;
+        wrong(fmt::format("{:.9g}", *found), fmt::format("{:.9g}", expected[i]));
+    }
+}
+
+/// Each picture's name is that of its frame, in the folder of pictures.
+void checkNames(const StoredDataset& dataset, Findings& findings) {
+    const std::string text = textOf(dataset, kImages, findings);
+    int frame = 0;
+    // The lines of points are empty.
+    for (const auto& [number, words] : wordLines(text)) {
+        const auto wrong = [&, line = number](std::string found, std::string expected) {
+            findings.add({fmt::format("{}:{}", kImages, line),
+                          frame,
+                          {},
+                          std::move(found),
+                          std::move(expected)});
+        };
+        if (words.size() != 10) return wrong(fmt::format("{} words", words.size()), "10");
+        const std::string name(words[9]);
+        if (words[8] != "1") wrong("camera " + std::string(words[8]), "1");
+        bool there = name.starts_with(fmt::format("{:06}.", frame));
+        if (there) {
+            there = false;
+            for (const ImageKind& kind : imageKinds()) {
+                there = there || dataset.sha256s.contains(std::string(kind.modality) + "/" + name);
+            }
+        }
+        if (!there) wrong("the picture " + name, fmt::format("that of frame {}", frame));
+        ++frame;
+    }
+}
+
+std::vector<Point> readPoints(const StoredDataset& dataset, Findings& findings) {
+    std::vector<Point> points;
+    const std::string text = textOf(dataset, kPoints, findings);
+    for (const auto& [number, words] : wordLines(text)) {
+        const auto wrong = [&, line = number](std::string found, std::string expected) {
+            findings.add({fmt::format("{}:{}", kPoints, line),
+                          {},
+                          {},
+                          std::move(found),
+                          std::move(expected)});
+        };
+        if (words.size() != 8) {
+            wrong(fmt::format("{} words", words.size()), "8, without a track");
+            return {};
+        }
+        std::array<double, 8> values = {};
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto value = io::parseNumber(words[i], kPoints, number);
+            if (!value) {
+                wrong(std::string(words[i]), "a number");
+                return {};
+            }
+            values[i] = *value;
+        }
+        if (values[0] != static_cast<double>(points.size() + 1)) {
+            wrong(fmt::format("point {}", values[0]), fmt::format("{}", points.size() + 1));
+        }
+        for (std::size_t i = 4; i < 7; ++i) {
+            if (values[i] >= 0.0 && values[i] <= 255.0 && values[i] == std::floor(values[i])) {
+                continue;
+            }
+            wrong(fmt::format("colour {}", values[i]), "0 to 255");
+        }
+        points.push_back({{values[1], values[2], values[3]}, number});
+    }
+    return points;
+}
+
+/// Where a frame has the point, and how deep.
+struct Seen {
+    Eigen::Vector2d at;
+    double depth_m = 0.0;
+};
+
+std::optional<Seen> seenBy(const StoredDataset& dataset, const StoredFrame& frame,
+                           const Eigen::Vector3d& place, double margin_px) {
+    const Eigen::Vector3d in_camera = frame.pose.toCamera(place);
+    if (!(in_camera.z() >= dataset.near_m - 1e-6)) return std::nullopt;
+    const Eigen::Vector2d at = dataset.lens.project(in_camera);
+    const bool inside = at.x() >= margin_px && at.y() >= margin_px &&
+                        at.x() < dataset.lens.width - margin_px &&
+                        at.y() < dataset.lens.height - margin_px;
+    if (!inside) return std::nullopt;
+    return Seen{at, in_camera.z()};
+}
+
+bool isInAnyFrame(const StoredDataset& dataset, const Eigen::Vector3d& place) {
+    constexpr double kSlack_px = 0.01;
+    for (const StoredFrame& frame : dataset.frames) {
+        if (seenBy(dataset, frame, place, -kSlack_px)) return true;
+    }
+    return false;
+}
+
+/// Whether the point is part of something that moves, of which the model has it at rest.
+bool isOfMoving(const StoredDataset& dataset, const StoredFrame& frame,
+                const Eigen::Vector3d& place) {
+    for (const MovedObject& moved : frame.moving) {
+        const StoredObject* object = dataset.object(moved.object_id);
+        if (object && object->box.contains(place, 1e-3)) return true;
+    }
+    return false;
+}
+
+Sighting look(const StoredDataset& dataset, const std::vector<Point>& points, FrameImages& images) {
+    Sighting sighting;
+    const FrameImages::Depth* depth = images.depth();
+    if (!depth) return sighting;
+    for (const Point& point : points) {
+        const auto seen = seenBy(dataset, images.stored(), point.place, 1.0);
+        if (!seen || isOfMoving(dataset, images.stored(), point.place)) continue;
+        const int x = static_cast<int>(seen->at.x());
+        const int y = static_cast<int>(seen->at.y());
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (!depth->metres.holds(x + dx, y + dy)) continue;
+                const double metres = depth->metres.at(x + dx, y + dy);
+                if (metres > 0.0) nearest = std::min(nearest, metres);
+            }
+        }
+        ++sighting.judged;
+        if (seen->depth_m >= nearest - kBefore_m - kBeforeShare * nearest) continue;
+        if (sighting.before++ > 0) continue;
+        sighting.example =
+            fmt::format("{}:{} at {:.3f} m, where {} shows {:.3f} m", kPoints, point.line,
+                        seen->depth_m, imageFile(depth->modality, images.frame()), nearest);
+    }
+    return sighting;
+}
+
+/// With the scene each point lies on it; without, what is thinner than a pixel may stand before
+/// what the pixels show, but not much is.
+void judgeByDepth(const std::vector<Sighting>& sightings, Findings& findings) {
+    for (std::size_t frame = 0; frame < sightings.size(); ++frame) {
+        const Sighting& one = sightings[frame];
+        if (one.before <= 5 + one.judged / 50) continue;
+        findings.add({kPoints,
+                      static_cast<int>(frame),
+                      {},
+                      fmt::format("{} of {} points stand before what the frame shows ({})",
+                                  one.before, one.judged, one.example),
+                      "points of surfaces"});
+    }
+}
+
+}  // namespace
+
+CheckWork beginColmap(const Subject& subject, Findings& findings) {
+    const StoredDataset& dataset = subject.dataset;
+    checkCameras(dataset, findings);
+    checkNames(dataset, findings);
+    const auto points = std::make_shared<std::vector<Point>>(readPoints(dataset, findings));
+    const auto sightings = std::make_shared<std::vector<Sighting>>(dataset.frames.size());
+    CheckWork work;
+    if (!subject.rays) {
+        work.frame = [&dataset, points, sightings](FrameImages& images, Findings& /*findings*/) {
+            (*sightings)[static_cast<std::size_t>(images.frame())] = look(dataset, *points, images);
+        };
+    }
+    work.finish = [&subject, points, sightings](Findings& found) {
+        judgeByDepth(*sightings, found);
+        for (const Point& point : *points) {
+            const auto wrong = [&](std::string what, std::string expected) {
+                found.add({fmt::format("{}:{}", kPoints, point.line),
+                           {},
+                           {},
+                           std::move(what),
+                           std::move(expected)});
+            };
+            if (!isInAnyFrame(subject.dataset, point.place)) {
+                wrong("a point that no frame has in its picture", "one in view");
+            }
+            if (!subject.rays) continue;
+            const double off = subject.rays->closest(point.place).distance;
+            if (off <= kOnSurface_m) continue;
+            wrong(fmt::format("a point {:.4g} m from the nearest surface", off), "one on it");
+        }
+    };
+    return work;
+}
+
+}  // namespace dollytrack::verify

@@ -1,0 +1,47 @@
+#include "engine/scene/scene_report.h"
+#include "render/dataset/scene_hash.h"
+#include "render/verify/check_list.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::verify {
+namespace {
+
+/// Empty when the two agree.
+std::string difference(const StoredObject& stored, const Object& object) {
+    if (stored.name != object.name) return "its name is " + stored.name;
+    if (stored.nyu40 != object.nyu40) return fmt::format("its class is {}", stored.nyu40);
+    if (stored.role != roleName(object.role)) return "its role is " + stored.role;
+    const double apart = (stored.box.center - object.box.center).norm() +
+                         (stored.box.half_size - object.box.half_size).norm() +
+                         std::abs(stored.box.yaw - object.box.yaw);
+    if (apart > 1e-6) return fmt::format("its box is off by {:.3g}", apart);
+    return {};
+}
+
+}  // namespace
+
+CheckWork beginScene(const Subject& subject, Findings& findings) {
+    const Scene& scene = *subject.scene;
+    const StoredDataset& dataset = subject.dataset;
+    const auto add = [&](std::string found, std::string expected) {
+        findings.add({"dataset.json", {}, {}, std::move(found), std::move(expected)});
+    };
+    const std::string said = dataset.card.at("scene").value("geometry_sha256", "");
+    const std::string is = render::geometryHash(scene);
+    if (said != is) add("scene.geometry_sha256 is " + said, is);
+    if (dataset.objects.size() != scene.objects.size()) {
+        add(fmt::format("{} objects", dataset.objects.size()),
+            fmt::format("{}", scene.objects.size()));
+        return {};
+    }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const std::string found = difference(dataset.objects[i], scene.objects[i]);
+        if (found.empty()) continue;
+        add(fmt::format("objects[{}]: {}", i, found),
+            fmt::format("the scene's object {} ({})", i + 1, scene.objects[i].name));
+    }
+    return {};
+}
+
+}  // namespace dollytrack::verify

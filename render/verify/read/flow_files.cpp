@@ -1,0 +1,31 @@
+#include "render/verify/read/flow_files.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::verify {
+
+std::vector<int> flowDistances(const StoredDataset& dataset, const std::string& modality) {
+    const auto convention = dataset.convention(modality);
+    if (!convention.is_object() || !convention.contains("distances")) return {};
+    std::vector<int> distances;
+    for (const auto& one : convention["distances"]) {
+        if (one.is_number_integer()) distances.push_back(one.get<int>());
+    }
+    return distances;
+}
+
+std::vector<FlowFile> flowFiles(const StoredDataset& dataset, int frame) {
+    std::vector<FlowFile> files;
+    for (const auto& [modality, direction] :
+         {std::pair("flow_forward", 1), std::pair("flow_backward", -1)}) {
+        if (!dataset.has(modality)) continue;
+        for (const int distance : flowDistances(dataset, modality)) {
+            const int other = frame + direction * distance;
+            if (other < 0 || other >= static_cast<int>(dataset.frames.size())) continue;
+            files.push_back({fmt::format("{}/{:06}_{:06}", modality, frame, other), other});
+        }
+    }
+    return files;
+}
+
+}  // namespace dollytrack::verify

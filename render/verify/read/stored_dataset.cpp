@@ -1,0 +1,175 @@
+#include "render/verify/read/stored_dataset.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/settings/class_table_file.h"
+#include "render/formats/tables/dataset_card.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace dollytrack::verify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of what is exported, the longest has 8192; masks of a size that only a damaged card says would
+// take all memory.
+constexpr int kLargestSide = 1 << 14;
+
+Eigen::Vector3d vectorFrom(const Json& value) {
+    return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
+}
+
+Eigen::Quaterniond quaternionFrom(const Json& value) {
+    return {value.at(3).get<double>(), value.at(0).get<double>(), value.at(1).get<double>(),
+            value.at(2).get<double>()};
+}
+
+void readLens(const Json& card, StoredDataset& dataset) {
+    const Json& lens = card.at("conventions").at("intrinsics");
+    dataset.lens = {lens.at("width").get<int>(), lens.at("height").get<int>(),
+                    lens.at("fx").get<double>(), lens.at("fy").get<double>(),
+                    lens.at("cx").get<double>(), lens.at("cy").get<double>()};
+    dataset.hfov_deg = lens.at("hfov_deg").get<double>();
+    dataset.near_m = lens.at("near_m").get<double>();
+}
+
+StoredObject objectFrom(const Json& one) {
+    const Json& box = one.at("box");
+    return {one.at("id").get<int>(),
+            one.at("name").get<std::string>(),
+            one.at("nyu40").get<int>(),
+            one.at("role").get<std::string>(),
+            {vectorFrom(box.at("center")), 0.5 * vectorFrom(box.at("size")),
+             box.at("yaw_rad").get<double>()},
+            one.contains("class_id") ? one["class_id"].get<int>() : one.at("nyu40").get<int>()};
+}
+
+StoredFrame frameFrom(const Json& one) {
+    StoredFrame frame;
+    frame.source_frame = one.at("trajectory_frame").get<int>();
+    frame.time_s = one.at("time_s").get<double>();
+    frame.pose.position = vectorFrom(one.at("position"));
+    const Eigen::Quaterniond rotation = quaternionFrom(one.at("quaternion_xyzw"));
+    frame.quaternion_length = rotation.norm();
+    frame.pose.rotation = rotation.normalized();
+    if (!one.contains("moving")) return frame;
+    for (const Json& moved : one["moving"]) {
+        MovedObject object{moved.at("object_id").get<int>()};
+        object.now_from_rest.linear() =
+            quaternionFrom(moved.at("quaternion_xyzw")).normalized().toRotationMatrix();
+        object.now_from_rest.translation() = vectorFrom(moved.at("position"));
+        frame.moving.push_back(object);
+    }
+    return frame;
+}
+
+Status readCard(StoredDataset& dataset) {
+    const Json& card = dataset.card;
+    if (card.contains("labels")) {
+        Result<ClassTable> own =
+            io::classTableFromJson(nlohmann::json(card["labels"]),
+                                   (dataset.folder / "dataset.json").string() + ": labels");
+        if (!own) return tl::unexpected<Error>(own.error());
+        dataset.own_classes = std::make_shared<const ClassTable>(std::move(*own));
+    }
+    readLens(card, dataset);
+    dataset.modalities = card.at("modalities").get<std::vector<std::string>>();
+    dataset.formats = card.at("formats").get<std::vector<std::string>>();
+    for (const Json& one : card.at("objects")) dataset.objects.push_back(objectFrom(one));
+    for (const Json& one : card.at("frames")) dataset.frames.push_back(frameFrom(one));
+    dataset.sha256s = card.at("files").get<std::map<std::string, std::string>>();
+    return {};
+}
+
+}  // namespace
+
+const Eigen::Isometry3d* StoredFrame::movement(int object_id) const {
+    for (const MovedObject& one : moving) {
+        if (one.object_id == object_id) return &one.now_from_rest;
+    }
+    return nullptr;
+}
+
+bool StoredDataset::has(std::string_view name) const {
+    return std::find(modalities.begin(), modalities.end(), name) != modalities.end() ||
+           std::find(formats.begin(), formats.end(), name) != formats.end() ||
+           (name == "folds" && card.contains("folds"));
+}
+
+const StoredObject* StoredDataset::object(int id) const {
+    if (id < 1) return nullptr;
+    const auto index = static_cast<std::size_t>(id) - 1;
+    // Ids count from 1; a list in which they do not is found by another check.
+    if (index < objects.size() && objects[index].id == id) return &objects[index];
+    const auto at =
+        std::find_if(objects.begin(), objects.end(), [id](const auto& o) { return o.id == id; });
+    return at == objects.end() ? nullptr : &*at;
+}
+
+int StoredDataset::pixelClass(int object_id) const {
+    const StoredObject* found = object(object_id);
+    return found ? found->class_id : classes().voidClass().id;
+}
+
+Json StoredDataset::convention(const std::string& name) const {
+    const Json& all = card.at("conventions");
+    return all.contains(name) ? all[name] : Json();
+}
+
+Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame) {
+    Eigen::Isometry3d world_from_box = Eigen::Translation3d(object.box.center) *
+                                       Eigen::AngleAxisd(object.box.yaw, Eigen::Vector3d::UnitZ());
+    if (const Eigen::Isometry3d* moved = frame.movement(object.id)) {
+        world_from_box = *moved * world_from_box;
+    }
+    return frame.pose.worldFromCamera().inverse() * world_from_box;
+}
+
+Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
+    StoredDataset dataset;
+    dataset.folder = folder;
+    const std::filesystem::path path = folder / "dataset.json";
+    std::error_code unknown;
+    if (!std::filesystem::is_directory(folder, unknown)) {
+        return fail(ErrorCode::BadInput,
+                    std::filesystem::exists(folder, unknown)
+                        ? "This is a file; name the folder of a dataset."
+                        : "There is no such folder.",
+                    folder.string());
+    }
+    if (!std::filesystem::exists(path, unknown)) {
+        return fail(ErrorCode::BadInput,
+                    "There is no dataset.json in it: it is no dataset, or its export has not "
+                    "ended; 'dollytrack export --resume' ends it.",
+                    folder.string());
+    }
+    Result<Json> card = io::readBoundedJson<Json>(path);
+    if (!card) return tl::unexpected<Error>(card.error());
+    dataset.card = std::move(*card);
+    try {
+        if (dataset.card.value("format", "") != render::kDatasetFormat) {
+            return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
+                        path.string());
+        }
+        if (Status read = readCard(dataset); !read) return tl::unexpected<Error>(read.error());
+    } catch (const nlohmann::json::exception& error) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("It is damaged ({}); export the dataset again.", error.what()),
+                    path.string());
+    }
+    const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
+    if (!isSide(dataset.lens.width) || !isSide(dataset.lens.height) || !(dataset.lens.fx > 0.0) ||
+        !(dataset.lens.fy > 0.0)) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The image's sides are not 1 to {} px, or its focal length is not "
+                                "positive; export the dataset again.",
+                                kLargestSide),
+                    path.string() + ": conventions.intrinsics");
+    }
+    return dataset;
+}
+
+}  // namespace dollytrack::verify

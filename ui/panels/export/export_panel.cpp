@@ -1,0 +1,343 @@
+#include "ui/panels/export/export_panel.h"
+
+#include "ui/panels/export/export_draft.h"
+#include "ui/panels/export/export_jobs.h"
+#include "ui/panels/plan/parameter_row.h"
+#include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
+#include "ui/widgets/forms/field_editor.h"
+#include "ui/widgets/forms/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+
+namespace dollytrack::ui {
+namespace {
+
+/// The next widget of a row: beside the last one where there is room, else on a line of its own.
+void besideOrBelow(bool beside) {
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        formLabel("");
+    }
+}
+
+void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
+    formLabel("Folder", "Where the dataset is written; it is made if it is not there");
+    const char* label = "Choose…";
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::InputTextWithHint("##folder", "a folder for the dataset", &draft.folder);
+    nameItem("export.folder");
+    tooltip(draft.folder);
+    ImGui::SameLine();
+    if (button(label, "export.choose_folder")) actions.choose_folder = true;
+    // Always one line, whatever there is to say: nothing below may move under the mouse.
+    const std::string none =
+        draft.folder.empty() ? "An empty folder, a new one, or a dataset's." : "It is empty.";
+    const bool bad = !view.why_not_folder.empty();
+    const std::string& says = bad ? view.why_not_folder : view.folder_says;
+    const ImVec4& color = bad                                  ? palette().bad
+                          : view.folder_warns && !says.empty() ? palette().warning
+                                                               : palette().text_dim;
+    cutText(says.empty() ? none : says, color);
+}
+
+struct SizeField {
+    const Field* field = nullptr;
+    const Field* standard = nullptr;
+    const Field::Integer* number = nullptr;
+};
+
+/// Width and height among the parameters; nothing where they are not there.
+std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
+    if (view.parameters == nullptr) return std::nullopt;
+    std::array<SizeField, 2> sizes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const char* name = i == 0 ? "width_px" : "height_px";
+        const auto field = std::ranges::find(*view.parameters, name, &Field::name);
+        const auto standard = std::ranges::find(*view.standard, name, &Field::name);
+        if (field == view.parameters->end() || standard == view.standard->end()) return {};
+        sizes[i] = {&*field, &*standard, std::get_if<Field::Integer>(&field->value)};
+        if (sizes[i].number == nullptr) return std::nullopt;
+    }
+    return sizes;
+}
+
+/// The camera's, as among the parameters: the plan follows it.
+void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
+    const auto sizes = sizeFields(view);
+    if (!sizes) return;
+    const char* camera = "The image of the plan's camera: with another size all is planned anew.";
+    formLabel("Image, px", camera);
+    const char* keep = "keep ratio";
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x +
+                      ImGui::CalcTextSize(keep).x + style.ItemSpacing.x;
+    const float cross = ImGui::CalcTextSize(" \u00d7 ").x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = room - box > scaled(140);
+    const float half = ((beside ? room - box : room) - cross) / 2;
+    bool active = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (i == 1) {
+            ImGui::SameLine(0, 0);
+            ImGui::TextUnformatted(" \u00d7 ");
+            ImGui::SameLine(0, 0);
+        }
+        const SizeField& size = (*sizes)[i];
+        ImGui::SetNextItemWidth(half);
+        const FieldEdit edit =
+            drawFieldValue(*size.field, *size.standard, "export." + size.field->name);
+        active = active || ImGui::IsItemActive();
+        // Below what the field says of itself.
+        if (!edit.says) tooltip(camera);
+        actions.finished = actions.finished || edit.finished;
+        if (!edit.changed) continue;
+        actions.edited = size.field->name;
+        if (!draft.keep_ratio || draft.ratio <= 0.0) continue;
+        const Field::Integer& other = *(*sizes)[1 - i].number;
+        const double fits = *size.number->value * (i == 0 ? 1.0 / draft.ratio : draft.ratio);
+        *other.value = static_cast<int>(other.info.range().nearest(std::round(fits)));
+    }
+    // As it was before the drag: what is rounded on the way must not add up.
+    if (!active) draft.ratio = double(*(*sizes)[0].number->value) / *(*sizes)[1].number->value;
+    besideOrBelow(beside);
+    ImGui::Checkbox(keep, &draft.keep_ratio);
+    nameItem("export.keep_ratio");
+    tooltip("Width and height change together");
+}
+
+void drawFrames(const ExportView& view, ExportDraft& draft) {
+    const int most = std::max(view.frame_count - 1, 0);
+    formLabel("Frames",
+              fmt::format("First and last, both are exported, and every how manieth between them; "
+                          "there are frames 0 to {}",
+                          most));
+    // Beside the range where there is room, so that a short panel shows it.
+    const char* only = "current only";
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                      ImGui::CalcTextSize(only).x + ImGui::GetStyle().ItemSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = room - box > scaled(180);
+    const float fields = beside ? room - box : room;
+    ImGui::BeginDisabled(draft.current_only);
+    int first = draft.first;
+    int last = draft.last < 0 ? most : draft.last;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float third = std::floor((fields - 2 * gap) / 3);
+    const bool wrong = isReversed(draft);
+    if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, palette().bad);
+    ImGui::SetNextItemWidth(third);
+    if (ImGui::DragInt("##first", &first, 0.5F, 0, most, "from %d")) {
+        draft.first = std::max(first, 0);
+    }
+    nameItem("export.first");
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(third);
+    if (ImGui::DragInt("##last", &last, 0.5F, 0, most, "to %d")) {
+        // To the end stays to the end when a new plan has more frames.
+        draft.last = last == most ? -1 : std::max(last, 0);
+    }
+    nameItem("export.last");
+    if (wrong) ImGui::PopStyleColor();
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(third);
+    ImGui::DragInt("##step", &draft.step, 0.1F, 1, std::max(most, 1), "every %d",
+                   ImGuiSliderFlags_AlwaysClamp);
+    nameItem("export.step");
+    tooltip("1: all of them; 5: every fifth");
+    ImGui::EndDisabled();
+    besideOrBelow(beside);
+    ImGui::Checkbox(only, &draft.current_only);
+    nameItem("export.current_only");
+    tooltip(fmt::format("Only the frame that is shown, number {}", view.current_frame));
+    // Always one line: what follows may not move under the mouse.
+    formLine("");
+    const std::string note = rangeNote(view, draft);
+    if (note.empty()) {
+        cutText(view.frame_count == 0 ? "There are no frames yet."
+                                      : fmt::format("There are frames 0 to {}.", most),
+                palette().text_dim);
+    } else {
+        cutText(note, wrong ? palette().bad : palette().warning);
+        nameItem("export.range_note");
+    }
+}
+
+void drawChoices(const char* label, const char* kind, const std::vector<ExportChoice>& choices,
+                 std::vector<std::string>& turned) {
+    formLabel(label);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const ExportChoice& choice = choices[i];
+        if (i > 0) flowTo(("[x] " + choice.name).c_str());
+        bool wanted = isWanted(choice, turned);
+        if (ImGui::Checkbox(choice.name.c_str(), &wanted)) {
+            if (wanted == choice.standard) {
+                std::erase(turned, choice.name);
+            } else {
+                turned.push_back(choice.name);
+            }
+        }
+        nameItem(fmt::format("export.{}.{}", kind, choice.name));
+        tooltip(choice.text);
+    }
+}
+
+/// How colour pictures are made, and what a sensor makes of them, where such files are written.
+void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
+                           ExportActions& actions) {
+    if (view.parameters == nullptr) return;
+    const auto row = [&](const char* label, const char* tip,
+                         std::initializer_list<std::string_view> names) {
+        formLabel(label, tip);
+        const ParameterRowEdit edit =
+            drawParameterRow(*view.parameters, *view.standard, names, "export");
+        if (!edit.name.empty()) actions.edited = edit.name;
+        actions.finished = actions.finished || edit.finished;
+    };
+    if (const Field* mode = fieldNamed(*view.parameters, "render_mode");
+        mode != nullptr && wantsPictures(view, draft)) {
+        row("Pictures", "How colour pictures are made; all other files are the same",
+            {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
+    }
+    if (wantsPictures(view, draft)) {
+        row("Light", "What light colour pictures are made in; more of it is among the parameters",
+            {"light_preset", "exposure_ev"});
+    }
+    if (wantsSensors(view, draft)) {
+        row("Sensors", "What real cameras make of it; more of them is among the parameters",
+            {"sensor_preset", "depth_noise"});
+    }
+}
+
+void drawRig(ExportDraft& draft, ExportActions& actions) {
+    formLabel("Rig", "Further cameras that ride on the planned one; their images go to cameras/");
+    const char* label = "Choose…##rig";
+    const float width =
+        ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::InputTextWithHint("##rig_file", "none, or a JSON file of cameras", &draft.rig);
+    nameItem("export.rig");
+    tooltip(draft.rig);
+    ImGui::SameLine();
+    if (button(label, "export.choose_rig")) actions.choose_rig = true;
+}
+
+void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
+    if (!beginForm("place", 0.22F)) return;
+    drawFolder(view, draft, actions);
+    drawImageSize(view, draft, actions);
+    drawFrames(view, draft);
+    drawPictureParameters(view, draft, actions);
+    drawRig(draft, actions);
+    endForm();
+}
+
+void drawContents(const ExportView& view, ExportDraft& draft) {
+    // Many boxes, short names.
+    if (!beginForm("contents", 0.2F)) return;
+    drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
+    drawChoices("Formats", "format", view.formats, draft.turned_formats);
+    if (wantsFlow(view, draft)) {
+        formLabel("Flow to frames", "This many frames later and earlier, separated by commas");
+        ImGui::SetNextItemWidth(-FLT_MIN);
+        ImGui::InputText("##flow", &draft.flow_distances);
+        nameItem("export.flow_distances");
+    }
+    if (view.has_tracks) {
+        formLabel("Moving things");
+        ImGui::Checkbox("stay where the plan has them", &draft.still);
+        nameItem("export.still");
+    }
+    formLabel("Other files");
+    ImGui::Checkbox("may be in the folder", &draft.overwrite);
+    nameItem("export.overwrite");
+    tooltip("They stay. Without this, only an empty folder or an earlier dataset is written into.");
+    endForm();
+}
+
+/// What begins the export, and how the one at work is coming on: always in sight, however short
+/// the panel is.
+void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions& actions) {
+    ImGui::Separator();
+    if (button("Export", "export.add",
+               {.why_not = whyNot(view, draft),
+                .tip = "Put it in the queue; it starts when its turn comes",
+                .width = scaled(110),
+                .primary = true})) {
+        actions.add_current = true;
+    }
+    flowTo("Add projects…");
+    if (button("Add projects…", "export.add_files",
+               {isReversed(draft) ? rangeNote(view, draft) : "",
+                fmt::format("Queue other .dolly files: {}, with the modalities, formats and rig "
+                            "chosen here and parameters of their own; each gets a folder beside "
+                            "{}",
+                            rangeForOthers(draft) == "::" ? "all of their frames"
+                                                          : "this range of their frames",
+                            draft.folder.empty() ? "its project" : "this one")})) {
+        actions.add_files = true;
+    }
+    const auto running = std::ranges::find_if(view.jobs, &ExportJob::active);
+    if (running == view.jobs.end()) {
+        const std::string summary = summaryOf(view, draft);
+        flowTo(summary.c_str());
+        ImGui::AlignTextToFramePadding();
+        cutText(summary, palette().text_dim,
+                "The size of the image is a parameter of the camera; the plan depends on it.");
+        return;
+    }
+    const std::string progress = running->request.name + ": " + progressText(*running);
+    flowTo((progress + "  " + progress).c_str());
+    ImGui::ProgressBar(static_cast<float>(running->fraction), {-1, ImGui::GetFrameHeight()},
+                       progress.c_str());
+    nameItem("export.progress");
+    tooltip(progress);
+}
+
+}  // namespace
+
+ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
+    ExportActions actions;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    // Below the viewport there is width but no height, at a side the reverse.
+    const bool wide = room.x >= scaled(900);
+    const float footer =
+        (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
+    const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
+    if (wide) {
+        const float all = room.x - 2 * style.ItemSpacing.x;
+        // The boxes to tick need the width more than a short queue does.
+        const auto column = [&](const char* id, float share, const auto& draw) {
+            ImGui::BeginChild(id, {std::floor(share * all), height});
+            draw();
+            ImGui::EndChild();
+        };
+        column("place", 0.33F, [&] { drawPlace(view, draft, actions); });
+        ImGui::SameLine();
+        column("contents", 0.41F, [&] { drawContents(view, draft); });
+        ImGui::SameLine();
+        column("queue", 0.26F, [&] { drawExportJobs(view, actions); });
+    } else {
+        ImGui::BeginChild("export", {0, height});
+        drawPlace(view, draft, actions);
+        drawContents(view, draft);
+        drawExportJobs(view, actions);
+        ImGui::EndChild();
+    }
+    drawFooter(view, draft, actions);
+    return actions;
+}
+
+}  // namespace dollytrack::ui

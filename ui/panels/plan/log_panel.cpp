@@ -1,0 +1,128 @@
+#include "ui/panels/plan/log_panel.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/commands/text_match.h"
+#include "ui/widgets/forms/choice_combo.h"
+#include "ui/widgets/item_map.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace dollytrack::ui {
+namespace {
+
+ImVec4 levelColor(log::Level level) {
+    if (level == log::Level::Error) return palette().bad;
+    if (level == log::Level::Warning) return palette().warning;
+    return palette().text_dim;
+}
+
+bool matches(const log::Record& record, const LogPanelState& state) {
+    if (static_cast<int>(record.level) < state.least_level) return false;
+    return containsIgnoringCase(record.message, state.filter) ||
+           containsIgnoringCase(record.subsystem, state.filter);
+}
+
+std::string asText(const log::Record& record) {
+    std::string text =
+        std::string(log::name(record.level)) + " " + record.subsystem + ": " + record.message;
+    if (record.repeats > 1) text += " (" + std::to_string(record.repeats) + " times)";
+    return text;
+}
+
+}  // namespace
+
+void LogBook::add(const log::Record& record) {
+    const std::lock_guard lock(mutex_);
+    ++version_;
+    // Not only the last line: two messages that take turns fold as well.
+    const std::size_t looked_at = std::min<std::size_t>(records_.size(), 8);
+    for (std::size_t i = 0; i < looked_at; ++i) {
+        log::Record& earlier = records_[records_.size() - 1 - i];
+        if (earlier.message == record.message && earlier.subsystem == record.subsystem &&
+            earlier.level == record.level) {
+            earlier.repeats += record.repeats;
+            return;
+        }
+    }
+    records_.push_back(record);
+    if (records_.size() > kKept) records_.pop_front();
+}
+
+std::deque<log::Record> LogBook::records() const {
+    const std::lock_guard lock(mutex_);
+    return records_;
+}
+
+void LogBook::clear() {
+    const std::lock_guard lock(mutex_);
+    records_.clear();
+}
+
+unsigned LogBook::version() const {
+    const std::lock_guard lock(mutex_);
+    return version_;
+}
+
+void drawLogPanel(LogBook& book, LogPanelState& state) {
+    const std::deque<log::Record> all = book.records();
+    std::vector<const log::Record*> rows;
+    for (const log::Record& record : all) {
+        if (matches(record, state)) rows.push_back(&record);
+    }
+    ImGui::SetNextItemWidth(scaled(260));
+    ImGui::InputTextWithHint("##filter", "Filter messages", &state.filter);
+    nameItem("log.filter");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(scaled(120));
+    static constexpr std::array<const char*, 4> kLevels = {"All", "Notes", "Warnings", "Errors"};
+    choiceCombo("log.level", state.least_level, kLevels);
+    ImGui::SameLine();
+    if (ImGui::Button("Copy")) {
+        std::string text;
+        for (const log::Record* record : rows) text += asText(*record) + "\n";
+        ImGui::SetClipboardText(text.c_str());
+    }
+    nameItem("log.copy");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Copy the messages shown");
+    ImGui::SameLine();
+    if (ImGui::Button("Clear")) book.clear();
+    nameItem("log.clear");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%zu of %zu", rows.size(), all.size());
+
+    ImGui::BeginChild("messages");
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const log::Record& record = *rows[static_cast<std::size_t>(i)];
+            ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
+            ImGui::SameLine(scaled(70));
+            ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());
+            ImGui::SameLine(scaled(150));
+            ImGui::TextUnformatted(record.message.c_str());
+            if (ImGui::IsItemHovered() &&
+                ImGui::CalcTextSize(record.message.c_str()).x > ImGui::GetContentRegionAvail().x) {
+                ImGui::SetTooltip("%s", record.message.c_str());
+            }
+            if (record.repeats > 1) {
+                ImGui::SameLine();
+                ImGui::TextColored(palette().accent, "× %d", record.repeats);
+            }
+        }
+    }
+    if (state.seen_version != book.version()) {
+        state.seen_version = book.version();
+        // Not while someone reads further up.
+        if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) ImGui::SetScrollHereY(1.0F);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace dollytrack::ui

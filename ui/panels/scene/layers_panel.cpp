@@ -1,0 +1,277 @@
+#include "ui/panels/scene/layers_panel.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/forms/form.h"
+#include "ui/widgets/forms/number_input.h"
+#include "ui/widgets/item_map.h"
+#include "ui/widgets/legend_view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr const char* kNoPlan = "There is no plan yet.";
+
+/// Widgets that note what the user changes.
+class Switches {
+  public:
+    explicit Switches(LayersActions& actions) : actions_(actions) {}
+
+    bool check(const char* label, const char* name, bool& on, const char* tip = "",
+               const std::string& why_not = {}) {
+        ImGui::BeginDisabled(!why_not.empty());
+        if (ImGui::Checkbox(label, &on)) note(true);
+        ImGui::EndDisabled();
+        nameItem(std::string("layers.") + name, why_not.empty());
+        tooltip(why_not.empty() ? tip : why_not);
+        return on && why_not.empty();
+    }
+
+    /// A combo over the values of an enumeration, in their order.
+    template <class Enum, std::size_t N>
+    void choose(const char* label, const char* name, Enum& value,
+                const std::array<const char*, N>& names) {
+        int index = static_cast<int>(value);
+        if (choose(label, name, index, {names.begin(), names.end()})) {
+            value = static_cast<Enum>(index);
+        }
+    }
+
+    /// A combo over names; true when another one was chosen.
+    bool choose(const char* label, const char* name, int& value,
+                const std::vector<std::string>& names) {
+        formLabel(label);
+        const std::string id = std::string("layers.") + name;
+        bool chosen = false;
+        if (ImGui::BeginCombo(("##" + id).c_str(),
+                              names[static_cast<std::size_t>(value)].c_str())) {
+            nameItem(id);
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                if (ImGui::Selectable(names[i].c_str(), i == static_cast<std::size_t>(value))) {
+                    value = static_cast<int>(i);
+                    chosen = true;
+                    note(true);
+                }
+                nameItem(id + "." + names[i]);
+            }
+            ImGui::EndCombo();
+        } else {
+            nameItem(id);
+        }
+        return chosen;
+    }
+
+    void slide(const char* label, const char* name, double& value, double low, double high,
+               const char* unit = "") {
+        formLabel(label);
+        NumberLimits limits;
+        limits.range = {low, high};
+        limits.format = "%.2f";
+        limits.unit = unit;
+        const FieldEdit edit = numberInput(value, limits, std::string("layers.") + name);
+        if (edit.changed || edit.finished) note(edit.finished);
+    }
+
+    void note(bool finished) {
+        actions_.changed = true;
+        actions_.finished = actions_.finished || finished;
+    }
+
+  private:
+    LayersActions& actions_;
+};
+
+/// Rows that belong to the switch above them.
+template <class Rows>
+void details(const char* id, const Rows& rows) {
+    ImGui::Indent();
+    if (beginForm(id)) {
+        rows();
+        endForm();
+    }
+    ImGui::Unindent();
+}
+
+/// Several switches on a line, as many as fit.
+void flowToSwitch(const char* label) {
+    flowTo((std::string("[x] ") + label).c_str());
+}
+
+void drawSlice(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    constexpr std::array kAxes = {"x", "y", "z, level"};
+    const int axis = settings.slice.axis;
+    const double low = view.room.isEmpty() ? 0.0 : view.room.min()[axis];
+    const double high = view.room.isEmpty() ? 3.0 : view.room.max()[axis];
+    settings.slice.position_m = std::clamp(settings.slice.position_m, low, high);
+    switches.slide(axis == 2 ? "Slice height" : "Slice at", "slice.position",
+                   settings.slice.position_m, low, high, " m");
+    switches.slide("Thickness", "slice.thickness", settings.slice.thickness_m, view.cell_m,
+                   std::max(high - low, view.cell_m), " m");
+    switches.choose("Slice across", "slice.axis", settings.slice.axis, kAxes);
+}
+
+void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    const int top = std::max(view.levels - 1, 0);
+    int range[2] = {std::min(settings.cells.min_level, top),
+                    std::min(settings.cells.max_level, top)};
+    formLabel("Cell sizes", "From the smallest to the largest level of the octree that is drawn");
+    const auto edge = [&](int level) { return view.cell_m * std::exp2(level); };
+    const std::string low = fmt::format("{:.2f} m", edge(range[0]));
+    const std::string high = fmt::format("{:.2f} m", edge(range[1]));
+    if (ImGui::DragIntRange2("##levels", &range[0], &range[1], 0.05F, 0, top, low.c_str(),
+                             high.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+        settings.cells.min_level = range[0];
+        // All the large ones, however large they get.
+        settings.cells.max_level = range[1] == top ? 16 : range[1];
+        switches.note(true);
+    }
+    nameItem("layers.levels");
+}
+
+void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    const std::string why_not = view.has_map ? "" : "The map is not built yet.";
+    if (!switches.check("Free space", "free_space", settings.free_space,
+                        "The octree of where the camera can be", why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    switches.check("free", "cells.free", settings.cells.free);
+    flowToSwitch("occupied");
+    switches.check("occupied", "cells.occupied", settings.cells.occupied);
+    flowToSwitch("unknown");
+    switches.check("unknown", "cells.unknown", settings.cells.unknown,
+                   "Inside walls and furniture, and outside of the building",
+                   settings.sliced ? "" : "There is too much of it to be shown without a slice.");
+    flowToSwitch("slice");
+    switches.check("slice", "sliced", settings.sliced, "Only a slab of the map");
+    ImGui::Unindent();
+    details("free_space", [&] {
+        if (settings.sliced) drawSlice(view, settings, switches);
+        constexpr std::array kColors = {"state", "clearance", "component (room)", "level"};
+        switches.choose("Colour", "cells.color", settings.cells.color, kColors);
+        drawLevels(view, settings, switches);
+        double opacity = settings.cells.opacity;
+        switches.slide("Opacity", "cells.opacity", opacity, 0.05, 1.0);
+        settings.cells.opacity = static_cast<float>(opacity);
+    });
+}
+
+void drawPoints(LayerSettings& settings, Switches& switches, const std::string& why_not) {
+    if (!switches.check("Points", "points", settings.points,
+                        "What is looked at, and where the camera stands", why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    PointsOverlayOptions& options = settings.point_options;
+    switches.check("observation points", "points.observation", options.observation_points);
+    flowToSwitch("position points");
+    switches.check("position points", "points.position", options.position_points);
+    flowToSwitch("view pyramids");
+    switches.check("view pyramids", "points.frustums", options.frustums);
+    ImGui::Unindent();
+}
+
+void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& switches,
+                 const std::string& why_not) {
+    const std::string why =
+        view.stepping ? "The steps of the algorithm are shown in its place." : why_not;
+    if (!switches.check("Roadmap", "roadmap", settings.roadmap, "The moves between position points",
+                        why)) {
+        return;
+    }
+    ImGui::Indent();
+    RoadmapOverlayOptions& options = settings.roadmap_options;
+    switches.check("accepted", "roadmap.accepted", options.accepted);
+    flowToSwitch("refused");
+    switches.check("refused", "roadmap.refused", options.refused, "Where the camera would collide");
+    flowToSwitch("links");
+    switches.check("links", "roadmap.links", options.links, "Found by RRT*");
+    flowToSwitch("samples");
+    switches.check("samples", "roadmap.samples", options.samples, "Tried by RRT*");
+    flowToSwitch("dropped");
+    switches.check("dropped", "roadmap.dropped", options.dropped, "Edges that close a cycle");
+    flowToSwitch("path");
+    switches.check("path", "roadmap.path", options.path);
+    ImGui::Unindent();
+    details("roadmap", [&] {
+        constexpr std::array kColors = {"part before linking", "component (room)"};
+        switches.choose("Colour", "roadmap.color", options.color, kColors);
+    });
+}
+
+void drawTrajectory(LayerSettings& settings, Switches& switches, const std::string& why_not) {
+    if (!switches.check("Trajectory", "trajectory", settings.trajectory, "The camera's way",
+                        why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    switches.check("direction arrows", "trajectory.arrows",
+                   settings.trajectory_options.direction_arrows);
+    ImGui::Unindent();
+    details("trajectory", [&] {
+        constexpr std::array kColors = {"time",      "clearance", "speed",
+                                        "turn rate", "score",     "newly captured"};
+        switches.choose("Colour", "trajectory.color", settings.trajectory_options.color, kColors);
+    });
+}
+
+/// A switch for each reason that there is: with nothing selected none.
+void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    ImGui::Indent();
+    switches.check("cone", "cone", settings.cone, "That was searched");
+    for (std::size_t i = 0; i < kVerdicts; ++i) {
+        if (!view.candidates_there[i]) continue;
+        const std::string words(inWords(static_cast<Verdict>(i)));
+        flowToSwitch(words.c_str());
+        switches.check(words.c_str(), ("candidates." + words).c_str(), settings.candidate_kinds[i]);
+    }
+    ImGui::Unindent();
+}
+
+/// Which storey of several one looks into.
+void drawStoreys(const LayersView& view, LayerSettings& settings, Switches& switches) {
+    std::vector<std::string> names = {"topmost"};
+    for (int storey = 1; storey <= view.storeys; ++storey) names.push_back(std::to_string(storey));
+    // What was chosen for another scene may not be there.
+    int shown = settings.storey <= view.storeys ? settings.storey : 0;
+    details("storeys", [&] {
+        if (switches.choose("Storey", "storey", shown, names)) settings.storey = shown;
+    });
+}
+
+}  // namespace
+
+LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
+    LayersActions actions;
+    Switches switches(actions);
+    const std::string why_not = view.has_plan ? "" : kNoPlan;
+    ImGui::BeginChild("layers");
+    drawTrajectory(settings, switches, why_not);
+    drawPoints(settings, switches, why_not);
+    drawRoadmap(view, settings, switches, why_not);
+    if (switches.check("Candidates", "candidates", settings.candidates,
+                       "The places tried for what is selected, by the reason", why_not)) {
+        drawCandidates(view, settings, switches);
+    }
+    drawFreeSpace(view, settings, switches);
+    switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
+    switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
+                   "To look into rooms from above");
+    if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
+    switches.check("Grid", "grid", settings.grid,
+                   "At the height of the floor, under the room and beside it");
+    if (!view.legends.empty()) {
+        ImGui::Separator();
+        drawLegends(view.legends);
+    }
+    ImGui::EndChild();
+    return actions;
+}
+
+}  // namespace dollytrack::ui

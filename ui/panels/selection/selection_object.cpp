@@ -1,0 +1,304 @@
+#include "engine/document/object_key.h"
+#include "engine/scene/labels.h"
+#include "engine/scene/move_object.h"
+#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/selection/selection_details.h"
+#include "ui/theme.h"
+#include "ui/widgets/forms/class_combo.h"
+#include "ui/widgets/forms/drag_fields.h"
+#include "ui/widgets/forms/form.h"
+#include "ui/widgets/icon_button.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+using nlohmann::json;
+
+const char* sourceText(FrontSource source) {
+    switch (source) {
+        case FrontSource::Annotation:
+            return "given by the scene or by hand";
+        case FrontSource::Wall:
+            return "away from the wall it is at";
+        case FrontSource::ShortSide:
+            return "across its longer side";
+        case FrontSource::RoomCentre:
+            return "towards the middle of the room";
+    }
+    return "";
+}
+
+/// An object as it is in the newest edits, which the scene on the screen may not have yet.
+struct Said {
+    int nyu40;
+    Role role;
+    Eigen::Vector3d front;
+    std::string front_source;
+    int size;  // 0: auto, 1: small, 2: large
+    ObjectMove move;
+};
+
+Said whatIsSaid(const Object& object, const ObjectChange* change) {
+    Said said{object.nyu40, object.role, object.front, sourceText(object.front_source), 0, {}};
+    if (change == nullptr) return said;
+    said.nyu40 = change->nyu40.value_or(object.nyu40);
+    said.role = change->role.value_or(object.role);
+    if (change->front) {
+        said.front = turnLevel(*change->front, change->move.value_or(ObjectMove{}).turn_rad);
+        said.front_source = "set by hand";
+    }
+    if (change->large) said.size = *change->large ? 2 : 1;
+    said.move = change->move.value_or(ObjectMove{});
+    return said;
+}
+
+void drawRole(const Object& object, const Said& said, const json& key, EditRequest& edit) {
+    formLabel("Target", "A target is to be captured; others are obstacles and labels only.");
+    bool target = said.role == Role::Target;
+    if (ImGui::Checkbox("##target", &target)) {
+        edit.operation = {{"op", target ? "include" : "exclude"}, {"object", key}};
+    }
+    nameItem("selection.target");
+    ImGui::SameLine();
+    const char* note = said.role == Role::Excluded ? "excluded by hand"
+                       : object.structure          ? "part of the building"
+                                                   : "";
+    ImGui::TextColored(palette().text_dim, "%s", note);
+}
+
+void drawSize(const Object& object, const Said& said, const json& key, EditRequest& edit) {
+    constexpr std::array kSizes = {"auto", "small", "large"};
+    formLabel("Counts as", "Small things are captured in groups with what carries them.");
+    const std::string now = said.size != 0 ? kSizes[static_cast<std::size_t>(said.size)]
+                            : object.large ? "auto (large)"
+                                           : "auto (small)";
+    if (ImGui::BeginCombo("##size", now.c_str())) {
+        for (int i = 0; i < 3; ++i) {
+            const char* size = kSizes[static_cast<std::size_t>(i)];
+            if (ImGui::Selectable(size, said.size == i) && said.size != i) {
+                edit.operation = {{"op", "set_size"}, {"object", key}, {"size", size}};
+            }
+            nameItem("selection.size." + std::string(size));
+        }
+        ImGui::EndCombo();
+    }
+    nameItem("selection.size");
+}
+
+void drawFront(const Said& said, const json& key, EditRequest& edit) {
+    formLabel("Front", "The side it is seen from best. 0\u00b0: along x, 90\u00b0: along y");
+    double angle = std::atan2(said.front.y(), said.front.x()) * 180.0 / std::numbers::pi;
+    const FieldEdit field = dragNumber(angle, {-360.0, 360.0, 1.0F, "%.0f", "\u00b0"},
+                                       "selection.front", said.front_source);
+    if (field.changed) {
+        edit.operation = {{"op", "set_front"}, {"object", key}, {"front", wrapDegrees(angle)}};
+        edit.merge_key = "front." + key.dump();
+    }
+    edit.ends_merge = edit.ends_merge || field.finished;
+    formText("", said.front_source);
+}
+
+void drawMove(const Said& said, const json& key, EditRequest& edit) {
+    const auto request = [&](const FieldEdit& field, const char* what, json value) {
+        if (field.changed) {
+            edit.operation = {{"op", "move_object"}, {"object", key}};
+            edit.operation[what] = std::move(value);
+            edit.merge_key = std::string("move.") + what + key.dump();
+        }
+        edit.ends_merge = edit.ends_merge || field.finished;
+    };
+    // A cross puts back what is not as in the file, and leaves room for itself where nothing is.
+    const auto reset = [&](const char* name, const char* tip, bool changed, const char* what,
+                           json value) {
+        ImGui::SameLine();
+        if (iconButton(Icon::Close, name,
+                       {tip, changed ? "" : "It is where the scene file has it."})) {
+            edit.operation = {{"op", "move_object"}, {"object", key}};
+            edit.operation[what] = std::move(value);
+        }
+    };
+    const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x;
+    formLabel("Moved", "From where the scene file has it, m");
+    Eigen::Vector3d offset = said.move.offset_m;
+    const FieldEdit moved = dragPoint(offset, kPlaceRange, "selection.move", {}, room);
+    request(moved, "offset", pointJson(offset));
+    reset("selection.move.reset", "Back to its place in the file (Alt+G)",
+          !said.move.offset_m.isZero(0.0), "offset", pointJson(Eigen::Vector3d::Zero()));
+    formLabel("Turned", "About the vertical through its middle; positive is counter-clockwise");
+    double turn = said.move.turn_rad * 180.0 / std::numbers::pi;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - room);
+    const FieldEdit turned = dragNumber(turn, kAngleRange, "selection.turn");
+    request(turned, "turn_deg", turn);
+    reset("selection.turn.reset", "As the file has it (Alt+R)", said.move.turn_rad != 0.0,
+          "turn_deg", 0.0);
+}
+
+void drawButtons(const SelectionView& view, const Object& object, const SelectionState& state,
+                 SelectionActions& actions) {
+    const json key = objectKey(*view.scene, object.id);
+    const bool changed =
+        view.edits != nullptr && findChange(*view.edits, *view.scene, object.id) != nullptr;
+    if (button("Go to", "selection.frame", {.tip = "Bring it into the viewport"})) {
+        actions.frame = true;
+    }
+    flowTo("Split into pieces");
+    if (button("Split into pieces", "selection.split",
+               {.why_not = whyNoSplit(view, state.split), .tip = splitText(view, state.split)})) {
+        actions.edit.operation = splitOperation(key, state.split);
+    }
+    flowTo("Reset");
+    if (button("Reset", "selection.reset",
+               {.why_not = changed ? "" : "Nothing was changed by hand.",
+                .tip = "As the scene has it"})) {
+        actions.edit.operation = {{"op", "reset_object"}, {"object", key}};
+    }
+}
+
+void drawProperties(const SelectionView& view, const Object& object, SelectionState& state,
+                    SelectionActions& actions) {
+    const json key = objectKey(*view.scene, object.id);
+    const ObjectChange* change =
+        view.edits == nullptr ? nullptr : findChange(*view.edits, *view.scene, object.id);
+    const Said said = whatIsSaid(object, change);
+    if (!beginForm("properties")) return;
+    formLabel("Class");
+    if (const auto chosen = classCombo(said.nyu40, state.class_filter, "selection.class")) {
+        actions.edit.operation = {{"op", "set_class"}, {"object", key}, {"class", *chosen}};
+    }
+    if (object.dataset_class) {
+        formLabel("In datasets", "The class by the label file, found by name and class.");
+        ImGui::TextUnformatted(
+            fmt::format("{} ({})", object.dataset_class->name, object.dataset_class->id).c_str());
+    }
+    drawRole(object, said, key, actions.edit);
+    drawSize(object, said, key, actions.edit);
+    drawFront(said, key, actions.edit);
+    drawMove(said, key, actions.edit);
+    formText("Size", sizeText(2.0 * object.box.half_size));
+    formText("Centre", placeText(object.box.center) + " m");
+    formText("Triangles", fmt::format("{}", object.triangle_count));
+    endForm();
+}
+
+/// A frame's number to click, and how the object shows in it.
+void drawView(const char* label, const ObjectView& seen, const std::string& name,
+              SelectionActions& actions) {
+    formLine(label);
+    if (link(fmt::format("Frame {}", seen.frame), name, "Go to this frame")) {
+        actions.go_to_frame = seen.frame;
+    }
+    formText("", fmt::format("{:.0f} % visible, box {:.1f} % of the image",
+                             100.0 * seen.visible_fraction, 100.0 * seen.box_share));
+}
+
+/// What the ledger adds to the views themselves.
+void drawRow(const LedgerRow& row) {
+    if (row.loss) {
+        std::string words(name(*row.loss));
+        std::ranges::replace(words, '_', ' ');
+        formText("Lost as", words);
+    }
+    if (row.frame < 0) return;
+    formText("Seen from", fmt::format("{:.2f} m, {:.1f} s into the path{}", row.distance_m,
+                                      row.time_s, row.key_frame ? ", at a key frame" : ""));
+    formText("Mask", fmt::format("{:.1f} % of the image", 100.0 * row.mask_share));
+}
+
+void drawCapture(const SelectionView& view, const Object& object, SelectionActions& actions) {
+    if (view.plan == nullptr || !view.measured) {
+        ImGui::TextDisabled(view.plan == nullptr ? "There is no plan." : "being counted \u2026");
+        return;
+    }
+    const auto& captures = view.plan->captures;
+    const auto found = std::ranges::find(captures, object.id, &ObjectCapture::object_id);
+    if (found == captures.end()) {
+        ImGui::TextDisabled("No target: nothing has to capture it.");
+        return;
+    }
+    if (found->well_captured) {
+        ImGui::TextColored(palette().good, "\u25cf well captured");
+    } else if (found->captured) {
+        ImGui::TextColored(palette().warning, "\u25d0 captured, but small in the image");
+    } else {
+        ImGui::TextColored(palette().bad, "\u25cb not captured");
+    }
+    const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
+    // The search for remedies looks at more places: what it says replaces what the plan knew.
+    const bool searched = view.remedy.state == RemedySearch::State::Found ||
+                          view.remedy.state == RemedySearch::State::Nothing;
+    const LedgerRow* known = row == view.plan->ledger.end() ? nullptr
+                             : searched                     ? &view.remedy.row
+                                                            : &*row;
+    if (known != nullptr && known->loss) {
+        paragraph(known->reason);
+        actions.remedy = drawRemedy(view.remedy);
+    }
+    if (!beginForm("capture")) return;
+    if (found->best.frame >= 0) {
+        drawView("Best frame", found->best, "selection.best_frame", actions);
+    } else {
+        formText("Best frame", "it is never seen");
+    }
+    if (found->well_captured && found->best_well.frame != found->best.frame) {
+        drawView("Best well", found->best_well, "selection.best_well_frame", actions);
+    }
+    if (known != nullptr) drawRow(*known);
+    endForm();
+}
+
+}  // namespace
+
+void drawObject(const SelectionView& view, int id, SelectionState& state,
+                SelectionActions& actions) {
+    const Object& object = view.scene->object(id);
+    heading(objectName(*view.scene, id).c_str());
+    ImGui::SameLine();
+    ImGui::TextColored(palette().text_dim, "no. %d", id);
+    drawButtons(view, object, state, actions);
+    drawSplit(view, state);
+    ImGui::Spacing();
+    drawCapture(view, object, actions);
+    heading("Properties");
+    drawProperties(view, object, state, actions);
+    drawTrack(view, id, actions);
+    if (view.plan == nullptr || object.role != Role::Target) return;
+    const int point = observationPointOf(*view.plan, id);
+    if (point < 0) return;
+    heading("Search for a view");
+    ImGui::Checkbox("Show candidates", &state.show_candidates);
+    nameItem("selection.show_candidates");
+    tooltip("Every place that was tried, coloured by its reason");
+    drawSearch(view, point, actions);
+}
+
+void drawObjects(const SelectionView& view, SelectionState& state, SelectionActions& actions) {
+    const std::vector<int>& ids = view.selection->objects;
+    heading(fmt::format("{} objects", ids.size()).c_str());
+    if (const auto clicked = objectLinks(*view.scene, ids, "selection.object", 24)) {
+        actions.select = clicked;
+    }
+    ImGui::Spacing();
+    if (button("Go to", "selection.frame")) actions.frame = true;
+    heading("Make one object of them");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##name", "Its name", &state.merge_name);
+    nameItem("selection.merge_name");
+    const std::string why_not = state.merge_name.empty() ? "Give the new object a name first." : "";
+    if (button("Merge into one", "selection.merge", {.why_not = why_not})) {
+        actions.edit.operation = {
+            {"op", "merge"}, {"objects", objectKeys(*view.scene, ids)}, {"name", state.merge_name}};
+        state.merge_name.clear();
+    }
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,141 @@
+#include "ui/panels/timeline/timeline_strips.h"
+
+#include "ui/theme.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
+    {"clearance", "Clearance", " m", 2, 0.58F},
+    {"speed", "Speed", " m/s", 2, 0.40F},
+    {"turn", "Turn rate", "°/s", 0, 0.78F},
+    {"score", "Score", "", 2, 0.12F},
+    {"in_view", "Objects in view", "", 0, 0.50F},
+    {"captured", "Captured so far", "", 0, 0.33F},
+}};
+
+/// Calls `use` with the strip's values, whatever their type: a loop over them then is a plain one.
+template <class Use>
+auto withValues(const FrameSeries& series, TimelineStrip strip, const Use& use) {
+    switch (strip) {
+        case TimelineStrip::Clearance:
+            return use(series.clearance_m);
+        case TimelineStrip::Speed:
+            return use(series.speed_mps);
+        case TimelineStrip::Turn:
+            return use(series.turn_dps);
+        case TimelineStrip::Score:
+            return use(series.score);
+        case TimelineStrip::InView:
+            return use(series.in_view);
+        case TimelineStrip::Captured:
+            break;
+    }
+    return use(series.captured_so_far);
+}
+
+struct Extremes {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+Extremes extremesOf(const FrameSeries& series, TimelineStrip strip, int begin, int end) {
+    return withValues(series, strip, [&](const auto& values) {
+        const auto range = std::minmax_element(values.begin() + begin, values.begin() + end);
+        return Extremes{static_cast<double>(*range.first), static_cast<double>(*range.second)};
+    });
+}
+
+double limitOf(const TimelineView& view, TimelineStrip strip) {
+    if (strip == TimelineStrip::Clearance) return view.camera_radius_m;
+    if (strip == TimelineStrip::Speed) return view.max_speed_mps;
+    if (strip == TimelineStrip::Turn) return view.max_turn_dps;
+    return 0.0;
+}
+
+/// The top of the scale: of all frames, so that zooming does not change heights.
+double topOf(const TimelineView& view, TimelineStrip strip) {
+    double top = limitOf(view, strip);
+    if (strip == TimelineStrip::Captured) top = view.target_count;
+    top = std::max(top, extremesOf(*view.series, strip, 0, view.frame_count).high);
+    return top > 0.0 ? top : 1.0;
+}
+
+std::string number(TimelineStrip strip, double value) {
+    return fmt::format("{:.{}f}", value, stripStyle(strip).digits);
+}
+
+ImU32 colorOf(TimelineStrip strip, float alpha) {
+    const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const bool dark = text.x > 0.5F;
+    ImVec4 color(0, 0, 0, alpha);
+    ImGui::ColorConvertHSVtoRGB(stripStyle(strip).hue, dark ? 0.55F : 0.80F, dark ? 0.92F : 0.62F,
+                                color.x, color.y, color.z);
+    return ImGui::GetColorU32(color);
+}
+
+}  // namespace
+
+const StripStyle& stripStyle(TimelineStrip strip) {
+    return kStyles[static_cast<std::size_t>(strip)];
+}
+
+bool hasSeries(const TimelineView& view) {
+    return view.series != nullptr && view.frame_count > 0 &&
+           view.series->size() == static_cast<std::size_t>(view.frame_count);
+}
+
+std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame) {
+    const double value = withValues(series, strip, [&](const auto& values) {
+        return static_cast<double>(values[static_cast<std::size_t>(frame)]);
+    });
+    return number(strip, value) + stripStyle(strip).unit;
+}
+
+std::string stripRange(const FrameSeries& series, TimelineStrip strip, const FrameAxis& axis) {
+    const Extremes shown = extremesOf(series, strip, axis.frameAt(axis.left()), axis.endFrame());
+    return number(strip, shown.low) + " – " + number(strip, shown.high) + stripStyle(strip).unit;
+}
+
+void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis, float top,
+               float bottom) {
+    const double scale = topOf(view, strip);
+    const float height = bottom - top - scaled(3);
+    const auto yOf = [&](double value) {
+        return bottom - static_cast<float>(value / scale) * height;
+    };
+    const auto columns = withValues(*view.series, strip, [&](const auto& values) {
+        return plotColumns(axis, view.frame_count,
+                           [&](int i) { return values[static_cast<std::size_t>(i)]; });
+    });
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 line = colorOf(strip, 1.0F);
+    const ImU32 fill = colorOf(strip, 0.22F);
+    const float stroke = std::max(1.0F, scaled(1.5F));
+    double before = columns.empty() ? 0.0 : columns.front().low;
+    for (std::size_t x = 0; x < columns.size(); ++x) {
+        const PlotColumn& column = columns[x];
+        const float left = static_cast<float>(axis.left()) + static_cast<float>(x);
+        // Joined to the column before, so that a steep change is a line and not two dots.
+        const float high = yOf(std::max(column.high, before));
+        const float low = std::max(yOf(std::min(column.low, before)), high + stroke);
+        list->AddRectFilled({left, high}, {left + 1, std::min(low, bottom)}, line);
+        list->AddRectFilled({left, std::min(low, bottom)}, {left + 1, bottom}, fill);
+        before = column.last;
+    }
+    if (const double limit = limitOf(view, strip); limit > 0.0) {
+        const float y = yOf(limit);
+        const ImU32 color = ImGui::GetColorU32(
+            strip == TimelineStrip::Clearance ? palette().bad : palette().warning);
+        for (auto x = static_cast<float>(axis.left()); x < axis.right(); x += scaled(7)) {
+            const float end = std::min(x + scaled(4), static_cast<float>(axis.right()));
+            list->AddLine({x, y}, {end, y}, color);
+        }
+    }
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,308 @@
+#include "ui/panels/timeline/timeline_tracks.h"
+
+#include "ui/panels/timeline/timeline_strips.h"
+#include "ui/panels/timeline/timeline_time.h"
+#include "ui/theme.h"
+#include "ui/widgets/frame_axis.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+/// Where the rows are, px on the screen.
+struct Rows {
+    float labels = 0;  // left edge of the names; the axis has the rest
+    float ruler = 0;
+    float bands = 0;  // as high as the next row says: nothing where all is one room
+    float keys = 0;
+    float strips = 0;
+    float strip_height = 0;
+    float bottom = 0;
+};
+
+float rowHeight() {
+    return std::ceil(ImGui::GetTextLineHeight() + scaled(3));
+}
+
+/// 1, 2 or 5 times a power of ten seconds, so far apart that the numbers stay readable.
+double tickSeconds(double seconds_per_pixel) {
+    const double least = seconds_per_pixel * scaled(70);
+    const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-3))));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * power >= least) return step * power;
+    }
+    return 10.0 * power;
+}
+
+void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 line = ImGui::GetColorU32(palette().panel_line);
+    const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
+    const double step = tickSeconds(interval / axis.pixelsPerFrame());
+    // A frame's time is in the frame's middle, as the playhead and the key frames are.
+    const double begin = timeOf(view, std::max(axis.first() - 0.5, 0.0));
+    const auto first = static_cast<long>(std::ceil(begin / step));
+    for (long i = first;; ++i) {
+        const double seconds = static_cast<double>(i) * step;
+        const auto x = static_cast<float>(axis.xOf(frameAt(view, seconds) + 0.5));
+        if (x > axis.right()) break;
+        list->AddLine({x, rows.ruler}, {x, rows.bottom}, line);
+        nameArea(fmt::format("timeline.tick.{:g}", seconds), x, rows.ruler, x + 1, rows.bottom);
+        const std::string text = fmt::format("{:.{}f} s", seconds, step < 1.0 ? 1 : 0);
+        if (x + ImGui::CalcTextSize(text.c_str()).x + scaled(4) < axis.right()) {
+            list->AddText({x + scaled(4), rows.ruler}, ImGui::GetColorU32(palette().text_dim),
+                          text.c_str());
+        }
+    }
+}
+
+void drawBands(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    if (rows.keys <= rows.bands) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < view.bands->size(); ++i) {
+        const TimelineBand& band = (*view.bands)[i];
+        const float left = std::max(float(axis.xOf(band.begin)), float(axis.left()));
+        const float right = std::min(float(axis.xOf(band.end)), float(axis.right()));
+        if (right <= left) continue;
+        ImVec4 color = palette().accent;
+        color.w = i % 2 == 0 ? 0.28F : 0.14F;
+        const ImVec2 low(left, rows.bands + 1);
+        const ImVec2 high(right - 1, rows.keys - 1);
+        list->AddRectFilled(low, high, ImGui::GetColorU32(color), scaled(2));
+        list->PushClipRect(low, high, true);
+        list->AddText({left + scaled(4), rows.bands + 1}, ImGui::GetColorU32(ImGuiCol_Text),
+                      band.name.c_str());
+        list->PopClipRect();
+    }
+}
+
+void drawKeys(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float middle = std::floor((rows.keys + rows.strips) / 2);
+    list->AddLine({float(axis.left()), middle}, {float(axis.right()), middle},
+                  ImGui::GetColorU32(palette().panel_line));
+    if (hasSeries(view)) {
+        const ImU32 good = ImGui::GetColorU32(palette().good);
+        for (int i = axis.frameAt(axis.left()); i < axis.endFrame(); ++i) {
+            if (view.series->newly_captured[static_cast<std::size_t>(i)].empty()) continue;
+            const auto x = static_cast<float>(std::floor(axis.xOf(i + 0.5)));
+            list->AddRectFilled({x - 1, rows.strips - scaled(6)}, {x + 1, rows.strips}, good);
+        }
+    }
+    if (view.keys == nullptr) return;
+    // Smaller where they would hide each other.
+    const auto shown = std::ranges::count_if(*view.keys, [&](const TimelineKey& key) {
+        return key.frame >= axis.first() && key.frame < axis.endFrame();
+    });
+    const auto room = static_cast<float>((axis.right() - axis.left()) /
+                                         static_cast<double>(std::max<std::ptrdiff_t>(shown, 1)));
+    const float r = std::clamp(room * 0.45F, scaled(2.5F), scaled(5));
+    for (const TimelineKey& key : *view.keys) {
+        const auto x = static_cast<float>(axis.xOf(key.frame + 0.5));
+        if (x < axis.left() - r || x > axis.right() + r) continue;
+        const float y = middle - scaled(1);
+        const bool here = key.frame == view.frame;
+        list->AddQuadFilled({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y},
+                            ImGui::GetColorU32(here ? palette().accent : palette().warning));
+        nameArea("timeline.key." + std::to_string(key.frame), x - r, y - r, x + r, y + r);
+    }
+}
+
+const TimelineKey* keyAt(const TimelineView& view, const FrameAxis& axis, const Rows& rows,
+                         ImVec2 mouse) {
+    if (view.keys == nullptr || mouse.y < rows.keys || mouse.y >= rows.strips) return nullptr;
+    const TimelineKey* closest = nullptr;
+    double least = scaled(7);
+    for (const TimelineKey& key : *view.keys) {
+        const double distance = std::abs(axis.xOf(key.frame + 0.5) - mouse.x);
+        if (distance > least) continue;
+        least = distance;
+        closest = &key;
+    }
+    return closest;
+}
+
+std::string namesOf(const TimelineView& view, const std::vector<int>& ids) {
+    std::string text;
+    for (const int id : ids) {
+        if (!text.empty()) text += ", ";
+        text += view.object_name ? view.object_name(id) : std::to_string(id);
+    }
+    return text;
+}
+
+void drawTooltip(const TimelineView& view, const TimelineState& state, int frame,
+                 const TimelineKey* key) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(scaled(360));
+    if (key != nullptr) frame = key->frame;
+    ImGui::Text("Frame %d, %.2f s%s", frame, timeOf(view, frame),
+                key != nullptr ? ", a key frame" : "");
+    if (key != nullptr && !key->text.empty()) ImGui::TextUnformatted(key->text.c_str());
+    if (view.bands != nullptr && view.bands->size() > 1) {
+        for (const TimelineBand& band : *view.bands) {
+            if (frame >= band.begin && frame < band.end) {
+                ImGui::TextColored(palette().text_dim, "%s", band.name.c_str());
+            }
+        }
+    }
+    if (hasSeries(view)) {
+        for (std::size_t i = 0; i < kTimelineStrips; ++i) {
+            if (!state.strips[i]) continue;
+            const auto strip = static_cast<TimelineStrip>(i);
+            ImGui::TextColored(palette().text_dim, "%s", stripStyle(strip).title);
+            ImGui::SameLine(scaled(120));
+            ImGui::TextUnformatted(stripText(*view.series, strip, frame).c_str());
+        }
+        const auto& fresh = view.series->newly_captured[static_cast<std::size_t>(frame)];
+        if (!fresh.empty()) {
+            ImGui::TextColored(palette().good, "Newly captured: %s", namesOf(view, fresh).c_str());
+        }
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+/// While a slider is dragged each plan is replaced before it is measured. The strips of the last
+/// one that was stay, paler and stretched over the new frames, so that nothing blinks.
+void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
+                      float top, float bottom) {
+    TimelineView before = view;
+    before.series = view.earlier;
+    before.frame_count = static_cast<int>(view.earlier->size());
+    const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
+    const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
+                              axis.shown() * stretch);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
+    drawStrip(before, strip, stretched, top, bottom);
+    ImGui::PopStyleVar();
+}
+
+void drawStrips(const TimelineView& view, const TimelineState& state, const FrameAxis& axis,
+                const Rows& rows) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 dim = ImGui::GetColorU32(palette().text_dim);
+    float top = rows.strips;
+    for (std::size_t i = 0; i < kTimelineStrips; ++i) {
+        if (!state.strips[i]) continue;
+        const auto strip = static_cast<TimelineStrip>(i);
+        const float bottom = top + rows.strip_height;
+        const float text_y = std::floor((top + bottom - ImGui::GetTextLineHeight()) / 2);
+        list->AddText({rows.labels, text_y}, ImGui::GetColorU32(ImGuiCol_Text),
+                      stripStyle(strip).title);
+        if (hasSeries(view)) {
+            drawStrip(view, strip, axis, top, bottom - 1);
+            const std::string range = stripRange(*view.series, strip, axis);
+            const float width = ImGui::CalcTextSize(range.c_str()).x;
+            list->AddText({float(axis.left()) - width - scaled(10), text_y}, dim, range.c_str());
+        } else {
+            const bool has_earlier = view.earlier != nullptr && view.earlier->size() > 0;
+            if (has_earlier) drawEarlierStrip(view, strip, axis, top, bottom - 1);
+            const char* text = "being measured …";
+            const float width = ImGui::CalcTextSize(text).x;
+            const float left = float(axis.left());
+            list->AddText({has_earlier ? left - width - scaled(10) : left + scaled(6), text_y}, dim,
+                          text);
+        }
+        list->AddLine({rows.labels, bottom}, {float(axis.right()), bottom},
+                      ImGui::GetColorU32(palette().panel_line));
+        top = bottom;
+    }
+}
+
+void drawPlayhead(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    const auto x = static_cast<float>(std::floor(axis.xOf(view.frame + 0.5)));
+    if (x < axis.left() || x > axis.right()) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = ImGui::GetColorU32(palette().accent);
+    list->AddRectFilled({x, rows.ruler}, {x + std::max(1.0F, scaled(1.5F)), rows.bottom}, color);
+    nameArea("timeline.playhead", x, rows.ruler, x + 1, rows.bottom);
+    list->AddTriangleFilled({x - scaled(6), rows.ruler}, {x + scaled(7), rows.ruler},
+                            {x + scaled(0.5F), rows.ruler + scaled(8)}, color);
+}
+
+Rows layOut(const TimelineView& view, const TimelineState& state, ImVec2 origin, float height) {
+    Rows rows;
+    rows.labels = origin.x;
+    rows.ruler = origin.y;
+    rows.bands = rows.ruler + rowHeight();
+    const bool several = view.bands != nullptr && view.bands->size() > 1;
+    rows.keys = rows.bands + (several ? rowHeight() : 0.0F);
+    rows.strips = rows.keys + rowHeight();
+    const auto count = static_cast<float>(std::ranges::count(state.strips, true));
+    const float left_over = origin.y + height - rows.strips;
+    rows.strip_height =
+        count > 0 ? std::max(rowHeight() + scaled(3), std::floor(left_over / count)) : 0.0F;
+    rows.bottom = rows.strips + count * rows.strip_height;
+    return rows;
+}
+
+/// Wheel and middle button. Over the names the wheel scrolls, as elsewhere.
+void navigate(FrameAxis& axis, bool hovered, bool active) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (hovered && io.MouseWheel != 0.0F) {
+        axis.zoom(io.MousePos.x, std::pow(0.8, static_cast<double>(io.MouseWheel)));
+    }
+    if (active && ImGui::IsMouseDown(ImGuiMouseButton_Middle)) axis.pan(io.MouseDelta.x);
+    if (hovered && io.MouseWheelH != 0.0F) axis.pan(scaled(40) * io.MouseWheelH);
+}
+
+}  // namespace
+
+std::optional<int> drawTimelineTracks(const TimelineView& view, TimelineState& state) {
+    std::optional<int> go_to;
+    const float label_width = std::round(scaled(232));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool over_names = ImGui::GetIO().MousePos.x < corner.x + label_width;
+    ImGui::BeginChild("tracks", {0, 0}, false,
+                      over_names ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollWithMouse);
+    if (view.frame_count == 0) {
+        ImGui::TextDisabled("There is no trajectory yet.");
+        ImGui::EndChild();
+        return go_to;
+    }
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const Rows rows = layOut(view, state, {std::floor(origin.x), std::floor(origin.y)}, room.y);
+    const double left = std::floor(origin.x) + label_width;
+    const double right = std::floor(origin.x + room.x);
+    FrameAxis axis(view.frame_count, left, right, state.first, state.shown);
+    if (view.frame != state.last_frame) axis.reveal(view.frame);
+
+    ImGui::SetCursorScreenPos({float(left), rows.ruler});
+    ImGui::InvisibleButton("axis", {std::max(float(right - left), 1.0F), rows.bottom - rows.ruler},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    nameItem("timeline.axis");
+    const bool hovered = ImGui::IsItemHovered();
+    const bool active = ImGui::IsItemActive();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    navigate(axis, hovered, active);
+    const TimelineKey* key = hovered || active ? keyAt(view, axis, rows, mouse) : nullptr;
+    if (active && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        const int frame = key != nullptr ? key->frame : axis.frameAt(mouse.x);
+        if (frame != view.frame) go_to = frame;
+    }
+    state.first = axis.first();
+    state.shown = axis.shown() < view.frame_count ? axis.shown() : 0.0;
+
+    drawRuler(view, axis, rows);
+    drawBands(view, axis, rows);
+    drawStrips(view, state, axis, rows);
+    drawKeys(view, axis, rows);
+    drawPlayhead(view, axis, rows);
+    ImGui::GetWindowDrawList()->AddText({rows.labels, rows.keys}, ImGui::GetColorU32(ImGuiCol_Text),
+                                        "Key frames");
+    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
+        drawTooltip(view, state, axis.frameAt(mouse.x), key);
+    }
+    ImGui::EndChild();
+    return go_to;
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,123 @@
+#include "ui/widgets/commands/command_table.h"
+
+#include "ui/widgets/item_map.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace dollytrack::ui {
+namespace {
+
+std::string keyName(int key) {
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
+        return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) {
+        return "Num " + std::to_string(key - GLFW_KEY_KP_0);
+    }
+    switch (key) {
+        case GLFW_KEY_EQUAL:
+            return "+";
+        case GLFW_KEY_PAGE_UP:
+            return "Page up";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page down";
+        case GLFW_KEY_SPACE:
+            return "Space";
+        case GLFW_KEY_HOME:
+            return "Home";
+        case GLFW_KEY_END:
+            return "End";
+        case GLFW_KEY_LEFT:
+            return "Left";
+        case GLFW_KEY_RIGHT:
+            return "Right";
+        case GLFW_KEY_UP:
+            return "Up";
+        case GLFW_KEY_DOWN:
+            return "Down";
+        case GLFW_KEY_DELETE:
+            return "Delete";
+        case GLFW_KEY_ESCAPE:
+            return "Esc";
+        case GLFW_KEY_PERIOD:
+            return ".";
+        case GLFW_KEY_COMMA:
+            return ",";
+        default:
+            return key > 32 && key < 127 ? std::string(1, static_cast<char>(key)) : "?";
+    }
+}
+
+/// Larger and smaller are on keys of many places: + and - of the number pad, + beside Enter.
+bool pressedElsewhere(int key, const CommandTable::KeySigns& signs) {
+    if (key != GLFW_KEY_EQUAL && key != GLFW_KEY_MINUS) return false;
+    const bool larger = key == GLFW_KEY_EQUAL;
+    if (ImGui::IsKeyPressed(larger ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT, false)) return true;
+    if (!signs) return false;
+    for (int other = GLFW_KEY_APOSTROPHE; other <= GLFW_KEY_GRAVE_ACCENT; ++other) {
+        if (other == GLFW_KEY_EQUAL || other == GLFW_KEY_MINUS) continue;
+        if (ImGui::IsKeyPressed(other, false) && signs(other) == (larger ? "+" : "-")) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string Shortcut::text() const {
+    std::string text;
+    if (key == 0) return text;
+    if (ctrl) text += "Ctrl+";
+    if (shift) text += "Shift+";
+    if (alt) text += "Alt+";
+    text += keyName(key);
+    return text;
+}
+
+const Command* CommandTable::find(std::string_view id) const {
+    const auto at = std::ranges::find(commands_, id, &Command::id);
+    return at == commands_.end() ? nullptr : &*at;
+}
+
+std::string CommandTable::runShortcuts(const KeySigns& signs) const {
+    const ImGuiIO& io = ImGui::GetIO();
+    for (const Command& command : commands_) {
+        const Shortcut& keys = command.shortcut;
+        // Holding a key down repeats what goes step by step, not what makes things.
+        const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
+                             keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
+        if (keys.key == 0) continue;
+        if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) continue;
+        const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
+        if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) continue;
+        // On many keyboards + is Shift and =.
+        if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) continue;
+        // While typing only what no text holds is a command.
+        const bool edits_text =
+            keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
+                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
+        if (io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1))) continue;
+        if (!command.canRun()) continue;
+        command.run();
+        return command.id;
+    }
+    return {};
+}
+
+void CommandTable::drawMenuItem(std::string_view id) const {
+    const Command* command = find(id);
+    if (command == nullptr) return;
+    const std::string why_not = command->why_not ? command->why_not() : std::string();
+    const bool checked = command->checked && command->checked();
+    if (ImGui::MenuItem(command->title.c_str(), command->shortcut.text().c_str(), checked,
+                        why_not.empty())) {
+        command->run();
+    }
+    nameItem("command." + command->id, why_not.empty());
+    if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("%s", why_not.c_str());
+    }
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,189 @@
+#include "ui/widgets/commands/help_overlay.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/commands/text_match.h"
+#include "ui/widgets/cut_text.h"
+#include "ui/widgets/forms/form.h"
+#include "ui/widgets/item_map.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <vector>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr const char* kId = "##help";
+
+struct Line {
+    std::string text;
+    std::string keys;
+};
+
+struct Block {
+    std::string title;
+    std::vector<Line> lines;
+    /// In lines of text; the title and the gap after the block take two.
+    [[nodiscard]] int height() const { return static_cast<int>(lines.size()) + 2; }
+};
+
+Block mouseBlock() {
+    return {"Mouse in the viewport",
+            {{"Select", "Click"},
+             {"Add to the selection", "Ctrl+Click"},
+             {"Orbit", "Left drag"},
+             {"Pan", "Shift+Left drag"},
+             {"Pan", "Middle drag"},
+             {"Zoom to the cursor", "Wheel"},
+             {"Look around", "Right drag"},
+             {"Fly", "Right drag + W A S D"},
+             {"Fly down, up", "Right drag + Q, E"}}};
+}
+
+Block fieldBlock() {
+    return {"Number fields",
+            {{"Change", "Drag"},
+             {"Type a value", "Double click, Ctrl+Click"},
+             {"Finer", "Alt+Drag"},
+             {"Coarser", "Shift+Drag"}}};
+}
+
+std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& filter) {
+    std::vector<Block> blocks;
+    for (const Command& command : commands.all()) {
+        auto block = std::ranges::find(blocks, command.group, &Block::title);
+        if (block == blocks.end()) block = blocks.insert(blocks.end(), {command.group, {}});
+        block->lines.push_back({command.title, command.shortcut.text()});
+    }
+    blocks.push_back(mouseBlock());
+    blocks.push_back(fieldBlock());
+    for (Block& block : blocks) {
+        if (containsIgnoringCase(block.title, filter)) continue;
+        std::erase_if(block.lines, [&](const Line& line) {
+            return !containsIgnoringCase(line.text, filter) &&
+                   !containsIgnoringCase(line.keys, filter);
+        });
+    }
+    std::erase_if(blocks, [](const Block& block) { return block.lines.empty(); });
+    return blocks;
+}
+
+/// How many columns the blocks take when none is higher than `height` (blocks stay whole and in
+/// their order).
+int columnsFor(const std::vector<Block>& blocks, int height) {
+    int columns = 1;
+    int used = 0;
+    for (const Block& block : blocks) {
+        if (used > 0 && used + block.height() > height) {
+            ++columns;
+            used = 0;
+        }
+        used += block.height();
+    }
+    return columns;
+}
+
+/// The least height at which they fit into so many columns.
+int leastHeight(const std::vector<Block>& blocks, int columns) {
+    int height = 0;
+    for (const Block& block : blocks) height = std::max(height, block.height());
+    while (columnsFor(blocks, height) > columns) ++height;
+    return height;
+}
+
+void drawBlock(const Block& block) {
+    ImGui::PushFont(fonts().bold);
+    ImGui::TextUnformatted(block.title.c_str());
+    ImGui::PopFont();
+    for (const Line& line : block.lines) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        const float right = ImGui::GetCursorPosX() + room;
+        const float keys = ImGui::CalcTextSize(line.keys.c_str()).x;
+        const float gap = line.keys.empty() ? 0.0F : scaled(8);
+        cutText(line.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::End,
+                room - keys - gap);
+        if (line.keys.empty()) continue;
+        ImGui::SameLine();
+        // Not SameLine(x): inside a table it counts from the column.
+        ImGui::SetCursorPosX(right - keys);
+        ImGui::TextColored(palette().accent, "%s", line.keys.c_str());
+    }
+    ImGui::Dummy({0, ImGui::GetTextLineHeight() * 0.6F});
+}
+
+void drawBlocks(const std::vector<Block>& blocks, float width) {
+    const int most_columns = std::clamp(static_cast<int>(width / scaled(270)), 1, 4);
+    const int height = leastHeight(blocks, most_columns);
+    const int columns = columnsFor(blocks, height);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(16), 0});
+    const bool begun = ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame);
+    ImGui::PopStyleVar();
+    if (!begun) return;
+    ImGui::TableNextColumn();
+    int used = 0;
+    for (const Block& block : blocks) {
+        if (used > 0 && used + block.height() > height) {
+            ImGui::TableNextColumn();
+            used = 0;
+        }
+        drawBlock(block);
+        used += block.height();
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawHelpOverlay(const CommandTable& commands, HelpState& state) {
+    if (!state.open) return;
+    const bool begins = !state.shown;
+    if (begins) {
+        state.filter.clear();
+        state.shown = true;
+        ImGui::OpenPopup(kId);
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 size = {std::min(scaled(1180), screen.x - scaled(40)),
+                         std::min(scaled(760), screen.y - scaled(40))};
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(size);
+    pushDialogStyle();
+    const bool visible =
+        ImGui::BeginPopup(kId, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    popDialogStyle();
+    if (!visible) {
+        state.open = false;
+        state.shown = false;
+        return;
+    }
+    if (begins) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(scaled(280));
+    ImGui::InputTextWithHint("##filter", "Find a command or a key", &state.filter);
+    nameItem("help.filter");
+    const float close_width = ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - close_width);
+    const bool closed = button("Close", "help.close");
+    ImGui::Dummy({0, scaled(4)});
+    ImGui::BeginChild("blocks");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, scaled(2)});
+    const std::vector<Block> blocks = makeBlocks(commands, state.filter);
+    if (blocks.empty()) ImGui::TextDisabled("Nothing is called that.");
+    if (!blocks.empty()) drawBlocks(blocks, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    const bool key = !begins && (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) ||
+                                 ImGui::IsKeyPressed(GLFW_KEY_F1, false));
+    if (closed || key) {
+        ImGui::CloseCurrentPopup();
+        state.open = false;
+        state.shown = false;
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace dollytrack::ui

@@ -1,0 +1,196 @@
+#include "ui/widgets/files/path_line.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/commands/text_match.h"
+#include "ui/widgets/item_map.h"
+#include "ui/widgets/keyboard_wait.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <utility>
+
+namespace dollytrack::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOffers = 8;
+
+/// "/home/a/ro" as "/home/a/" and "ro".
+std::pair<std::string, std::string> splitTyped(const std::string& text) {
+    const std::size_t slash = text.rfind('/');
+    if (slash == std::string::npos) return {"", text};
+    return {text.substr(0, slash + 1), text.substr(slash + 1)};
+}
+
+std::string commonStart(const std::vector<std::string>& texts) {
+    std::string common = texts.front();
+    for (const std::string& text : texts) {
+        const auto [end, other] =
+            std::mismatch(common.begin(), common.end(), text.begin(), text.end());
+        common.erase(end, common.end());
+    }
+    return common;
+}
+
+}  // namespace
+
+fs::path homeFolder() {
+    const char* home = std::getenv("HOME");
+    return home != nullptr && *home == '/' ? fs::path(home) : fs::path("/");
+}
+
+fs::path typedPath(const std::string& text, const fs::path& folder) {
+    if (text == "~") return homeFolder();
+    if (text.starts_with("~/")) return (homeFolder() / text.substr(2)).lexically_normal();
+    return (folder / text).lexically_normal();
+}
+
+void PathLine::show(const fs::path& path) {
+    if (typing_) return;
+    text_ = path.string();
+}
+
+void PathLine::typeOn(const std::string& begun) {
+    text_ = begun;
+    wants_focus_ = true;
+    takes_over_ = true;
+    awaitKeyboard();
+}
+
+void PathLine::complete(std::string& text) const {
+    if (offers_.empty()) return;
+    const std::string common = commonStart(offers_);
+    text = common.size() > text.size() ? common : offers_.front();
+}
+
+void PathLine::updateOffers(const FolderOrder& order) {
+    while (auto answer = reader_.take()) {
+        listing_ = answer->listing;
+        offered_for_.clear();
+    }
+    const auto [folder, part] = splitTyped(text_);
+    if (folder.empty()) {
+        offers_.clear();
+        return;
+    }
+    if (folder != asked_folder_) {
+        asked_folder_ = folder;
+        listing_ = nullptr;
+        offers_.clear();
+        reader_.look(typedPath(folder, "/"));
+    }
+    if (!listing_ || offered_for_ == text_) return;
+    offered_for_ = text_;
+    offers_.clear();
+    FolderOrder shown = order;
+    shown.hidden = shown.hidden || part.starts_with('.');
+    FolderListing matching;
+    for (const FolderEntry& entry : listing_->entries) {
+        if (beginsWithIgnoringCase(entry.name, part)) matching.entries.push_back(entry);
+    }
+    for (const std::uint32_t row : arrange(matching, shown)) {
+        if (offers_.size() == kMostOffers) break;
+        const FolderEntry& entry = matching.entries[row];
+        offers_.push_back(folder + entry.name + (entry.is_folder ? "/" : ""));
+    }
+}
+
+bool PathLine::drawOffers(float left, float top, float width) {
+    bool taken = false;
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const float height = row * static_cast<float>(offers_.size()) + scaled(12);
+    ImGui::SetNextWindowPos({left, top});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(7), scaled(6)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::Begin("##path_offers", nullptr,
+                 ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    for (const std::string& offer : offers_) {
+        const std::string name =
+            splitTyped(offer.substr(0, offer.size() - 1)).second + offer.back();
+        ImGui::Selectable(name.c_str());
+        nameItem("files.offer." + name);
+        // Not IsItemHovered(): the text field holds the mouse while it is in use.
+        if (ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) &&
+            ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            text_ = offer;
+            taken = true;
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    return taken;
+}
+
+bool PathLine::draw(const FolderOrder& order, float width) {
+    if (wants_focus_) {
+        ImGui::SetKeyboardFocusHere();
+        wants_focus_ = false;
+    }
+    if (takes_over_) {
+        awaitKeyboard();
+        // The keyboard changes hands from one frame to the next, and people type on meanwhile.
+        ImGuiIO& io = ImGui::GetIO();
+        for (const ImWchar c : io.InputQueueCharacters) {
+            if (c >= 32 && c < 127) text_ += static_cast<char>(c);
+        }
+        io.InputQueueCharacters.resize(0);
+        to_end_ =
+            true;  // a line that gets the keyboard selects all, which the next letter replaces
+    }
+    const std::string before = text_;
+    const bool was_typing = typing_;
+    ImGui::SetNextItemWidth(width);
+    const auto on_tab = [](ImGuiInputTextCallbackData* data) {
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways) {
+            auto* line = static_cast<PathLine*>(data->UserData);
+            if (!std::exchange(line->to_end_, false)) return 0;
+            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+            return 0;
+        }
+        std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        static_cast<const PathLine*>(data->UserData)->complete(text);
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, text.c_str());
+        return 0;
+    };
+    const bool entered = ImGui::InputText("##path", &text_,
+                                          ImGuiInputTextFlags_CallbackCompletion |
+                                              ImGuiInputTextFlags_CallbackAlways |
+                                              ImGuiInputTextFlags_EnterReturnsTrue,
+                                          on_tab, this);
+    nameItem("files.path");
+    typing_ = ImGui::IsItemActive();
+    if (text_ != before) escaped_ = false;
+    if (ImGui::IsItemActivated()) {
+        escaped_ = !takes_over_;  // offers come with the first letter
+        takes_over_ = false;
+    }
+    if (entered) {
+        typing_ = false;
+        return true;
+    }
+    // A press on an offer takes the keyboard from the line, but is still to be seen below.
+    if (!(typing_ || was_typing) || escaped_) return false;
+    updateOffers(order);
+    if (offers_.empty()) return false;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    if (drawOffers(low.x, high.y + scaled(2), high.x - low.x)) {
+        typing_ = false;
+        ImGui::SetKeyboardFocusHere(-1);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace dollytrack::ui
