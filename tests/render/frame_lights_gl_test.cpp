@@ -1,9 +1,9 @@
 // Light that varies by frame.
 
-#include "render/frame_lights.h"
+#include "render/light/frame_lights.h"
 
 #include "engine/scene/resolved_light.h"
-#include "render/frame_file.h"
+#include "render/frames/frame_file.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/sunny_room.h"
 
@@ -156,9 +156,10 @@ TEST_F(FrameLightsGl, AStillCameraSeesItChangeWhereItIsAskedTo) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(picture("part", i), picture("frame", 1 + 2 * i)) << i;
     // And what it was is in the table.
     const std::string table = read(folder_ / "part/frames.csv");
-    EXPECT_NE(table.find(",score,lamp_strength,lamp_temperature_K,sky_strength,sun_strength,"
-                         "exposure_ev\n"),
-              std::string::npos);
+    EXPECT_NE(
+        table.find(",score,picture,lamp_strength,lamp_temperature_K,sky_strength,sun_strength,"
+                   "exposure_ev\n"),
+        std::string::npos);
     std::ostringstream lamp;  // six digits
     lamp << resolvedAt(light, 3).drawn.lamp_strength;
     EXPECT_NE(table.find("," + lamp.str() + ","), std::string::npos) << table;
