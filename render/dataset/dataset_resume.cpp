@@ -151,13 +151,13 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
         return Earlier{};
     }
     if (*journal.identity != identity) {
-        return fail(
-            ErrorCode::Usage,
-            "the unfinished dataset in the folder is another one (it differs in " +
-                differences(*journal.identity, identity) +
-                "); continue it as it was begun, or begin anew without --resume (with --overwrite "
-                "where a complete dataset is beside it)",
-            folder.path().string());
+        return fail(ErrorCode::Usage,
+                    "the unfinished dataset in the folder is another one (it differs in " +
+                        differences(*journal.identity, identity) +
+                        "); continue it as it was begun, or leave out --resume to begin anew (with "
+                        "--overwrite "
+                        "beside a complete dataset)",
+                    folder.path().string());
     }
     // Nothing to refuse, but the bytes may not be those of one run.
     if (journal.drawn_by != gl::rendererName()) {

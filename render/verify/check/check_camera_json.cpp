@@ -120,6 +120,7 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
     const double area = static_cast<double>(ids->width) * ids->height;
     Names may, must;
     for (const auto& [id, shown] : images.seen()) {
+        if (dataset.unusable_frames.contains(images.frame())) break;
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target") continue;
         const auto box = shown.box();

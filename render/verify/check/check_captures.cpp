@@ -24,7 +24,6 @@ struct Best {
 struct Captures {
     std::vector<std::vector<Best>> of_frame;
     std::set<int> shown_nowhere;  // object ids
-    std::set<int> unusable;       // frames whose pictures capture nothing
 };
 
 /// Pixels that count, of an image of this area; rules are for one of 640 x 480.
@@ -41,14 +40,7 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
         findings.add(
             {"dataset.json", {}, {}, "metrics.counted: " + std::move(found), std::move(expected)});
     };
-    const auto& metrics = dataset.card.at("metrics");
-    const auto& counted = metrics.at("counted");
-    if (metrics.contains("pictures")) {
-        for (const char* kind : {"dark", "white", "flat"}) {
-            const auto frames = metrics["pictures"].at(kind).get<std::vector<int>>();
-            captures.unusable.insert(frames.begin(), frames.end());
-        }
-    }
+    const auto& counted = dataset.card.at("metrics").at("counted");
     int captured = 0;
     int rows = 0;
     for (const auto& one : counted.at("per_object")) {
@@ -61,7 +53,7 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
             add(fmt::format("object {} twice", best.object_id), "each target once");
         }
         captured += best.captured ? 1 : 0;
-        if (captures.unusable.contains(frame)) {
+        if (dataset.unusable_frames.contains(frame)) {
             add(fmt::format("best_frame {} of object {}", frame, best.object_id),
                 "a frame whose picture can be used");
         }
@@ -129,10 +121,10 @@ CheckWork beginCaptures(const Subject& subject, Findings& findings) {
         return {};
     }
     CheckWork work;
-    work.frame = [captures](FrameImages& images, Findings& found) {
+    work.frame = [captures, &dataset = subject.dataset](FrameImages& images, Findings& found) {
         const auto& best = captures->of_frame[static_cast<std::size_t>(images.frame())];
         const Image16* ids = images.image16("instance");
-        if (!ids || captures->unusable.contains(images.frame())) return;
+        if (!ids || dataset.unusable_frames.contains(images.frame())) return;
         const double least_px = leastPixels(static_cast<double>(ids->width) * ids->height);
         for (const auto& [id, shown] : images.seen()) {
             if (shown.count < least_px || !captures->shown_nowhere.contains(id)) continue;

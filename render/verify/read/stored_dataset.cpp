@@ -66,6 +66,19 @@ StoredFrame frameFrom(const Json& one) {
     return frame;
 }
 
+/// The frames that dataset.json lists as unusable; a check of its own looks at the lists.
+std::set<int> readUnusableFrames(const Json& card) {
+    std::set<int> frames;
+    const Json pictures = card.value("metrics", Json::object()).value("pictures", Json::object());
+    for (const char* kind : {"dark", "white", "flat"}) {
+        if (!pictures.is_object() || !pictures.contains(kind)) continue;
+        for (const Json& frame : pictures[kind]) {
+            if (frame.is_number_integer()) frames.insert(frame.get<int>());
+        }
+    }
+    return frames;
+}
+
 Status readCard(StoredDataset& dataset) {
     const Json& card = dataset.card;
     if (card.contains("labels")) {
@@ -155,6 +168,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                         path.string());
         }
         if (Status read = readCard(dataset); !read) return tl::unexpected<Error>(read.error());
+        dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
                     fmt::format("It is damaged ({}); export the dataset again.", error.what()),

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,8 @@ struct StoredDataset {
     std::vector<StoredObject> objects;
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
     std::vector<StoredFrame> frames;
+    std::set<int>
+        unusable_frames;  // whose pictures are too dark, white or flat to capture anything
     std::map<std::string, std::string> sha256s;  // by relative path
 
     /// Whether it has a modality, a format, or "folds".
