@@ -189,7 +189,7 @@ def picture_mirrored(copy):
 
 @found_by("pictures")
 def picture_upside_down(copy):
-    copy.edit("rgb/000003.png", lambda image: image[::-1])
+    copy.edit("rgb/000004.png", lambda image: image[::-1])
 
 
 @found_by("pictures")
