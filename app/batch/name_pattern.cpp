@@ -49,7 +49,7 @@ bool fitsOne(char c, const std::string& element) {
 
 }  // namespace
 
-bool fitsPattern(std::string_view name, const std::string& pattern) {
+bool fitsFilePattern(std::string_view name, const std::string& pattern) {
     const std::vector<std::string> elements = elementsOf(pattern);
     const bool hidden = name.starts_with('.');
     if (hidden && (elements.empty() || (elements[0] != "." && elements[0] != "\\."))) return false;

@@ -88,7 +88,7 @@ class Search {
                 if (entry.folder && !link && entry.name.front() != '.') {
                     status = look(folder / entry.name, at);
                 }
-            } else if (fitsPattern(entry.name, parts_[at])) {
+            } else if (fitsFilePattern(entry.name, parts_[at])) {
                 const bool last = at + 1 == parts_.size();
                 if (last && !entry.folder && isScene(base_ / folder / entry.name)) {
                     found_.push_back({folder / entry.name, {}});
@@ -122,7 +122,7 @@ bool fitAll(const Parts& names, const Parts& parts) {
         for (std::size_t i = 0; i <= names.size(); ++i) {
             if (part == kAnyFolders) {
                 next[i] = fit[i] != 0 || (i > 0 && next[i - 1] != 0) ? 1 : 0;
-            } else if (i > 0 && fit[i - 1] != 0 && fitsPattern(names[i - 1], part)) {
+            } else if (i > 0 && fit[i - 1] != 0 && fitsFilePattern(names[i - 1], part)) {
                 next[i] = 1;
             }
         }

@@ -1,5 +1,6 @@
 #include "engine/scene/label_table.h"
 
+#include "engine/core/name_pattern.h"
 #include "engine/scene/labels.h"
 
 #include <algorithm>
@@ -52,11 +53,6 @@ std::string trim(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 std::string join(const std::vector<std::string>& words, std::size_t first, std::size_t count) {
     std::string text = words[first];
     for (std::size_t i = 1; i < count; ++i) text += ' ' + words[first + i];
@@ -66,14 +62,6 @@ std::string join(const std::vector<std::string>& words, std::size_t first, std::
 bool isPreposition(const std::string& word) {
     static constexpr std::array<std::string_view, 6> kWords = {"with", "of", "for",
                                                                "in",   "on", "without"};
-    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
-}
-
-/// What exporters name materials after, beside the woods of the table.
-bool isMaterial(const std::string& word) {
-    static constexpr std::array<std::string_view, 14> kWords = {
-        "brass", "ceramic", "chrome", "cloth", "concrete", "fabric", "glass",
-        "gold",  "leather", "marble", "metal", "plastic",  "steel",  "velvet"};
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -198,7 +186,7 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
                         place);
         }
         if (whole_name) {
-            const std::string whole = lower(trim(columns[0].substr(1)));
+            const std::string whole = inSmallLetters(trim(columns[0].substr(1)));
             whole_names_[whole] = entry;
             whole_by_words.emplace(asWords(whole), whole);
             continue;
@@ -231,7 +219,7 @@ bool LabelTable::mentions(std::string_view name, int nyu40) const {
 }
 
 Label LabelTable::find(std::string_view name) const {
-    const auto whole = whole_names_.find(lower(trim(name)));
+    const auto whole = whole_names_.find(inSmallLetters(trim(name)));
     if (whole != whole_names_.end()) {
         return {whole->second.kind, whole->second.nyu40, whole->first};
     }
@@ -252,9 +240,8 @@ Label LabelTable::find(std::string_view name) const {
             const auto found = entries_.find(text);
             if (found == entries_.end()) continue;
             // "DarkWoodMat" and "GlassTableMat" name materials.
-            const bool is_material = text == "mat" && i > 0 &&
-                                     (weak.kind != LabelKind::None ||
-                                      best.kind != LabelKind::None || isMaterial(words[i - 1]));
+            const bool is_material =
+                text == "mat" && (weak.kind != LabelKind::None || best.kind != LabelKind::None);
             if (is_material) break;
             const Label label{found->second.kind, found->second.nyu40, text};
             spanned = std::max(spanned, i + n);

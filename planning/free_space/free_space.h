@@ -113,7 +113,7 @@ class FreeSpace {
     [[nodiscard]] double resolution_m() const;
 
     /// Of a scan: the share of the air inside the building that was scanned, 0..1. The rest is
-    /// unknown. Nothing for a modelled scene.
+    /// unknown. Empty for a modelled scene.
     [[nodiscard]] std::optional<double> scannedShare() const;
 
     /// Where rooms are open.

@@ -180,6 +180,9 @@ JournalContents readJournal(const io::GuardedFolder& folder) {
                 }
             } else {
                 JournalEntry entry = entryFrom(value);
+                const bool known = !entry.quality || static_cast<std::size_t>(*entry.quality) <
+                                                         kPictureQualities.size();
+                if (!known) continue;
                 const int index = entry.index;
                 contents.entries.insert_or_assign(index, std::move(entry));  // the later one holds
             }

@@ -81,8 +81,8 @@ TEST(SceneFiles, ManyWildcardsTakeNoLonger) {
     EXPECT_FALSE(matches(deep + "/x.glb", pattern + "*.obj"));
     std::string stars;
     for (int i = 0; i < 40; ++i) stars += "*a";
-    EXPECT_FALSE(fitsPattern(std::string(200, 'a') + "b", stars));
-    EXPECT_TRUE(fitsPattern(std::string(200, 'a'), stars));
+    EXPECT_FALSE(fitsFilePattern(std::string(200, 'a') + "b", stars));
+    EXPECT_TRUE(fitsFilePattern(std::string(200, 'a'), stars));
 }
 
 // The C library says what a pattern means; it only takes too long over some.
@@ -97,7 +97,7 @@ TEST(SceneFiles, PatternsMeanWhatTheyMeanToShells) {
                                             "z1", "a1b", "aab", "x]y", "x]yz", "[]", ".",   "bcd"};
     for (const std::string& pattern : patterns) {
         for (const std::string& name : names) {
-            EXPECT_EQ(fitsPattern(name, pattern),
+            EXPECT_EQ(fitsFilePattern(name, pattern),
                       ::fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) == 0)
                 << pattern << " " << name;
         }

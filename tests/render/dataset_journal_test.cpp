@@ -73,6 +73,21 @@ TEST_F(Journal, GivesBackWhatWasWritten) {
     EXPECT_EQ(entry.views[0].mask_share, expected.views[0].mask_share);
 }
 
+// A journal may come from anywhere; its qualities are looked up in a table.
+TEST_F(Journal, AnEntryOfAnUnknownQualityIsNone) {
+    write(1);
+    auto journal = DatasetJournal::resume(guarded_, readJournal(guarded_));
+    ASSERT_TRUE(journal);
+    for (const int quality : {-1, 4, 1'000'000}) {
+        JournalEntry entry = entryOf(1);
+        entry.quality = static_cast<PictureQuality>(quality);
+        ASSERT_TRUE(journal->append(entry));
+        EXPECT_EQ(readJournal(guarded_).entries.size(), 1U) << quality;
+    }
+    ASSERT_TRUE(journal->append(entryOf(1)));
+    EXPECT_EQ(readJournal(guarded_).entries.size(), 2U);
+}
+
 // A kill may come after any byte.
 TEST_F(Journal, SurvivesBeingCutOffAnywhere) {
     write(2);

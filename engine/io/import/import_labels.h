@@ -18,7 +18,7 @@ struct ImportLabels {
 /// By the options' label file, if there is one. Errors: those of that file.
 Result<ImportLabels> importLabels(const ImportOptions& options);
 
-/// The words alone, for readers of scene files.
+/// The table of words of importLabels(), for readers of scene files, which need no classes.
 Result<LabelTable> labelsOf(const ImportOptions& options);
 
 }  // namespace dollytrack

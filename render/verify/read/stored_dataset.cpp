@@ -69,10 +69,10 @@ StoredFrame frameFrom(const Json& one) {
 /// The frames that dataset.json lists as unusable; a check of its own looks at the lists.
 std::set<int> readUnusableFrames(const Json& card) {
     std::set<int> frames;
-    const Json pictures = card.value("metrics", Json::object()).value("pictures", Json::object());
     for (const char* kind : {"dark", "white", "flat"}) {
-        if (!pictures.is_object() || !pictures.contains(kind)) continue;
-        for (const Json& frame : pictures[kind]) {
+        const Json::json_pointer list(std::string("/metrics/pictures/") + kind);
+        if (!card.contains(list)) continue;
+        for (const Json& frame : card.at(list)) {
             if (frame.is_number_integer()) frames.insert(frame.get<int>());
         }
     }
