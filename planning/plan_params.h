@@ -164,6 +164,20 @@ void visitSmoothingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 5, "m", "Bezier set-back before and after a corner", "d"});
 }
 
+/// Where the camera looks between key frames.
+struct GazeParams {
+    double view_mix = 0.0;
+    bool operator==(const GazeParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitGazeParams(Params& p, Visitor&& visit) {
+    visit("view_mix", p.view_mix,
+          FieldInfo{0, 1, "",
+                    "Share of context: how much time the camera takes between two close views to "
+                    "look at many objects at once; 0: none, it turns straight to the next"});
+}
+
 /// Limits of motion by one name; see motionLimits().
 enum class MotionPreset { Easy, Medium, Hard, Custom };
 
@@ -177,6 +191,7 @@ struct TimingParams {
     double max_acceleration_mps2 = 0.0;
     double max_turn_dps = 0.0;
     double max_turn_acceleration_dps2 = 0.0;
+    double max_image_motion_dps = 0.0;
     int max_frames = 0;
     double max_repeat_rate = 0.2;
     bool operator==(const TimingParams&) const = default;
@@ -205,6 +220,11 @@ void visitTimingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 3600, "deg/s", "Turning limit; 0: the preset's"});
     visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
           FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
+    visit("max_image_motion_dps", p.max_image_motion_dps,
+          FieldInfo{0, 3600, "deg/s",
+                    "With a budget of frames: the camera slows down where the image would move "
+                    "faster, by a turn or past near things, so that frames come at even steps; "
+                    "0: no limit"});
     visit("max_frames", p.max_frames,
           FieldInfo{0, 1e6, "",
                     "Budget of frames, for which the frame rate is lowered; 0: no limit"});
@@ -339,6 +359,7 @@ struct PlanParams {
     LinkParams linking;
     PathParams path;
     SmoothingParams smoothing;
+    GazeParams gaze;
     TimingParams timing;
     ShakeParams shake;
     RepairParams repair;
@@ -374,6 +395,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitPathParams(p.path, visit);
     section("smoothing");
     visitSmoothingParams(p.smoothing, visit);
+    section("gaze");
+    visitGazeParams(p.gaze, visit);
     section("timing");
     visitTimingParams(p.timing, visit);
     section("shake");

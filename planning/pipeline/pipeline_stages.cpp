@@ -3,6 +3,8 @@
 #include "engine/core/log.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
+#include "planning/gaze/context_views.h"
+#include "planning/gaze/image_motion.h"
 #include "planning/linking/link_groups.h"
 #include "planning/path/frame_budget.h"
 #include "planning/path/path_search.h"
@@ -13,6 +15,7 @@
 #include "planning/targets/observation_points.h"
 #include "planning/timing/clip.h"
 #include "planning/timing/drop_repeats.h"
+#include "planning/timing/key_views.h"
 #include "planning/timing/shake.h"
 #include "planning/timing/time_trajectory.h"
 #include "planning/viewpoints/key_frames.h"
@@ -165,23 +168,39 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     TimingParams timing_of_part = params.timing;  // a part of a clip has no length of its own
     timing_of_part.keep_frame_rate = keepsFrameRate(params.timing);
     timing_of_part.duration_s = 0.0;
+    const auto smoothOne = [&](const CameraPath& path) {
+        return smoothPath(path, points().viewpoints.position_points,
+                          points().viewpoints.observation_points, around_moves(), params.smoothing,
+                          job);
+    };
+    const auto withContext = [&](const SmoothPath& path) {
+        const KeyViews at(points().viewpoints.position_points,
+                          points().viewpoints.observation_points, pitch);
+        const auto pose = [&](const SmoothPath::Key& key) { return at.pose(key); };
+        SmoothPath made = withContextViews(path, pose, around, params.gaze, params.timing);
+        if (params.timing.max_frames > 0 && params.timing.max_image_motion_dps > 0.0) {
+            measureImageMotion(made, pose, *views, pitch);
+        }
+        return made;
+    };
     const TrajectoryMaker maker{
-        [&](const CameraPath& path) {
-            return smoothPath(path, points().viewpoints.position_points,
-                              points().viewpoints.observation_points, around_moves(),
-                              params.smoothing, job);
-        },
+        [&](const CameraPath& path) { return smoothOne(path).map(withContext); },
         [&](const std::vector<SmoothPath>& smooth) { return timed(smooth, params.timing); },
         [&](const SmoothPath& part) { return timed({part}, timing_of_part); }};
     const auto smoothAll =
         [&](const std::vector<CameraPath>& all) -> Result<std::vector<SmoothPath>> {
         std::vector<SmoothPath> smooth;
         for (const CameraPath& path : all) {
-            auto made = maker.smooth(path);
+            auto made = smoothOne(path);
             if (!made) return tl::unexpected<Error>(std::move(made.error()));
             smooth.push_back(std::move(*made));
         }
         return smooth;
+    };
+    const auto withContextAll = [&](const std::vector<SmoothPath>& all) {
+        std::vector<SmoothPath> made;
+        for (const SmoothPath& path : all) made.push_back(withContext(path));
+        return made;
     };
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),
                job.stage(0.42, 0.44, "targets"),
@@ -289,7 +308,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             }
             ends.corner_distance_m = params.smoothing.corner_distance_m;
             ends.flown_m = [&](const CameraPath& path) {
-                const auto smooth = maker.smooth(path);
+                const auto smooth = smoothOne(path);
                 return smooth ? smooth->length_m : std::numeric_limits<double>::infinity();
             };
             const bool clip = clipFrames(params.timing) > 0;
@@ -308,7 +327,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 [&](const Paths& taken) {
                     return smoothAll(taken.paths)
                         .and_then([&](const std::vector<SmoothPath>& smooth) {
-                            return steadily(smooth, timing_of_part);
+                            return steadily(withContextAll(smooth), timing_of_part);
                         })
                         .map([](const Trajectory& trajectory) { return trajectory.frames.size(); });
                 }};
@@ -330,15 +349,22 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 });
         })
         .and_then([&] {
-            const JobContext part = job.stage(0.84, 0.9, "smoothing");
+            const JobContext part = job.stage(0.84, 0.89, "smoothing");
             return run("smoothing", smoothing,
                        std::tuple(paths.version(), params.smoothing, params.body), part,
                        [&] { return smoothAll(paths->paths); });
         })
         .and_then([&] {
+            return run("gaze", gaze,
+                       std::tuple(smoothing.version(), views.version(), params.gaze, params.timing),
+                       job.stage(0.89, 0.9, "gaze"), [&]() -> Result<std::vector<SmoothPath>> {
+                           return withContextAll(*smoothing);
+                       });
+        })
+        .and_then([&] {
             return run("timing", timing,
-                       std::tuple(smoothing.version(), params.timing, params.shake, params.body),
-                       job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*smoothing); });
+                       std::tuple(gaze.version(), params.timing, params.shake, params.body),
+                       job.stage(0.9, 0.91, "timing"), [&] { return maker.time(*gaze); });
         })
         .and_then([&] {
             const JobContext part =
@@ -346,7 +372,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             return run("repair", repair,
                        std::tuple(timing.version(), views.version(), params.repair, params.seed),
                        part, [&]() -> Result<Repaired> {
-                           const Repaired as_timed{paths->paths, *smoothing, *timing, {}};
+                           const Repaired as_timed{paths->paths, *gaze, *timing, {}};
                            if (!asksForRepair(params.repair)) return as_timed;
                            return repairTrajectory(as_timed, maker, around_moves(), params.repair,
                                                    params.seed, part, &memory.seen);

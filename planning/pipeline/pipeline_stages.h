@@ -64,6 +64,7 @@ struct Pipeline::Stages {
           Paths>
         paths;
     Stage<std::tuple<V, SmoothingParams, BodyParams>, std::vector<SmoothPath>> smoothing;
+    Stage<std::tuple<V, V, GazeParams, TimingParams>, std::vector<SmoothPath>> gaze;
     Stage<std::tuple<V, TimingParams, ShakeParams, BodyParams>, Trajectory> timing;
     Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
     Stage<std::tuple<V, RepairParams>, Metrics> metrics;

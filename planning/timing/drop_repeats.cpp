@@ -10,7 +10,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kHalvings = 10;
+constexpr int kRateHalvings = 10;
 constexpr double kSurely = 0.75;  // of the limit: a glance that finds fewer needs no closer look
 constexpr double kAim = 0.9;      // of the limit, to be sure to meet it
 // Places of another rate lie beside those glanced at, so the last word is a look at them.
@@ -86,7 +86,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
         double few = 0.0;
         double many = 1.0;
         if (isFew(many, rate)) few = many;
-        for (int halving = 0; halving < kHalvings && few < many; ++halving) {
+        for (int halving = 0; halving < kRateHalvings && few < many; ++halving) {
             const double middle = 0.5 * (few + many);
             (isFew(middle, rate) ? few : many) = middle;
         }

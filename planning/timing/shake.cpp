@@ -16,9 +16,9 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kFade_s = 0.5;         // from none to all of the sway
-constexpr double kShrink = 0.6;         // a try at a smaller sway
+constexpr double kSwayShrink = 0.6;     // a try at a smaller sway
 constexpr double kLeastShare = 0.1;     // a smaller sway is none
-constexpr int kGrid = 16;               // of rays, to see whether a key frame keeps its captures
+constexpr int kSwayGrid = 16;           // of rays, to see whether a key frame keeps its captures
 constexpr std::uint64_t kStream = 977;  // of random numbers
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -52,7 +52,7 @@ class Shaker {
             }
             double share = 1.0;
             while (share > 0.0 && !keepsCaptures(i, shaken(i, share, share))) {
-                share = share * kShrink < kLeastShare ? 0.0 : share * kShrink;
+                share = share * kSwayShrink < kLeastShare ? 0.0 : share * kSwayShrink;
             }
             moved_[i] = turned_[i] = share;
         });
@@ -74,7 +74,7 @@ class Shaker {
             if (!touches[i]) continue;
             any = true;
             for (const std::size_t end : {i - 1, i}) {
-                const double less = moved_[end] * kShrink;
+                const double less = moved_[end] * kSwayShrink;
                 shares[end] = std::min(shares[end], less < kLeastShare ? 0.0 : less);
                 // What was checked was another place.
                 if (steady_[end].position_point >= 0) shares[end] = turned_[end] = 0.0;
@@ -145,7 +145,7 @@ class Shaker {
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
         if (point.fixed) return false;
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
-            const auto estimate = views_.estimate(pose, id, kGrid);
+            const auto estimate = views_.estimate(pose, id, kSwayGrid);
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             return was_well ? isSafelyWellCaptured(estimate) : isSafelyCaptured(estimate);

@@ -19,7 +19,7 @@ constexpr int kCruiseSteps = 4;  // between the ramps
 // In a curve, what is left of the limit serves speeding up and braking: sqrt(1 - 0.8^2) of it.
 constexpr double kAcross = 0.8;
 // Directions that differ by less are one line with rounding in it; more is a stop.
-constexpr double kStraight = 0.51 * std::numbers::pi / 180.0;
+constexpr double kStraightAngle = 0.51 * std::numbers::pi / 180.0;
 // A kink of such a line may jolt the camera by what the acceleration gives in this time.
 constexpr double kJolt_s = 0.002;
 
@@ -43,7 +43,7 @@ double kinkBetween(const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
 double jointLimit2(const SmoothPath::Piece& before, const SmoothPath::Piece& after,
                    const MotionLimits& limits) {
     const double kink = kinkBetween(endOf(before), beginOf(after));
-    if (kink > kStraight) return 0.0;
+    if (kink > kStraightAngle) return 0.0;
     const double fastest = kJolt_s * limits.acceleration_mps2 / std::max(kink, 1e-12);
     return fastest * fastest;
 }

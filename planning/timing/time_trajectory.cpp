@@ -4,6 +4,7 @@
 #include "planning/plan_params.h"
 #include "planning/timing/clip.h"
 #include "planning/timing/heading_keys.h"
+#include "planning/timing/key_views.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/speed_track.h"
 #include "planning/timing/turn.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -44,70 +46,32 @@ struct Motion {
     }
 };
 
-/// Where the camera looks at key frames.
-class Gaze {
-  public:
-    Gaze(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets,
-         const PitchBand& pitch)
-        : points_(points), targets_(targets), pitch_(pitch) {}
+Stretch makeStretch(const SmoothPath& path, std::size_t key, const KeyViews& views,
+                    const PitchBand& pitch, const MotionLimits& limits) {
+    Stretch s;
+    s.from = &path.keys[key];
+    s.to = &path.keys[key + 1];
+    s.turn = Turn(views.pose(*s.from).rotation, views.pose(*s.to).rotation, pitch);
+    s.pace = TurnPace(s.turn, limits);
+    s.from_target = views.target(*s.from);
+    s.to_target = views.target(*s.to);
+    return s;
+}
 
-    /// What the camera looks at there. From a pinned point it looks where it was told to, and
-    /// otherwise as steeply as it may, as far as its target is away.
-    [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const {
-        if (key.position_point < 0) return key.looks_at;
-        const PositionPoint& p = point(key);
-        const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
-        if (!p.fixed && !pitch_.restricts()) return target;
-        constexpr double kNearest_m = 0.1;
-        const Pose pose = poseAt(key);
-        const double distance = std::max(kNearest_m, (target - pose.position).norm());
-        return pose.position + distance * pose.forward();
-    }
-
-    [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const {
-        if (key.position_point < 0) return aim(key.position, key.looks_at, pitch_);
-        const PositionPoint& p = point(key);
-        if (p.fixed) return {key.position, p.pose.rotation};
-        // Smoothing moves other keys a little, and they turn to keep their target in the middle.
-        const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
-        return aim(key.position, target, pitch_);
-    }
-
-    [[nodiscard]] Stretch stretch(const SmoothPath& path, std::size_t key,
-                                  const MotionLimits& limits) const {
-        Stretch s;
-        s.from = &path.keys[key];
-        s.to = &path.keys[key + 1];
-        s.turn = Turn(poseAt(*s.from).rotation, poseAt(*s.to).rotation, pitch_);
-        s.pace = TurnPace(s.turn, limits);
-        s.from_target = target(*s.from);
-        s.to_target = target(*s.to);
-        return s;
-    }
-
-  private:
-    [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
-        return points_[static_cast<std::size_t>(key.position_point)];
-    }
-
-    const std::vector<PositionPoint>& points_;
-    const std::vector<ObservationPoint>& targets_;
-    PitchBand pitch_;
-};
-
-TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key, const Gaze& gaze) {
+TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key,
+                           const KeyViews& views) {
     TrajectoryFrame frame;
     frame.path = static_cast<int>(motion.path_index);
     frame.component = motion.path->component;
-    frame.pose = gaze.poseAt(key);
-    frame.target_in_world = gaze.target(key);
+    frame.pose = views.pose(key);
+    frame.target_in_world = views.target(key);
     frame.position_point = key.position_point;
     frame.arc_m = key.arc_m;
     return frame;
 }
 
 /// The frames after the stretch's first key up to its second, from `frames` on.
-void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const Gaze& gaze,
+void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const KeyViews& views,
                double interval_s, TrajectoryFrame* frames) {
     const std::size_t count = motion.intervals[index];
     const double time_s = interval_s * static_cast<double>(count);
@@ -126,7 +90,7 @@ void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const 
         const double distance = (1.0 - share) * from_distance + share * to_distance;
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
     }
-    frames[count - 1] = frameAtKey(motion, *s.to, gaze);
+    frames[count - 1] = frameAtKey(motion, *s.to, views);
 }
 
 std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
@@ -192,12 +156,12 @@ void standStill(Trajectory& trajectory, std::size_t frames) {
     while (trajectory.frames.size() < frames) trajectory.frames.push_back(last);
 }
 
-std::vector<SmoothPath> turnedAlong(const std::vector<SmoothPath>& paths, const Gaze& gaze,
+std::vector<SmoothPath> turnedAlong(const std::vector<SmoothPath>& paths, const KeyViews& views,
                                     const HeadingLimit& heading) {
     std::vector<SmoothPath> turned;
     for (const SmoothPath& path : paths) {
         turned.push_back(withHeadingKeys(
-            path, [&](const SmoothPath::Key& key) { return gaze.poseAt(key); }, heading));
+            path, [&](const SmoothPath::Key& key) { return views.pose(key); }, heading));
     }
     return turned;
 }
@@ -208,9 +172,9 @@ std::size_t leastFrames(const std::vector<SmoothPath>& paths,
                         const std::vector<PositionPoint>& position_points,
                         const std::vector<ObservationPoint>& observation_points,
                         const PitchBand& pitch, const HeadingLimit& heading) {
-    const Gaze gaze(position_points, observation_points, pitch);
+    const KeyViews views(position_points, observation_points, pitch);
     std::size_t least = 0;
-    for (const SmoothPath& path : turnedAlong(paths, gaze, heading)) least += path.keys.size();
+    for (const SmoothPath& path : turnedAlong(paths, views, heading)) least += path.keys.size();
     return least;
 }
 
@@ -220,8 +184,8 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                                   const TimingParams& params, const PitchBand& pitch,
                                   const HeadingLimit& heading) {
     const MotionLimits limits = motionLimits(params);
-    const Gaze gaze(position_points, observation_points, pitch);
-    const std::vector<SmoothPath> paths = turnedAlong(smooth_paths, gaze, heading);
+    const KeyViews views(position_points, observation_points, pitch);
+    const std::vector<SmoothPath> paths = turnedAlong(smooth_paths, views, heading);
     std::vector<Motion> motions;
     std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: motion and key
     for (std::size_t p = 0; p < paths.size(); ++p) {
@@ -245,11 +209,17 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     parallelRanges(begins.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto [motion, key] = begins[i];
-            stretches[i] = gaze.stretch(*motions[motion].path, key, limits);
+            stretches[i] = makeStretch(*motions[motion].path, key, views, pitch, limits);
         }
     });
+    const double motion_rps = keepsFrameRate(params) || params.max_frames == 0
+                                  ? 0.0
+                                  : params.max_image_motion_dps * std::numbers::pi / 180.0;
     for (std::size_t i = 0; i < begins.size(); ++i) {
-        motions[begins[i].first].least_times_s.push_back(stretches[i].pace.time());
+        double least_s = stretches[i].pace.time();
+        if (motion_rps > 0.0)
+            least_s = std::max(least_s, stretches[i].to->image_motion_rad / motion_rps);
+        motions[begins[i].first].least_times_s.push_back(least_s);
     }
     Trajectory trajectory;
     const double interval_s = 1.0 / params.frame_rate;
@@ -274,7 +244,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     std::vector<std::size_t> first_frames;  // of each stretch
     std::size_t frames = 0;
     for (const Motion& motion : motions) {
-        trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), gaze);
+        trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), views);
         for (const std::size_t count : motion.intervals) {
             first_frames.push_back(frames);
             frames += count;
@@ -283,7 +253,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     parallelRanges(stretches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             const Motion& motion = motions[begins[s].first];
-            putFrames(motion, s - motion.first_stretch, stretches[s], gaze, settled_s,
+            putFrames(motion, s - motion.first_stretch, stretches[s], views, settled_s,
                       &trajectory.frames[first_frames[s]]);
         }
     });

@@ -13,7 +13,7 @@ namespace {
 constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
 // From steep views the shortest way to what lies behind leads over the top, where the heading
 // flips.
-constexpr double kSteep = 50.0 * std::numbers::pi / 180.0;
+constexpr double kSteepTurn = 50.0 * std::numbers::pi / 180.0;
 constexpr double kLargeTurn = 0.5 * std::numbers::pi;
 // So near the vertical the heading of a view is that of its camera's right side, and slerp would
 // leave or reach it with a leap.
@@ -70,7 +70,7 @@ Turn::Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, const P
     elevation_ = elevation(a);
     elevation_change_ = elevation(b) - elevation_;
     const double highest = std::max(std::abs(elevation_), std::abs(elevation(b)));
-    const bool over_the_top = highest > kSteep && std::abs(heading_change_) > kLargeTurn;
+    const bool over_the_top = highest > kSteepTurn && std::abs(heading_change_) > kLargeTurn;
     by_angles_ = over_the_top || highest > kVertical || risesBy(from, to, highest) > kDetour ||
                  !slerpStaysIn(band, from, to);
     measure();

@@ -12,7 +12,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kGlance = 6;
+constexpr int kGlanceCells = 6;
 constexpr double kLeastVisibleAsKeyFrame = 0.7;  // visible fraction
 constexpr int kGrid = 16;
 // Share of its own view's box at which an object may ride along in another view.
@@ -42,7 +42,7 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point
             continue;
         }
         // A coarse look spares the closer one where it is clear that little shows.
-        const auto glance = views.estimate(pose, object.id, kGlance);
+        const auto glance = views.estimate(pose, object.id, kGlanceCells);
         if (glance.tells() && glance.visible_fraction < kLeastVisibleAsKeyFrame) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) entry.shown.push_back({object.id, estimate.box_share});

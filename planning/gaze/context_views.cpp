@@ -1,0 +1,296 @@
+#include "planning/gaze/context_views.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/gaze/panorama.h"
+#include "planning/plan_params.h"
+#include "planning/timing/motion_limits.h"
+#include "planning/timing/turn.h"
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+constexpr double kSpacing_m = 0.6;   // between two added views
+constexpr double kShortest_m = 0.1;  // between key frames; none is added in less
+constexpr int kMostBetweenKeys = 6;
+constexpr double kFramesPerView = 2.5;  // with a budget of frames
+constexpr double kLooksAhead_m = 2.0;
+constexpr int kPasses = 3;
+
+// Directions that are tried at each place.
+constexpr int kHeadings = 36;
+constexpr int kElevations = 5;
+constexpr double kLowest = -40.0 * kRadian;
+constexpr double kElevationStep = 12.5 * kRadian;
+constexpr std::size_t kMostCandidates = 14;
+constexpr double kApart = 20.0 * kRadian;
+using Grid = std::array<double, std::size_t{kHeadings} * kElevations>;
+
+// The pace by which time is weighed; a camera without limits has one as well.
+constexpr double kFastest_mps = 1.5;
+constexpr double kFastest_rps = 120.0 * kRadian;
+constexpr double kFastest_rps2 = 720.0 * kRadian;
+
+/// A place on the path with the directions that the camera may have there.
+struct Place {
+    SmoothPath::Key key;
+    bool free = false;  // else a key frame, with its own direction alone
+    std::vector<Eigen::Vector3d> directions;
+    std::vector<double> values;  // of the directions
+    Grid grid{};                 // values of all directions that are tried
+};
+
+Eigen::Vector3d gridDirection(int heading, int elevation, const PitchBand& pitch) {
+    const double up = pitch.nearest(kLowest + elevation * kElevationStep);
+    const double around = 2.0 * std::numbers::pi * heading / kHeadings;
+    return {std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)};
+}
+
+double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
+    const double around = std::atan2(direction.y(), direction.x()) / (2.0 * std::numbers::pi);
+    const int heading = static_cast<int>(std::lround((around + 1.0) * kHeadings)) % kHeadings;
+    const int elevation = std::clamp(
+        static_cast<int>(std::lround((elevationOf(direction) - kLowest) / kElevationStep)), 0,
+        kElevations - 1);
+    return grid[static_cast<std::size_t>(elevation * kHeadings + heading)];
+}
+
+class GazeSearch {
+  public:
+    GazeSearch(std::vector<Place> places, const Surroundings& around, double turn_price,
+               const TimingParams& timing)
+        : places_(std::move(places)),
+          pitch_(around.pitch),
+          samples_(around.views),
+          weights_(samples_.targets().size(), 1.0),
+          turn_price_(turn_price) {
+        const MotionLimits limits = motionLimits(timing);
+        speed_mps_ = std::min(limits.speed_mps, kFastest_mps);
+        turn_rps_ = std::min(limits.turn_rps, kFastest_rps);
+        turn_rps2_ = std::min(limits.turn_acceleration_rps2, kFastest_rps2);
+        std::vector<std::unique_ptr<Panorama>> made(places_.size());
+        parallelFor(places_.size(), [&](std::size_t i) {
+            made[i] = std::make_unique<Panorama>(around.views, samples_, places_[i].key.position);
+        });
+        for (auto& one : made) panoramas_.push_back(std::move(*one));
+    }
+
+    /// The direction chosen at each place.
+    std::vector<Eigen::Vector3d> search() {
+        std::vector<Eigen::Vector3d> chosen;
+        for (const Place& place : places_) chosen.push_back(place.directions.front());
+        for (int pass = 0; pass < kPasses; ++pass) {
+            parallelFor(places_.size(), [&](std::size_t i) { propose(i, chosen[i]); });
+            const double price = std::max(1e-9, meanValue());
+            const std::vector<std::size_t> best = bestSequence(price);
+            for (std::size_t i = 0; i < places_.size(); ++i) {
+                chosen[i] = places_[i].directions[best[i]];
+            }
+            if (pass + 1 < kPasses) weigh(chosen);
+        }
+        return chosen;
+    }
+
+  private:
+    struct Step {
+        double time_s = 0.0;
+        double value = 0.0;   // mean over the time
+        double cost_s = 0.0;  // of the turn
+    };
+
+    [[nodiscard]] double valueOf(std::size_t place, const Eigen::Vector3d& direction) const {
+        double value = 0.0;
+        panoramas_[place].visitShown(direction, [&](std::size_t target, double share) {
+            value += weights_[target] * share;
+        });
+        return value;
+    }
+
+    /// Fills in a place's candidates: the one chosen before, the direct turn's, and those that show
+    /// the most, apart from one another.
+    void propose(std::size_t index, const Eigen::Vector3d& chosen) {
+        Place& place = places_[index];
+        for (int e = 0; e < kElevations; ++e) {
+            for (int h = 0; h < kHeadings; ++h) {
+                place.grid[static_cast<std::size_t>(e * kHeadings + h)] =
+                    valueOf(index, gridDirection(h, e, pitch_));
+            }
+        }
+        if (place.free) {
+            const Eigen::Vector3d direct = place.directions.front();
+            place.directions = {direct, chosen};
+            std::vector<std::size_t> order(place.grid.size());
+            for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+            std::ranges::stable_sort(order, std::greater<>(),
+                                     [&](std::size_t i) { return place.grid[i]; });
+            for (const std::size_t i : order) {
+                if (place.directions.size() == kMostCandidates + 2) break;
+                const Eigen::Vector3d direction = gridDirection(
+                    static_cast<int>(i) % kHeadings, static_cast<int>(i) / kHeadings, pitch_);
+                const bool apart = std::none_of(
+                    place.directions.begin() + 2, place.directions.end(),
+                    [&](const Eigen::Vector3d& d) { return angleBetween(d, direction) < kApart; });
+                if (apart) place.directions.push_back(direction);
+            }
+        }
+        place.values.clear();
+        for (const Eigen::Vector3d& d : place.directions) place.values.push_back(valueOf(index, d));
+    }
+
+    [[nodiscard]] double turnTime(double angle) const {
+        const double ramp = turn_rps_ * turn_rps_ / turn_rps2_;
+        return angle < ramp ? 2.0 * std::sqrt(angle / turn_rps2_)
+                            : angle / turn_rps_ + turn_rps_ / turn_rps2_;
+    }
+
+    [[nodiscard]] Step step(std::size_t from, std::size_t a, std::size_t b) const {
+        const Place& begin = places_[from];
+        const Place& end = places_[from + 1];
+        const Eigen::Vector3d& first = begin.directions[a];
+        const Eigen::Vector3d& last = end.directions[b];
+        const double length = end.key.arc_m - begin.key.arc_m;
+        Step made;
+        const double angle = angleBetween(first, last);
+        const double travel_s = length / speed_mps_;
+        made.time_s = travel_s;
+        made.cost_s = std::max(0.0, turnTime(angle) - travel_s) + turn_price_ * angle;
+        const Eigen::Vector3d middle = first + last;
+        const double between = middle.squaredNorm() > 1e-6
+                                   ? 0.5 * (gridValue(begin.grid, middle.normalized()) +
+                                            gridValue(end.grid, middle.normalized()))
+                                   : 0.0;
+        made.value = 0.25 * begin.values[a] + 0.5 * between + 0.25 * end.values[b];
+        return made;
+    }
+
+    /// Value by time of the direct turns between key frames.
+    [[nodiscard]] double meanValue() const {
+        double value = 0.0;
+        double time_s = 0.0;
+        for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+            const Step direct = step(i, 0, 0);
+            value += direct.value * direct.time_s;
+            time_s += direct.time_s;
+        }
+        return time_s > 0.0 ? value / time_s : 0.0;
+    }
+
+    /// Candidates, one a place, with the largest sum of (value - price) * time.
+    [[nodiscard]] std::vector<std::size_t> bestSequence(double price) const {
+        std::vector<std::vector<std::size_t>> came_from(places_.size());
+        std::vector<double> sums(places_.front().directions.size(), 0.0);
+        for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+            const std::size_t ends = places_[i + 1].directions.size();
+            std::vector<double> next(ends, -std::numeric_limits<double>::infinity());
+            came_from[i + 1].assign(ends, 0);
+            for (std::size_t a = 0; a < sums.size(); ++a) {
+                for (std::size_t b = 0; b < ends; ++b) {
+                    const Step one = step(i, a, b);
+                    const double sum = sums[a] + one.value / price * one.time_s - one.cost_s;
+                    if (sum <= next[b]) continue;
+                    next[b] = sum;
+                    came_from[i + 1][b] = a;
+                }
+            }
+            sums = std::move(next);
+        }
+        std::vector<std::size_t> chosen(places_.size());
+        chosen.back() = static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin());
+        for (std::size_t i = places_.size() - 1; i > 0; --i) {
+            chosen[i - 1] = came_from[i][chosen[i]];
+        }
+        return chosen;
+    }
+
+    /// Objects count less the more of the views show them.
+    void weigh(const std::vector<Eigen::Vector3d>& chosen) {
+        std::vector<double> shown(weights_.size(), 0.0);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            panoramas_[i].visitShown(chosen[i], [&](std::size_t target, double share) {
+                shown[target] += share;
+                sum += share;
+            });
+        }
+        const double mean = std::max(1e-9, sum / static_cast<double>(shown.size()));
+        for (std::size_t t = 0; t < shown.size(); ++t) weights_[t] = 1.0 / (1.0 + shown[t] / mean);
+    }
+
+    std::vector<Place> places_;
+    PitchBand pitch_;
+    TargetSamples samples_;
+    std::vector<double> weights_;  // by target
+    double turn_price_;            // s a radian
+    double speed_mps_ = 0.0, turn_rps_ = 0.0, turn_rps2_ = 0.0;
+    std::vector<Panorama> panoramas_;  // one a place
+};
+
+/// The key frames, and the places between them where a view may be added.
+std::vector<Place> placesOn(const SmoothPath& path,
+                            const std::function<Pose(const SmoothPath::Key&)>& pose_at,
+                            const PitchBand& pitch, int max_frames) {
+    const std::vector<SmoothPath::Key>& keys = path.keys;
+    double spacing = kSpacing_m;
+    bool in_short_ones = true;
+    if (max_frames > 0) {
+        const double room = max_frames / kFramesPerView - static_cast<double>(keys.size());
+        if (room < 1.0) return {};
+        spacing = std::max(spacing, path.length_m / room);
+        in_short_ones = room > static_cast<double>(keys.size());
+    }
+    std::vector<Place> places;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const Eigen::Quaterniond rotation = pose_at(keys[k]).rotation;
+        places.push_back({keys[k], false, {rotation * Eigen::Vector3d::UnitZ()}, {}, {}});
+        if (k + 1 == keys.size()) break;
+        const double length = keys[k + 1].arc_m - keys[k].arc_m;
+        if (length < kShortest_m) continue;
+        const int count = std::clamp(static_cast<int>(std::lround(length / spacing)),
+                                     in_short_ones ? 1 : 0, kMostBetweenKeys);
+        const Turn turn(rotation, pose_at(keys[k + 1]).rotation, pitch);
+        for (int i = 1; i <= count; ++i) {
+            const double share = static_cast<double>(i) / (count + 1);
+            SmoothPath::Key key;
+            key.arc_m = keys[k].arc_m + share * length;
+            key.position = path.at(key.arc_m);
+            places.push_back(
+                {key, true, {turn.at(share * turn.angle()) * Eigen::Vector3d::UnitZ()}, {}, {}});
+        }
+    }
+    return places;
+}
+
+}  // namespace
+
+SmoothPath withContextViews(const SmoothPath& path,
+                            const std::function<Pose(const SmoothPath::Key&)>& pose_at,
+                            const Surroundings& around, const GazeParams& params,
+                            const TimingParams& timing) {
+    if (params.view_mix <= 0.0 || around.heading.restricts()) return path;
+    const std::vector<Place> places = placesOn(path, pose_at, around.pitch, timing.max_frames);
+    if (std::ranges::none_of(places, &Place::free)) return path;
+    const double turn_price = (1.0 - params.view_mix) / params.view_mix;
+    const std::vector<Eigen::Vector3d> chosen =
+        GazeSearch(places, around, turn_price, timing).search();
+    SmoothPath made = path;
+    made.keys.clear();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        SmoothPath::Key key = places[i].key;
+        const bool direct = chosen[i] == places[i].directions.front();
+        if (places[i].free && direct) continue;
+        if (places[i].free) key.looks_at = key.position + kLooksAhead_m * chosen[i];
+        made.keys.push_back(key);
+    }
+    return made;
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,132 @@
+#include "planning/gaze/panorama.h"
+
+#include "engine/core/random.h"
+#include "engine/plan/capture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kSilhouetteOfBox = 0.6;       // share of its box's silhouette that an object fills
+constexpr double kReachedBefore = 1.0 - 1e-3;  // a ray that ends at the sample met nothing before
+constexpr double kLeastShown = 1.0 / 3.0;      // of a target; less is a stump at the image's edge
+// Sizes in a 640 x 480 image: the least that counts as seen, and one that trains as well as any.
+constexpr double kLeastPixels = 120.0;
+constexpr double kPlentyPixels = 3000.0;
+
+/// Points spread over an object's triangles, each by its area. The same at every call.
+std::array<Eigen::Vector3d, TargetSamples::kPerObject> spread(const Scene& scene,
+                                                              const Object& object) {
+    std::vector<double> until;  // area of the triangles up to each
+    double area = 0.0;
+    const auto corner = [&](std::uint32_t triangle, int k) -> Eigen::Vector3d {
+        return scene.positions[scene.triangles[triangle][static_cast<std::size_t>(k)]]
+            .cast<double>();
+    };
+    for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
+        const std::uint32_t triangle = object.first_triangle + t;
+        const Eigen::Vector3d a = corner(triangle, 0);
+        area += 0.5 * (corner(triangle, 1) - a).cross(corner(triangle, 2) - a).norm();
+        until.push_back(area);
+    }
+    std::array<Eigen::Vector3d, TargetSamples::kPerObject> points;
+    Random random(0, static_cast<std::uint64_t>(object.id));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double wanted =
+            area * (static_cast<double>(i) + random.uniform()) / static_cast<double>(points.size());
+        const auto found = std::lower_bound(until.begin(), until.end(), wanted);
+        const auto t = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
+            found - until.begin(), static_cast<std::ptrdiff_t>(until.size()) - 1));
+        const double u = std::sqrt(random.uniform());
+        const double v = random.uniform();
+        const std::uint32_t triangle = object.first_triangle + t;
+        points[i] = (1.0 - u) * corner(triangle, 0) + u * (1.0 - v) * corner(triangle, 1) +
+                    u * v * corner(triangle, 2);
+    }
+    return points;
+}
+
+/// Area of the box's silhouette as seen along a unit direction, m2.
+double silhouette(const OrientedBox& box, const Eigen::Vector3d& direction) {
+    const double c = std::cos(box.yaw);
+    const double s = std::sin(box.yaw);
+    const Eigen::Vector3d size = 2.0 * box.half_size;
+    return std::abs(direction.x() * c + direction.y() * s) * size.y() * size.z() +
+           std::abs(direction.y() * c - direction.x() * s) * size.x() * size.z() +
+           std::abs(direction.z()) * size.x() * size.y();
+}
+
+}  // namespace
+
+TargetSamples::TargetSamples(const ViewEstimator& views) {
+    for (const Object& object : views.scene().objects) {
+        if (object.role != Role::Target || object.triangle_count == 0) continue;
+        targets_.push_back({object.id, spread(views.scene(), object)});
+    }
+}
+
+Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
+                   const Eigen::Vector3d& place) {
+    const Intrinsics& lens = views.intrinsics();
+    half_size_ = {lens.cx / lens.fx, lens.cy / lens.fy};
+    // Pixels as if the image were 640 x 480, as ViewEstimator counts them.
+    const double pixels_at_1m = lens.fx * lens.fy * 640.0 * 480.0 / (lens.width * lens.height);
+    std::vector<RayCaster::BundleRay> rays;
+    std::vector<std::size_t> of_target;
+    const auto& targets = samples.targets();
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        const OrientedBox& box = views.scene().object(targets[t].object_id).box;
+        const double distance2 = std::max(1e-4, (box.center - place).squaredNorm());
+        if (silhouette(box, (box.center - place) / std::sqrt(distance2)) * pixels_at_1m <
+            kLeastPixels * distance2) {
+            continue;  // too far away to be seen at all
+        }
+        of_target.push_back(t);
+        for (const Eigen::Vector3d& point : targets[t].points) {
+            rays.push_back({point - place, 1.001F});
+        }
+    }
+    thread_local std::vector<RayHit> hits;
+    views.rays().castBundle(place, rays, 0.0, hits);
+    for (std::size_t i = 0; i < of_target.size(); ++i) {
+        const TargetSamples::Target& target = targets[of_target[i]];
+        Sighting sighting{of_target[i], 0.0, {}};
+        for (std::size_t k = 0; k < TargetSamples::kPerObject; ++k) {
+            const std::size_t ray = i * TargetSamples::kPerObject + k;
+            // Its own front before its back counts: that much of the silhouette is visible.
+            if (hits[ray].object_id == target.object_id || hits[ray].distance >= kReachedBefore ||
+                hits[ray].object_id == 0) {
+                sighting.visible.push_back(rays[ray].direction);
+            }
+        }
+        if (sighting.visible.empty()) continue;
+        const OrientedBox& box = views.scene().object(target.object_id).box;
+        const Eigen::Vector3d towards = box.center - place;
+        const double distance2 = std::max(1e-2, towards.squaredNorm());
+        sighting.pixels =
+            kSilhouetteOfBox * silhouette(box, towards.normalized()) * pixels_at_1m / distance2;
+        sightings_.push_back(std::move(sighting));
+    }
+}
+
+double Panorama::shownShare(const Eigen::Matrix3d& camera_from_world,
+                            const Sighting& sighting) const {
+    int inside = 0;
+    for (const Eigen::Vector3d& direction : sighting.visible) {
+        const Eigen::Vector3d p = camera_from_world * direction;
+        if (p.z() > 0.0 && std::abs(p.x()) < half_size_.x() * p.z() &&
+            std::abs(p.y()) < half_size_.y() * p.z()) {
+            ++inside;
+        }
+    }
+    const double shown = static_cast<double>(inside) / TargetSamples::kPerObject;
+    if (shown < kLeastShown) return 0.0;
+    const double pixels = shown * sighting.pixels;
+    return std::clamp(std::log(pixels / kLeastPixels) / std::log(kPlentyPixels / kLeastPixels), 0.0,
+                      1.0);
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// Points on the surface of each target, by which panoramas tell how much of it is visible.
+class TargetSamples {
+  public:
+    static constexpr int kPerObject = 6;
+
+    explicit TargetSamples(const ViewEstimator& views);
+
+    struct Target {
+        int object_id = 0;
+        std::array<Eigen::Vector3d, kPerObject> points;  // world, m
+    };
+    [[nodiscard]] const std::vector<Target>& targets() const { return targets_; }
+
+  private:
+    std::vector<Target> targets_;
+};
+
+/// The targets that are visible from one place, and how much each direction of view shows of them.
+/// Few rays a target: good for choosing among directions, not for deciding what is captured.
+class Panorama {
+  public:
+    Panorama(const ViewEstimator& views, const TargetSamples& samples,
+             const Eigen::Vector3d& place);
+
+    /// Calls visit(target, share) for each target that a view in this direction shows; `target` is
+    /// its index in the samples, `share` grows from 0 to 1 with its size in the image.
+    template <class Visitor>
+    void visitShown(const Eigen::Vector3d& direction, Visitor&& visit) const {
+        const Eigen::Matrix3d camera_from_world =
+            lookAlong(direction).conjugate().toRotationMatrix();
+        for (const Sighting& sighting : sightings_) {
+            const double share = shownShare(camera_from_world, sighting);
+            if (share > 0.0) visit(sighting.target, share);
+        }
+    }
+
+  private:
+    struct Sighting {
+        std::size_t target = 0;
+        double pixels = 0.0;  // of the whole silhouette in the middle of a 640 x 480 image
+        std::vector<Eigen::Vector3d> visible;  // from the place to visible sample points
+    };
+    [[nodiscard]] double shownShare(const Eigen::Matrix3d& camera_from_world,
+                                    const Sighting& sighting) const;
+
+    Eigen::Vector2d half_size_;  // of the image at depth 1
+    std::vector<Sighting> sightings_;
+};
+
+}  // namespace dollytrack::planning

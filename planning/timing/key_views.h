@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/plan/camera_path.h"
+#include "engine/plan/targets.h"
+#include "engine/plan/viewpoint.h"
+#include "planning/visibility/pitch_band.h"
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// The camera's poses at the keys of a smoothed path. Keeps references to its arguments.
+class KeyViews {
+  public:
+    KeyViews(const std::vector<PositionPoint>& points, const std::vector<ObservationPoint>& targets,
+             const PitchBand& pitch)
+        : points_(points), targets_(targets), pitch_(pitch) {}
+
+    /// What the camera looks at there. From a pinned point it looks where it was told to, and
+    /// otherwise as steeply as it may, as far as its target is away.
+    [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const;
+
+    [[nodiscard]] Pose pose(const SmoothPath::Key& key) const;
+
+  private:
+    [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
+        return points_[static_cast<std::size_t>(key.position_point)];
+    }
+
+    const std::vector<PositionPoint>& points_;
+    const std::vector<ObservationPoint>& targets_;
+    PitchBand pitch_;
+};
+
+}  // namespace dollytrack::planning
