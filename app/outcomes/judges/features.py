@@ -1,8 +1,8 @@
 """Corners, correct matches from frame to frame and boxes a frame (OpenCV's ORB)."""
+import dataset  # before others: it sets the number of threads
+
 import cv2
 import numpy as np
-
-import dataset
 
 CORNERS = 1000        # ORB keeps the strongest
 FEW = 100             # corners a frame, below which trackers lose it

@@ -1,8 +1,8 @@
 """RGB-D odometry from frame to frame: drift, lost frames, relative errors (Open3D, OpenCV)."""
+import dataset  # before others: it sets the number of threads
+
 import cv2
 import numpy as np
-
-import dataset
 
 FARTHEST_M = 10.0    # depth beyond this is left out
 # Depths of matched pixels may differ by so much. The programs' own 0.03 and 0.07 m are for cameras
