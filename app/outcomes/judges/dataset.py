@@ -1,6 +1,7 @@
 """Reads the datasets that `dollytrack export` writes, and the requests that `dollytrack compare` sends."""
 import csv
 import functools
+import hashlib
 import importlib
 import json
 import os
@@ -184,6 +185,12 @@ def entry_name(entry):
     return f"{entry['scene']} {entry['planner']} seed {entry.get('seed', 1)}"
 
 
+def entry_folder(entry):
+    """A folder name for an entry's scratch files."""
+    name = f"{entry['scene']}.{entry['planner']}.seed{entry.get('seed', 1)}"
+    return "".join(c if c.isalnum() or c in "._-" else "_" for c in name)
+
+
 def write_result(path, result):
     """Written whole or not at all."""
     temporary = f"{path}.{os.getpid()}.tmp"
@@ -198,19 +205,47 @@ def judge_entries(name, request, measure, metrics):
 
     `measure(dataset, request, entry)` returns values by name; what it raises makes them null and
     becomes a note. `metrics` names all values: {"name": {"unit", "better": "higher"|"lower"|""}}.
+    A row is kept in the work folder as soon as it is there, so that a judge that was stopped goes
+    on with the next one.
     """
     rows, notes = [], []
     for entry in request["entries"]:
         row = {key: entry.get(key) for key in ("planner", "scene", "seed")}
         row["values"] = dict.fromkeys(metrics)
         try:
-            values = measure(Dataset(entry["dataset"]), request, entry)
-            row["values"].update({key: finite(value) for key, value in values.items()})
+            kept = kept_row(name, request, entry)
+            values = read_json(kept)
+            if values is None:
+                values = measure(Dataset(entry["dataset"]), request, entry)
+                values = {key: finite(value) for key, value in values.items()}
+                write_result(kept, values)
+            row["values"].update(values)
         except (OSError, ValueError, KeyError, RuntimeError, cv2.error) as error:
             notes.append(f"{entry_name(entry)}: {' '.join(str(error).split())}")
         rows.append(row)
         progress(f"{name}: {entry_name(entry)} done")
     return {"judge": name, "rows": rows, "metrics": metrics, "notes": notes}
+
+
+def kept_row(name, request, entry):
+    """Where an entry's values are kept: the name tells the dataset, the options and the judge."""
+    digest = hashlib.sha256()
+    for path in [pathlib.Path(entry["dataset"]) / "dataset.json", sys.argv[0], __file__,
+                 request.get("references", {}).get(entry["scene"])]:
+        digest.update(pathlib.Path(path).read_bytes() if path else b"-")
+    digest.update(json.dumps([request.get("options"), request.get("seed")],
+                             sort_keys=True).encode())
+    folder = pathlib.Path(request["work"])
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder / f"{name}.{entry_folder(entry)}.{digest.hexdigest()[:16]}.json"
+
+
+def read_json(path):
+    """None where there is no whole JSON file."""
+    try:
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
 
 
 def run(check, judge):
@@ -236,6 +271,10 @@ def run(check, judge):
     np.random.seed(seed)
     cv2.setRNGSeed(seed)
     cv2.setNumThreads(1)
-    result = judge(request)
+    try:
+        result = judge(request)
+    except Missing as error:
+        print(error)
+        sys.exit(MISSING)
     result["versions"] = versions
     write_result(sys.argv[2], result)
