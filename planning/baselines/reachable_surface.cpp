@@ -17,7 +17,9 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kPlacesAround = 400;
-constexpr int kRaysAround = 20'000;                      // from each place: 7 cm apart at 3 m
+constexpr int kRaysAround = 20'000;  // from each place: 7 cm apart at 3 m
+// Cubes do not begin at round coordinates, where walls are: a wall would lie in two of them.
+constexpr double kGridShift = 0.31;
 constexpr double kFlattestCosine = 0.17364817766693036;  // of 80 degrees, as PatchSight has it
 
 /// Places where the camera fits, spread over the cells of all rooms.
@@ -82,7 +84,7 @@ Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, doub
                 const int side = patch.normal[axis] < 0.0 ? 1 : 0;
                 std::array<int, 4> key = {0, 0, 0, 2 * static_cast<int>(axis) + side};
                 for (unsigned k = 0; k < 3; ++k) {
-                    key[k] = static_cast<int>(std::floor(patch.point[k] / spacing_m));
+                    key[k] = static_cast<int>(std::floor(patch.point[k] / spacing_m + kGridShift));
                 }
                 if (taken.insert(key).second) samples.push_back(patch);
             }

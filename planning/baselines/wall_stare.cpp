@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kViewsTried = 2000;
 constexpr int kRaysAcross = 7;
-constexpr double kSway_m = 0.05;
-constexpr int kFramesOfSway = 30;
+constexpr double kSway_m = 0.15;
+constexpr int kFramesOfSway = 12;
 
 struct BareView {
     int on_wall = -1;         // rays of the view that meet the structure which fills most of it

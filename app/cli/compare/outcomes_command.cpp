@@ -133,6 +133,9 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
     order.each = subjects.each;
     Result<std::vector<std::string>> size = sizeAssignments(arguments.resolution);
     if (!size) return tl::unexpected<Error>(std::move(size.error()));
+    // First, so that what the user sets holds. Our planner would make fewer frames where more show
+    // nothing new; all planners have to have the same number.
+    size->emplace_back("max_repeat_rate=1");
     order.each.assignments.insert(order.each.assignments.begin(), size->begin(), size->end());
     order.export_arguments = exportArguments(order.each);
     order.frames = subjects.each.max_frames.value_or(order.frames);

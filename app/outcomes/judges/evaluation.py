@@ -39,6 +39,15 @@ def evaluate(program, dataset, estimates, align):
     return json.loads(done.stdout)["runs"]
 
 
+def figure(run, name):
+    """The RMSE of an error of a run; None where it could not be measured."""
+    return (run.get(name) or {}).get("rmse")
+
+
+def centimetres(metres):
+    return None if metres is None else 100 * metres
+
+
 def scratch(request, *names):
     """A fresh folder in the judge's own one, for the files of one entry."""
     folder = pathlib.Path(request["work"]).joinpath(*[str(name) for name in names])

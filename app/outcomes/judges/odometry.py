@@ -8,8 +8,10 @@ FARTHEST_M = 10.0    # depth beyond this is left out
 # Depths of matched pixels may differ by so much. The programs' own 0.03 and 0.07 m are for cameras
 # at 30 Hz: at some centimetres a frame they refuse most of the true matches.
 DEPTH_DIFFERENCE_M = 0.3
-LOST_M = 0.2         # a pair is lost when the program says so, or its motion is off by more than
-LOST_DEG = 10.0      # one of these
+# A pair is lost when the program says so, or its motion is off by more than half its way (1 cm at
+# least, 0.2 m at most) or by more degrees than these.
+LOST_SHARE, LOST_LEAST_M, LOST_MOST_M = 0.5, 0.01, 0.2
+LOST_DEG = 10.0
 WINDOW = 10          # pairs in a row over which drift is measured
 EVERY = 5            # a window begins at every so many frames
 
@@ -94,6 +96,11 @@ def turn_deg(motion):
     return float(np.degrees(np.arccos(np.clip((np.trace(motion[:3, :3]) - 1) / 2, -1, 1))))
 
 
+def is_lost(off, motion):
+    limit = np.clip(LOST_SHARE * np.linalg.norm(motion[:3, 3]), LOST_LEAST_M, LOST_MOST_M)
+    return np.linalg.norm(off[:3, 3]) > limit or turn_deg(off) > LOST_DEG
+
+
 def drift(estimated, true):
     """The median, over windows, of the error at the window's end by the way through it."""
     shares = []
@@ -120,7 +127,7 @@ def measure_with(program, data):
         if guess is None:
             continue
         off = np.linalg.inv(motion) @ guess
-        if np.linalg.norm(off[:3, 3]) <= LOST_M and turn_deg(off) <= LOST_DEG:
+        if not is_lost(off, motion):
             metres.append(np.linalg.norm(off[:3, 3]))
             degrees.append(turn_deg(off))
     if not true:

@@ -108,7 +108,7 @@ def measure(data, request, entry):
                              [poses[frame] for frame in frames])
         run = evaluation.evaluate(request["program"], data.folder, [folder / "estimate.txt"],
                                   "sim3")[0]
-        values["ate_cm"] = 100 * run["ate_m"]["rmse"] if run.get("ate_m") else None
+        values["ate_cm"] = evaluation.centimetres(evaluation.figure(run, "ate_m"))
     (folder / "database.db").unlink(missing_ok=True)
     return values
 

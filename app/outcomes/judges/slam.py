@@ -81,10 +81,6 @@ def median(values):
     return float(np.median(known)) if known else None
 
 
-def figure(run, name, scale=1.0):
-    return scale * run[name]["rmse"] if run.get(name) else None
-
-
 def measure(data, request, entry):
     options = request["options"]
     values = {}
@@ -100,9 +96,11 @@ def measure(data, request, entry):
         values.update({f"{one['name']}_{key}": value for key, value in {
             "success_rate": sum(run["success"] for run in runs) / len(runs),
             "tracked_rate": median([run["tracked_share"] for run in runs]),
-            "ate_cm": median([figure(run, "ate_m", 100) for run in runs]),
-            "rpe_cm": median([figure(run, "rpe_m", 100) for run in runs]),
-            "rpe_deg": median([figure(run, "rpe_deg") for run in runs]),
+            "ate_cm": evaluation.centimetres(
+                median([evaluation.figure(run, "ate_m") for run in runs])),
+            "rpe_cm": evaluation.centimetres(
+                median([evaluation.figure(run, "rpe_m") for run in runs])),
+            "rpe_deg": median([evaluation.figure(run, "rpe_deg") for run in runs]),
         }.items()})
     return values
 
