@@ -14,9 +14,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool sameEntry(const Entry& entry, const Json& row) {
-    return row.value("planner", Json()) == entry.planner &&
-           row.value("scene", Json()) == entry.scene && row.value("seed", Json()) == entry.seed;
+/// The entry's own row, or that of all its planner's scenes together; null without either.
+const Json* rowOfEntry(const Json& rows, const Entry& entry) {
+    for (const std::string& scene : {entry.scene, std::string("all")}) {
+        for (const Json& row : rows) {
+            if (row.value("planner", Json()) == entry.planner &&
+                row.value("scene", Json()) == scene && row.value("seed", Json()) == entry.seed) {
+                return &row;
+            }
+        }
+    }
+    return nullptr;
 }
 
 tl::unexpected<Error> malformed(const std::string& what) {
@@ -159,13 +167,12 @@ Status readResult(const Json& json, const std::vector<Entry>& entries, JudgeOutc
     for (const Entry& entry : entries) {
         Row row{entry.planner, entry.scene, entry.seed, {}};
         row.values.resize(outcome.metrics.size());
-        const auto found = std::ranges::find_if(
-            json["rows"], [&](const Json& one) { return sameEntry(entry, one); });
-        if (found == json["rows"].end() && !entry.dataset.empty()) {
+        const Json* found = rowOfEntry(json["rows"], entry);
+        if (found == nullptr && !entry.dataset.empty()) {
             return malformed(fmt::format("The judge's result has no row of {} in {}, seed {}.",
                                          entry.planner, entry.scene, entry.seed));
         }
-        for (std::size_t i = 0; found != json["rows"].end() && i < row.values.size(); ++i) {
+        for (std::size_t i = 0; found != nullptr && i < row.values.size(); ++i) {
             const auto value = (*found)["values"].find(outcome.metrics[i].name);
             if (value != (*found)["values"].end() && value->is_number()) {
                 row.values[i] = value->get<double>();

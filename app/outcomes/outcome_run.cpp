@@ -78,11 +78,16 @@ class Measurement {
                 addSet(scene, againName(order_), order_.planners.front(), seed, order_.frames, "");
                 addSet(scene, kStareName, kStareName, seed, order_.frames, "");
             }
-            if (!std::ranges::any_of(order_.judges, &JudgeProgram::wants_tests)) continue;
-            for (const TestKind& test : kTests) {
-                addSet(scene, std::string("test-") + test.distribution, test.planner,
-                       kTestSeedsFrom + order_.first_seed, order_.test_frames, test.distribution);
-            }
+            addTests(scene);
+        }
+        for (const ComparedFile& scene : order_.test_scenes) addTests(scene);
+    }
+
+    void addTests(const ComparedFile& scene) {
+        if (!std::ranges::any_of(order_.judges, &JudgeProgram::wants_tests)) return;
+        for (const TestKind& test : kTests) {
+            addSet(scene, std::string("test-") + test.distribution, test.planner,
+                   kTestSeedsFrom + order_.first_seed, order_.test_frames, test.distribution);
         }
     }
 

@@ -21,6 +21,7 @@ struct ComparedFile {
 struct OutcomeOrder {
     std::filesystem::path folder;  // for frames, scratch files and results
     std::vector<ComparedFile> scenes;
+    std::vector<ComparedFile> test_scenes;  // no planner's frames are of these, only test sets
     std::vector<std::string> planners;
     int first_seed = 1;
     int seeds = 1;

@@ -65,6 +65,8 @@ def add_judge(folder, name, *lines):
 
 
 class OutcomesCase(FolderCase):
+    keeps_cache = True
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -244,6 +246,22 @@ class OwnJudges(OutcomesCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.values("good", PLANNER), {"one": 1.0, "none": None})
         self.assertEqual(self.judged("good")["notes"], ["So."])
+
+    def test_a_row_of_all_scenes_and_the_test_views(self):
+        other = self.folder / "other.obj"
+        tiny_room.write(other)
+        add_judge(self.judges, "joint", "rows[0]['scene'] = 'all'",
+                  "rows[0]['values']['tests'] = len(request[\"tests\"])", "write({'rows': rows})")
+        done = self.own("joint", "--test-scene", other, "--test-frames", 2)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.values("joint", PLANNER)["tests"], 6)
+        asked = json.loads((self.out / "judges" / "joint" / "request.json").read_text())
+        self.assertEqual([(one["distribution"], one["scene"]) for one in asked["tests"]],
+                         [(kind, scene) for scene in ("room", "other")
+                          for kind in ("uniform", "object_facing", "close")])
+        for one in asked["tests"]:
+            with open(pathlib.Path(one["dataset"]) / "dataset.json") as file:
+                self.assertEqual(len(json.load(file)["frames"]), 2)
 
     def test_a_missing_judge_says_how_to_get_it(self):
         (self.judges).mkdir(exist_ok=True)

@@ -120,12 +120,15 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
         return fail(ErrorCode::Usage, "Say where frames and results go, with --out DIR.", "--out");
     }
     order.folder = fs::absolute(arguments.out).lexically_normal();
-    const std::vector<std::string> names = sceneNames(subjects.scenes);
+    std::vector<std::string> paths = subjects.scenes;
+    paths.insert(paths.end(), arguments.test_scenes.begin(), arguments.test_scenes.end());
+    const std::vector<std::string> names = sceneNames(paths);
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (std::count(names.begin(), names.end(), names[i]) > 1) {
-            return fail(ErrorCode::Usage, "Name each scene once.", subjects.scenes[i]);
+            return fail(ErrorCode::Usage, "Name each scene once.", paths[i]);
         }
-        order.scenes.push_back({names[i], subjects.scenes[i]});
+        (i < subjects.scenes.size() ? order.scenes : order.test_scenes)
+            .push_back({names[i], paths[i]});
     }
     order.planners = subjects.planners;
     order.seeds = subjects.seeds;
@@ -214,6 +217,11 @@ void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments) {
         .add_option("--judges", arguments.folders,
                     "A folder with judges of your own; again for more")
         ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option("--test-scene", arguments.test_scenes,
+                    "A scene that only test views are made of; again for more")
+        ->type_name("SCENE")
         ->allow_extra_args(false);
     command
         .add_option("--test-frames", arguments.test_frames,

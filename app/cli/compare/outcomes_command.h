@@ -16,6 +16,7 @@ struct OutcomeArguments {
     std::vector<std::string> options;  // JUDGE.NAME=VALUE
     std::vector<std::string> slam;     // NAME=COMMAND
     std::vector<std::string> folders;  // with further judges
+    std::vector<std::string> test_scenes;
     double timeout_s = 0.0;
     int test_frames = 60;
     bool controls = false;
