@@ -276,6 +276,13 @@ class OwnJudges(OutcomesCase):
         self.assertIn("Measures nothing yet.", listed.stdout)
         self.assertIn("missing: The program x is missing; install Debian's x.", listed.stdout)
 
+    def test_a_missing_slam_program_is_no_failure_to_track(self):
+        done = self.compare("slam", "--slam", "x=/no/such/program {rgbd_folder} {out}")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertNoValues("slam", "missing", "'/no/such/program' of --slam x is missing")
+        done = self.compare("slam")
+        self.assertNoValues("slam", "missing", "give --slam")
+
     def test_what_a_judge_must_not_write(self):
         for name, line, words in [
             ("rowless", "write({'rows': 5})", "'rows'"),

@@ -110,6 +110,13 @@ def judge(request):
     if not programs:
         raise dataset.Missing("No SLAM program was named; give --slam 'NAME=COMMAND {rgbd_folder} "
                               "{out}'.")
+    for one in programs:
+        word = (shlex.split(one["command"]) or [""])[0]
+        found = subprocess.run(["/bin/sh", "-c", 'command -v -- "$1"', "sh", word],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        if found.returncode != 0:
+            raise dataset.Missing(f"The program '{word}' of --slam {one['name']} is missing; give "
+                                  "its path.")
     metrics = {f"{one['name']}_{key}": info for one in programs for key, info in VALUES.items()}
     return dataset.judge_entries("slam", request, measure, metrics)
 
