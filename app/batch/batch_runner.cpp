@@ -318,6 +318,14 @@ class Runner {
 
 }  // namespace
 
+Result<fs::path> ownProgram() {
+    std::error_code error;
+    fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (!error && fs::exists(program, error)) return program;
+    return fail(ErrorCode::Failed, "the program's own file cannot be found; install it again",
+                program.string());
+}
+
 Result<Standing> standingOf(const Job& job, const RunSettings& settings) {
     const fs::path folder = settings.folder / job.name;
     Standing standing;

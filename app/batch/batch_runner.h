@@ -20,6 +20,9 @@ struct RunSettings {
     std::uint64_t memory_mb = 0;   // likewise
 };
 
+/// The file of the running program, which does the jobs. Error: Failed.
+[[nodiscard]] Result<std::filesystem::path> ownProgram();
+
 /// What is to be done for a job, from what its folder holds.
 struct Standing {
     enum class Step { Nothing, GoOn, Begin };

@@ -28,6 +28,10 @@ struct Planner {
 /// All there are, ours first.
 [[nodiscard]] std::span<const Planner> planners();
 
+/// Those that are no methods and are in no comparison of methods: controls of what is measured with
+/// frames, and views to test on. Only whoever asks for one by its name gets it.
+[[nodiscard]] std::span<const Planner> auxiliaryPlanners();
+
 /// Those named, in the table's order; all for "all". Error: Usage, with the closest name.
 [[nodiscard]] Result<std::vector<const Planner*>> choosePlanners(
     const std::vector<std::string>& names);

@@ -3,8 +3,10 @@
 #include "planning/baselines/ours.h"
 #include "planning/baselines/planner.h"
 #include "planning/baselines/random_keys.h"
+#include "planning/baselines/test_views.h"
 #include "planning/baselines/two_body.h"
 #include "planning/baselines/uniform.h"
+#include "planning/baselines/wall_stare.h"
 
 #include "engine/core/field_list.h"
 
@@ -40,10 +42,23 @@ constexpr std::array kPlanners = {
             "places are tested; there is no motion", planUniform},
 };
 
+constexpr std::array kAuxiliary = {
+    Planner{"wall-stare", "a control: a camera that stares at a bare wall", "this program",
+            "places are tested", planWallStare},
+    Planner{"object-facing", "test views: at random objects from 1 to 3 m", "this program",
+            "places are tested; there is no motion", planObjectFacing},
+    Planner{"close-views", "test views: at random objects from 0.3 to 1 m", "this program",
+            "places are tested; there is no motion", planCloseViews},
+};
+
 }  // namespace
 
 std::span<const Planner> planners() {
     return kPlanners;
+}
+
+std::span<const Planner> auxiliaryPlanners() {
+    return kAuxiliary;
 }
 
 Result<std::vector<const Planner*>> choosePlanners(const std::vector<std::string>& names) {

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/compare/comparison.h"
+#include "app/cli/compare/outcomes_command.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
 #include "app/cli/terminal/output_file.h"
@@ -32,6 +33,7 @@ struct CompareArguments {
     bool as_json = false;
     bool bound = false;
     bool list = false;
+    OutcomeArguments outcomes;
 };
 
 nlohmann::ordered_json rowsJson(const ComparedScene& scene) {
@@ -150,17 +152,6 @@ render::Figure comparisonFigure(const ComparedScene& scene) {
     return figure;
 }
 
-/// What a scene is called in the tables: its file's name, with the folder's where files of several
-/// folders have the same.
-std::string tableName(const std::string& path, const std::vector<std::string>& all) {
-    const std::filesystem::path file = std::filesystem::absolute(path);
-    const auto same = std::count_if(all.begin(), all.end(), [&](const std::string& other) {
-        return std::filesystem::path(other).stem() == file.stem();
-    });
-    const std::string name = file.stem().string();
-    return same > 1 ? (file.parent_path().filename() / name).string() : name;
-}
-
 /// What would be in vain or in doubt only after long work.
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
@@ -172,6 +163,19 @@ Status checkUsage(const CompareArguments& arguments) {
     }
     if (!arguments.picture.empty()) {
         if (Status status = render::checkFigureName(arguments.picture); !status) return status;
+    }
+    if (!arguments.outcomes.judges.empty()) {
+        for (const auto& [given, option] :
+             {std::pair(!arguments.csv.empty(), "--csv"),
+              std::pair(!arguments.picture.empty(), "--picture"),
+              std::pair(!arguments.trajectories.empty(), "--trajectory"),
+              std::pair(arguments.bound, "--bound")}) {
+            if (!given) continue;
+            return fail(ErrorCode::Usage, "--outcomes writes files of its own into --out.", option);
+        }
+    } else if (!arguments.outcomes.out.empty()) {
+        return fail(ErrorCode::Usage, "It is the folder of --outcomes; name judges, or 'all'.",
+                    "--out");
     }
     if (Status status = checkWritable(arguments.csv); !status) return status;
     return checkWritable(arguments.picture);
@@ -204,7 +208,10 @@ SceneArguments withFrames(SceneArguments each) {
 }
 
 Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
-    if (arguments.list) return listPlanners();
+    const bool outcomes = !arguments.outcomes.judges.empty();
+    if (arguments.list) {
+        return outcomes ? listOutcomes(arguments.outcomes, session) : listPlanners();
+    }
     if (Status status = checkUsage(arguments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -212,7 +219,15 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
     if (!planners) return tl::unexpected<Error>(std::move(planners.error()));
     const ComparisonOrder order{std::move(*planners), arguments.seeds, arguments.bound};
     const SceneArguments each = withFrames(arguments.each);
+    if (outcomes) {
+        OutcomeSubjects subjects{arguments.scenes, {}, arguments.seeds, each, arguments.as_json};
+        for (const planning::Planner* planner : order.planners) {
+            subjects.planners.emplace_back(planner->name);
+        }
+        return runOutcomes(arguments.outcomes, subjects, session);
+    }
     const JobContext job = session.job();
+    const std::vector<std::string> names = sceneNames(arguments.scenes);
     std::vector<ComparedScene> compared;
     int failures = 0;
     Error last;
@@ -243,7 +258,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
             continue;
         }
         failures += scene->failures;
-        scene->scene = tableName(path, arguments.scenes);
+        scene->scene = names[i];
         compared.push_back(std::move(*scene));
     }
     if (compared.empty()) return tl::unexpected<Error>(std::move(last));
@@ -301,6 +316,7 @@ void addCompareCommand(CLI::App& app, Session& session) {
                      "What its positions are measured in, else the format's habit: scene (the "
                      "scene file's axes and unit), y-up, z-up, ned, camera")
         ->type_name("NAME");
+    addOutcomeArguments(*command, arguments->outcomes);
     command->footer(
         "Rates are in %. 'hit frames' have a surface inside the camera's sphere, 'hit moves' meet\n"
         "one on the way to the next frame. Where no motion joins the frames there is no path.\n"

@@ -49,6 +49,13 @@ ComparedScene meanOver(const std::vector<ComparedScene>& scenes);
 /// A planner a line, a metric a column; columns without any value are left out.
 std::string comparisonTable(const ComparedScene& scene);
 
+/// What scenes are called in tables: their files' names, with the folders' where files of several
+/// folders have the same.
+std::vector<std::string> sceneNames(const std::vector<std::string>& paths);
+
+/// A text as a field of a CSV file: commas and quotes of file names must not break the table.
+std::string csvField(const std::string& text);
+
 /// All metrics, a line for each scene and planner; empty where a metric does not apply.
 std::string comparisonCsv(const std::vector<ComparedScene>& scenes);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace dollytrack::cli {
 namespace {
@@ -16,15 +17,27 @@ std::string cell(const planning::MetricInfo& metric, const std::optional<double>
     return fmt::format("{:.2f}", *value);
 }
 
-/// Commas and quotes of file names must not break the table.
-std::string quoted(const std::string& text) {
+}  // namespace
+
+std::vector<std::string> sceneNames(const std::vector<std::string>& paths) {
+    std::vector<std::string> names;
+    for (const std::string& path : paths) {
+        const std::filesystem::path file = std::filesystem::absolute(path);
+        const auto same = std::count_if(paths.begin(), paths.end(), [&](const std::string& other) {
+            return std::filesystem::path(other).stem() == file.stem();
+        });
+        const std::string name = file.stem().string();
+        names.push_back(same > 1 ? (file.parent_path().filename() / name).string() : name);
+    }
+    return names;
+}
+
+std::string csvField(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + "\"";
 }
-
-}  // namespace
 
 std::string comparisonTable(const ComparedScene& scene) {
     const auto& metrics = planning::judgedMetrics();
@@ -68,7 +81,7 @@ std::string comparisonCsv(const std::vector<ComparedScene>& scenes) {
     text += "\n";
     for (const ComparedScene& scene : scenes) {
         for (const ComparedRow& row : scene.rows) {
-            text += quoted(scene.scene) + "," + quoted(row.planner);
+            text += csvField(scene.scene) + "," + csvField(row.planner);
             for (const auto& value : row.values) {
                 text += value ? fmt::format(",{:.9g}", *value) : ",";
             }

@@ -17,6 +17,9 @@ Result<const planning::Planner*> findPlanner(const std::string& name) {
         if (planner.name == name) return &planner;
         known += (known.empty() ? "" : ", ") + std::string(planner.name);
     }
+    for (const planning::Planner& planner : planning::auxiliaryPlanners()) {
+        if (planner.name == name) return &planner;
+    }
     if (name == "all" || name.empty()) {
         return fail(ErrorCode::Usage, "Name one planner of " + known + ".", "--planner");
     }

@@ -42,17 +42,9 @@ struct BatchArguments {
 /// Not in any job's name.
 constexpr const char* kShards = "@shards";
 
-Result<fs::path> ownProgram() {
-    std::error_code error;
-    fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error && fs::exists(program, error)) return program;
-    return fail(ErrorCode::Failed, "the program's own file cannot be found; install it again",
-                program.string());
-}
-
 Result<batch::RunSettings> settingsFor(const BatchArguments& arguments, const BatchOrder& order,
                                        const Session& session) {
-    Result<fs::path> program = ownProgram();
+    Result<fs::path> program = batch::ownProgram();
     if (!program) return tl::unexpected<Error>(std::move(program.error()));
     batch::RunSettings settings;
     settings.program = std::move(*program);

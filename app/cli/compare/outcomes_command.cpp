@@ -1,0 +1,274 @@
+#include "app/cli/compare/outcomes_command.h"
+
+#include "app/cli/compare/comparison.h"
+#include "app/outcomes/outcome_run.h"
+#include "engine/io/files/durable_file.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace dollytrack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using outcomes::JudgeOutcome;
+using outcomes::JudgeProgram;
+using outcomes::OutcomeOrder;
+using outcomes::OutcomeReport;
+
+/// "320x240" as the two assignments that make frames of that size.
+Result<std::vector<std::string>> sizeAssignments(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    const bool parted = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+    const auto second = parted ? std::from_chars(first.ptr + 1, end, height) : first;
+    if (!parted || second.ec != std::errc() || second.ptr != end) {
+        return fail(ErrorCode::Usage, "Write the size of the frames as 320x240.",
+                    "--resolution " + text);
+    }
+    return std::vector{fmt::format("width_px={}", width), fmt::format("height_px={}", height)};
+}
+
+/// The arguments that make `export` read and plan a scene in this way. Seed and number of frames
+/// are the caller's.
+std::vector<std::string> exportArguments(const SceneArguments& each) {
+    std::vector<std::string> words;
+    const auto add = [&](const char* option, const std::string& value) {
+        words.insert(words.end(), {option, value});
+    };
+    if (each.unit_m) add("--unit", fmt::format("{}", *each.unit_m));
+    if (each.up_axis) add("--up", *each.up_axis);
+    if (each.labels) add("--labels", fs::absolute(*each.labels).string());
+    for (const std::string& folder : each.models) add("--models", fs::absolute(folder).string());
+    if (each.annotations) add("--annotations", fs::absolute(*each.annotations).string());
+    if (each.keep_meshes) words.emplace_back("--keep-meshes");
+    for (const std::string& assignment : each.assignments) add("--set", assignment);
+    for (const std::string& assignment : each.cloud) add("--cloud", assignment);
+    if (each.max_length_m) add("--max-length", fmt::format("{}", *each.max_length_m));
+    if (each.fps) add("--fps", fmt::format("{}", *each.fps));
+    if (each.duration_s) add("--duration", fmt::format("{}", *each.duration_s));
+    for (const std::string& pattern : each.ignore) add("--ignore", pattern);
+    for (const std::string& pattern : each.only) add("--only", pattern);
+    if (!each.start.empty()) add("--start", each.start);
+    if (!each.end.empty()) add("--end", each.end);
+    if (each.loop) words.emplace_back("--loop");
+    return words;
+}
+
+/// JUDGE.NAME=VALUE and the SLAM programs, by judge.
+Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::object();
+    for (const std::string& text : arguments.options) {
+        const std::size_t dot = text.find('.');
+        const std::size_t equals = text.find('=');
+        if (dot == std::string::npos || equals == std::string::npos || dot > equals) {
+            return fail(ErrorCode::Usage, "Write an option of a judge as JUDGE.NAME=VALUE.",
+                        "--judge-option " + text);
+        }
+        all[text.substr(0, dot)][text.substr(dot + 1, equals - dot - 1)] = text.substr(equals + 1);
+    }
+    std::set<std::string> names;
+    for (const std::string& text : arguments.slam) {
+        const std::size_t equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos || equals + 1 == text.size() ||
+            !names.insert(text.substr(0, equals)).second) {
+            return fail(
+                ErrorCode::Usage,
+                "Name each SLAM program once, as NAME=COMMAND with {rgbd_folder} and {out}.",
+                "--slam " + text);
+        }
+        all["slam"]["slam"].push_back(
+            {{"name", text.substr(0, equals)}, {"command", text.substr(equals + 1)}});
+    }
+    return all;
+}
+
+Result<std::vector<JudgeProgram>> judgesOf(const OutcomeArguments& arguments) {
+    Result<fs::path> own = outcomes::judgesFolder();
+    if (!own) return tl::unexpected<Error>(std::move(own.error()));
+    std::vector<fs::path> folders = {std::move(*own)};
+    folders.insert(folders.end(), arguments.folders.begin(), arguments.folders.end());
+    return outcomes::findJudges(folders).and_then(
+        [&](const auto& all) { return outcomes::chooseJudges(all, arguments.judges); });
+}
+
+Status checkOptionNames(const nlohmann::ordered_json& options,
+                        const std::vector<JudgeProgram>& judges) {
+    for (const auto& [name, values] : options.items()) {
+        if (std::ranges::any_of(judges, [&](const auto& one) { return one.name == name; }))
+            continue;
+        return fail(ErrorCode::Usage,
+                    "These options are for a judge that --outcomes does not name.", name);
+    }
+    return {};
+}
+
+Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSubjects& subjects,
+                             const Session& session) {
+    OutcomeOrder order;
+    if (arguments.out.empty()) {
+        return fail(ErrorCode::Usage, "Say where frames and results go, with --out DIR.", "--out");
+    }
+    order.folder = fs::absolute(arguments.out).lexically_normal();
+    std::vector<std::string> paths = subjects.scenes;
+    paths.insert(paths.end(), arguments.test_scenes.begin(), arguments.test_scenes.end());
+    const std::vector<std::string> names = sceneNames(paths);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::count(names.begin(), names.end(), names[i]) > 1) {
+            return fail(ErrorCode::Usage, "Name each scene once.", paths[i]);
+        }
+        (i < subjects.scenes.size() ? order.scenes : order.test_scenes)
+            .push_back({names[i], paths[i]});
+    }
+    order.planners = subjects.planners;
+    order.seeds = subjects.seeds;
+    order.first_seed = subjects.each.seed.value_or(1);
+    order.each = subjects.each;
+    Result<std::vector<std::string>> size = sizeAssignments(arguments.resolution);
+    if (!size) return tl::unexpected<Error>(std::move(size.error()));
+    // First, so that what the user sets holds. Our planner would make fewer frames where more show
+    // nothing new; all planners have to have the same number.
+    size->emplace_back("max_repeat_rate=1");
+    order.each.assignments.insert(order.each.assignments.begin(), size->begin(), size->end());
+    order.export_arguments = exportArguments(order.each);
+    order.frames = subjects.each.max_frames.value_or(order.frames);
+    order.test_frames = arguments.test_frames;
+    order.controls = arguments.controls;
+    order.timeout_s = arguments.timeout_s;
+    Result<std::vector<JudgeProgram>> judges = judgesOf(arguments);
+    if (!judges) return tl::unexpected<Error>(std::move(judges.error()));
+    order.judges = std::move(*judges);
+    Result<nlohmann::ordered_json> options = judgeOptions(arguments);
+    if (!options) return tl::unexpected<Error>(std::move(options.error()));
+    if (Status status = checkOptionNames(*options, order.judges); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    order.options = std::move(*options);
+    const auto cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+    order.threads = session.threads > 0 ? session.threads : cores;
+    order.version = DOLLYTRACK_VERSION;
+    return order;
+}
+
+/// A judge that is missing matters only where it was named.
+bool isComplete(const OutcomeReport& report, const std::vector<std::string>& named) {
+    const bool frames = std::ranges::none_of(
+        report.entries, [](const auto& entry) { return entry.dataset.empty(); });
+    return frames && std::ranges::all_of(report.judges, [&](const JudgeOutcome& outcome) {
+               const bool wanted = std::ranges::find(named, outcome.judge) != named.end();
+               return outcome.state == "done" || (outcome.state == "missing" && !wanted);
+           });
+}
+
+Status writeReports(const OutcomeReport& report, const fs::path& folder) {
+    for (const auto& [name, text] : {std::pair("outcomes.csv", outcomes::outcomeCsv(report)),
+                                     std::pair("outcomes.json", outcomes::outcomeJson(report)),
+                                     std::pair("outcomes.html", outcomes::outcomeHtml(report))}) {
+        if (Status status = io::writeWhole(folder / name, text); !status) return status;
+    }
+    return {};
+}
+
+}  // namespace
+
+void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments) {
+    command
+        .add_option("--outcomes", arguments.judges,
+                    "Measure what other programs make of the frames, by these judges or 'all'; "
+                    "with --list: say which there are")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command.add_option("--out", arguments.out, "Folder for frames and results of --outcomes")
+        ->type_name("DIR");
+    command
+        .add_option("--resolution", arguments.resolution, "Size of the frames of --outcomes, px")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command.add_flag("--controls", arguments.controls,
+                     "With --outcomes also the first planner twice, which must come out equal, and "
+                     "a camera that stares at a wall, which must come out bad");
+    command
+        .add_option("--slam", arguments.slam,
+                    "A SLAM program for the judge slam; its command may have {rgbd_folder}, {out}, "
+                    "{settings} and {camera}; again for more")
+        ->type_name("NAME=COMMAND")
+        ->allow_extra_args(false);
+    command
+        .add_option("--judge-option", arguments.options,
+                    "An option of a judge, as in sfm.every=3; again for more")
+        ->type_name("JUDGE.NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--judge-timeout", arguments.timeout_s,
+                    "Stop a judge that takes longer; 0: never")
+        ->check(CLI::Range(0.0, 1e9).description("0 .. 1e9"))
+        ->type_name("SECONDS");
+    command
+        .add_option("--judges", arguments.folders,
+                    "A folder with judges of your own; again for more")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option("--test-scene", arguments.test_scenes,
+                    "A scene that only test views are made of; again for more")
+        ->type_name("SCENE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--test-frames", arguments.test_frames,
+                    "Frames of each set of views that judges test on")
+        ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+Result<ExitCode> runOutcomes(const OutcomeArguments& arguments, const OutcomeSubjects& subjects,
+                             const Session& session) {
+    const Result<OutcomeOrder> order = orderOf(arguments, subjects, session);
+    if (!order) return tl::unexpected<Error>(order.error());
+    const Result<OutcomeReport> report = outcomes::measureOutcomes(*order, session.job());
+    if (!report) return tl::unexpected<Error>(report.error());
+    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    fmt::print("{}",
+               subjects.as_json ? outcomes::outcomeJson(*report) : outcomes::outcomeText(*report));
+    if (Status status = writeReports(*report, order->folder); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    return isComplete(*report, arguments.judges) ? kDone : kPartial;
+}
+
+Result<ExitCode> listOutcomes(const OutcomeArguments& arguments, const Session& session) {
+    const Result<std::vector<JudgeProgram>> judges = judgesOf(arguments);
+    if (!judges) return tl::unexpected<Error>(judges.error());
+    std::string name = (fs::temp_directory_path() / "dollytrack-judges-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+        return tl::unexpected<Error>(io::writeError(errno, name));
+    }
+    const fs::path folder = name;
+    Status status;
+    for (const JudgeProgram& judge : *judges) {
+        const auto end = outcomes::checkJudge(judge, {folder, 0.0}, session.job());
+        if (!end) {
+            status = tl::unexpected<Error>(end.error());
+            break;
+        }
+        const bool there = end->how == outcomes::JudgeEnd::How::Done;
+        fmt::print("{:<18} {}\n{:<18}   {}: {}\n", judge.name, judge.text, "",
+                   there ? "found" : "missing", end->text);
+    }
+    std::error_code error;
+    fs::remove_all(folder, error);
+    if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    return kDone;
+}
+
+}  // namespace dollytrack::cli

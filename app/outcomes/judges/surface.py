@@ -1,0 +1,71 @@
+"""Surface that the frames' depth covers: accuracy and completion after TSDF fusion (Open3D)."""
+import dataset  # before others: it sets the number of threads
+
+import numpy as np
+
+VOXEL_M = 0.02
+TRUNCATION_M = 0.06
+FARTHEST_M = 10.0   # depth beyond this is not fused
+NEAR_M = 0.05       # a sample with fused surface this near is covered
+BESIDE_M = 0.2      # fused surface farther than this from every sample is beyond the reference
+
+METRICS = {
+    "completion_rate": {"unit": "%", "better": "higher"},
+    "completion_cm": {"unit": "cm", "better": "lower"},
+    "accuracy_cm": {"unit": "cm", "better": "lower"},
+    "beyond_rate": {"unit": "%", "better": "lower"},
+    "reference_samples": {"unit": "", "better": ""},
+}
+
+
+def check():
+    return f"Open3D {dataset.need('open3d', 'python3-open3d').__version__}"
+
+
+def fuse(data):
+    """Points of the surface that the true depth and poses give, without any filling of holes."""
+    o3d = dataset.need("open3d", "python3-open3d")
+    integration = o3d.pipelines.integration
+    volume = integration.ScalableTSDFVolume(
+        voxel_length=VOXEL_M, sdf_trunc=TRUNCATION_M,
+        color_type=integration.TSDFVolumeColorType.NoColor)
+    k = data.matrix(pixel_centres=True)
+    camera = o3d.camera.PinholeCameraIntrinsic(data.width, data.height, k[0, 0], k[1, 1], k[0, 2],
+                                               k[1, 2])
+    blank = o3d.geometry.Image(np.zeros((data.height, data.width, 3), np.uint8))
+    for index in range(len(data)):
+        image = o3d.geometry.RGBDImage.create_from_color_and_depth(
+            blank, o3d.geometry.Image(data.depth(index)), depth_scale=1.0, depth_trunc=FARTHEST_M,
+            convert_rgb_to_intensity=False)
+        volume.integrate(image, camera, np.linalg.inv(data.poses[index]))
+    return np.asarray(volume.extract_point_cloud().points)
+
+
+def nearest(points, of):
+    """For each point the nearest one of others, and its distance."""
+    o3d = dataset.need("open3d", "python3-open3d")
+    search = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(np.ascontiguousarray(of)))
+    search.knn_index()
+    index, squared = search.knn_search(o3d.core.Tensor(np.ascontiguousarray(points)), 1)
+    return index.numpy().ravel(), np.sqrt(squared.numpy().ravel())
+
+
+def measure(data, request, entry):
+    reference = np.load(request["references"][entry["scene"]]).astype(np.float64)
+    samples, normals = reference[:, :3], reference[:, 3:6]
+    fused = fuse(data)
+    if len(fused) == 0:
+        return {"completion_rate": 0.0, "reference_samples": len(samples)}
+    _, gaps = nearest(samples, fused)
+    closest, distance = nearest(fused, samples)
+    # To the plane of the sample: samples are centimetres apart, the surface goes on between them.
+    off = np.abs(np.sum((fused - samples[closest]) * normals[closest], axis=1))
+    beside = distance <= BESIDE_M
+    return {"completion_rate": float(np.mean(gaps <= NEAR_M)),
+            "completion_cm": 100 * float(np.mean(gaps)),
+            "accuracy_cm": 100 * float(np.mean(off[beside])) if beside.any() else None,
+            "beyond_rate": float(np.mean(~beside)), "reference_samples": len(samples)}
+
+
+if __name__ == "__main__":
+    dataset.run(check, lambda request: dataset.judge_entries("surface", request, measure, METRICS))

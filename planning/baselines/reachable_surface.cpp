@@ -1,0 +1,97 @@
+#include "planning/baselines/reachable_surface.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/visibility/scanned_surfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr std::size_t kPlacesAround = 400;
+constexpr int kRaysAround = 20'000;  // from each place: 7 cm apart at 3 m
+// Cubes do not begin at round coordinates, where walls are: a wall would lie in two of them.
+constexpr double kGridShift = 0.31;
+constexpr double kFlattestCosine = 0.17364817766693036;  // of 80 degrees, as PatchSight has it
+
+/// Places where the camera fits, spread over the cells of all rooms.
+std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
+    std::vector<Eigen::Vector3d> all;
+    for (std::size_t room = 0; room < scene.free_space->rooms().size(); ++room) {
+        for (const Eigen::Vector3f& cell : scene.sphere->cells(static_cast<int>(room))) {
+            all.push_back(cell.cast<double>());
+        }
+    }
+    std::vector<Eigen::Vector3d> places;
+    const std::size_t stride = std::max<std::size_t>(1, all.size() / kPlacesAround);
+    for (std::size_t i = stride / 2; i < all.size(); i += stride) {
+        if (scene.sphere->fits(all[i])) places.push_back(all[i]);
+    }
+    return places;
+}
+
+Eigen::Vector3d normalOf(const Scene& scene, std::uint32_t index) {
+    const Triangle& triangle = scene.triangles[index];
+    const Eigen::Vector3d a = scene.positions[triangle[0]].cast<double>();
+    const Eigen::Vector3d b = scene.positions[triangle[1]].cast<double>();
+    const Eigen::Vector3d c = scene.positions[triangle[2]].cast<double>();
+    return (b - a).cross(c - a).normalized();
+}
+
+std::vector<SurfacePatch> seenFrom(const RivalScene& scene, const Eigen::Vector3d& place,
+                                   const std::vector<Eigen::Vector3d>& directions) {
+    std::vector<SurfacePatch> seen;
+    for (const Eigen::Vector3d& direction : directions) {
+        const RayHit hit = scene.rays->cast(place, direction);
+        if (hit.object_id == 0) continue;
+        Eigen::Vector3d normal = normalOf(*scene.scene, hit.triangle);
+        if (normal.dot(direction) > 0.0) normal = -normal;
+        if (-normal.dot(direction) < kFlattestCosine) continue;
+        seen.push_back({place + hit.distance * direction, normal});
+    }
+    return seen;
+}
+
+}  // namespace
+
+Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, double spacing_m,
+                                                   const JobContext& job) {
+    const std::vector<Eigen::Vector3d> places = evenPlaces(scene);
+    const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kRaysAround);
+    std::vector<SurfacePatch> samples;
+    std::set<std::array<int, 4>> taken;  // cube and direction of surface
+    constexpr std::size_t kAtOnce = 32;  // places; their samples are joined in order
+    for (std::size_t begin = 0; begin < places.size(); begin += kAtOnce) {
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "The comparison was stopped.");
+        const std::size_t count = std::min(kAtOnce, places.size() - begin);
+        std::vector<std::vector<SurfacePatch>> seen(count);
+        parallelFor(count, [&](std::size_t i) {
+            seen[i] = seenFrom(scene, places[begin + i], directions);
+        });
+        for (const auto& list : seen) {
+            for (const SurfacePatch& patch : list) {
+                Eigen::Index axis = 0;
+                patch.normal.cwiseAbs().maxCoeff(&axis);
+                // The two sides of a thin wall are two surfaces.
+                const int side = patch.normal[axis] < 0.0 ? 1 : 0;
+                std::array<int, 4> key = {0, 0, 0, 2 * static_cast<int>(axis) + side};
+                for (unsigned k = 0; k < 3; ++k) {
+                    key[k] = static_cast<int>(std::floor(patch.point[k] / spacing_m + kGridShift));
+                }
+                if (taken.insert(key).second) samples.push_back(patch);
+            }
+        }
+        job.reportItems(static_cast<int>(begin + count), static_cast<int>(places.size()));
+    }
+    return samples;
+}
+
+}  // namespace dollytrack::planning
