@@ -1,0 +1,280 @@
+"""Reads the datasets that `dollytrack export` writes, and the requests that `dollytrack compare` sends."""
+import csv
+import functools
+import hashlib
+import importlib
+import json
+import os
+import pathlib
+import sys
+
+# One thread unless a judge says otherwise: sums come out the same, and judges share the machine.
+# Before any library reads it.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import cv2  # noqa: E402
+import numpy as np  # noqa: E402
+
+IMAGE_PIXELS = 640 * 480  # the image that limits in pixels are said for
+SHOWN_PX = 120            # of that image: an object with fewer is not counted as shown
+MISSING = 3               # exit code of --check when something has to be installed
+
+
+class Missing(Exception):
+    """A program or library that a judge needs is not installed; the text says how to get it."""
+
+
+class Dataset:
+    """A dataset's camera, poses, objects and images. Metres, seconds, pixels; world z up.
+
+    Camera axes are x right, y down, z forward. Pixel (0, 0) has its centre at (0.5, 0.5); OpenCV
+    and COLMAP's features count from pixel centres, see `matrix(pixel_centres=True)`.
+    """
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        with open(self.folder / "dataset.json", encoding="utf-8") as file:
+            self.json = json.load(file)
+        camera = self.json["conventions"]["intrinsics"]
+        self.width, self.height = int(camera["width"]), int(camera["height"])
+        self.fx, self.fy = float(camera["fx"]), float(camera["fy"])
+        self.cx, self.cy = float(camera["cx"]), float(camera["cy"])
+        self.frames = self.json["frames"]
+        self.objects = {int(one["id"]): one for one in self.json["objects"]}
+        self.targets = {i for i, one in self.objects.items() if one.get("role") == "target"}
+        self.times = np.array([float(frame["time_s"]) for frame in self.frames])
+        self.poses = np.array([self._pose(frame) for frame in self.frames]).reshape(-1, 4, 4)
+
+    def __len__(self):
+        return len(self.frames)
+
+    @staticmethod
+    def _pose(frame):
+        pose = np.eye(4)
+        pose[:3, :3] = rotation_of(frame["quaternion_xyzw"])
+        pose[:3, 3] = frame["position"]
+        return pose
+
+    def matrix(self, pixel_centres=False):
+        """The 3 x 3 camera matrix; with pixel_centres, pixel (0, 0) is centred at (0, 0)."""
+        shift = 0.5 if pixel_centres else 0.0
+        return np.array([[self.fx, 0, self.cx - shift], [0, self.fy, self.cy - shift], [0, 0, 1.0]])
+
+    @property
+    def shown_px(self):
+        """Pixels that an object needs to be shown, 120 of 640 x 480 scaled to this image."""
+        return SHOWN_PX * self.width * self.height / IMAGE_PIXELS
+
+    def path(self, modality, index):
+        frame = int(self.frames[index]["index"])
+        folder = self.folder / modality
+        found = folder / f"{frame:06d}.png"
+        return found if found.exists() or modality != "rgb_sensor" else found.with_suffix(".jpg")
+
+    def _read(self, modality, index, flags):
+        path = self.path(modality, index)
+        image = cv2.imread(str(path), flags)
+        if image is None:
+            raise ValueError(f"{path}: the image cannot be read")
+        return image
+
+    def rgb(self, index):
+        """Height x width x 3 bytes, red first."""
+        return cv2.cvtColor(self._read("rgb", index, cv2.IMREAD_COLOR), cv2.COLOR_BGR2RGB)
+
+    def gray(self, index):
+        return self._read("rgb", index, cv2.IMREAD_GRAYSCALE)
+
+    def depth(self, index):
+        """Metres along the viewing axis; 0 where nothing is seen."""
+        scale = float(self.json["conventions"]["depth"]["scale_m"])
+        return self._read("depth", index, cv2.IMREAD_UNCHANGED).astype(np.float32) * scale
+
+    def instance(self, index):
+        """Object ids; 0 where nothing is seen."""
+        return self._read("instance", index, cv2.IMREAD_UNCHANGED)
+
+    def semantic(self, index):
+        """Class ids; 0 for none."""
+        return self._read("semantic", index, cv2.IMREAD_UNCHANGED)
+
+    def boxes(self, index, least_px=None):
+        """The targets shown in a frame: {"id", "label", "px", "x", "y", "width", "height"} each."""
+        least = self.shown_px if least_px is None else least_px
+        ids = self.instance(index)
+        pixels = np.bincount(ids.ravel())
+        found = []
+        for one in np.flatnonzero(pixels >= max(least, 1)):
+            if int(one) not in self.targets:
+                continue
+            x, y, width, height = cv2.boundingRect((ids == one).astype(np.uint8))
+            found.append({"id": int(one), "label": int(self.objects[int(one)].get("nyu40") or 0),
+                          "px": int(pixels[one]), "x": x, "y": y, "width": width, "height": height})
+        return found
+
+    def points(self, index, step=1):
+        """World points of every step-th pixel that has a depth, and their (row, column)."""
+        depth = self.depth(index)[::step, ::step]
+        rows, columns = np.nonzero(depth > 0)
+        z = depth[rows, columns].astype(np.float64)
+        x = (columns * step + 0.5 - self.cx) / self.fx * z
+        y = (rows * step + 0.5 - self.cy) / self.fy * z
+        pose = self.poses[index]
+        world = np.column_stack([x, y, z]) @ pose[:3, :3].T + pose[:3, 3]
+        return world, np.column_stack([rows, columns]) * step
+
+    def project(self, index, points):
+        """Pixels (x, y) and depths of world points in a frame; depth <= 0 lies behind the camera."""
+        pose = self.poses[index]
+        local = (np.asarray(points) - pose[:3, 3]) @ pose[:3, :3]
+        depth = local[:, 2]
+        safe = np.where(depth > 0, depth, np.nan)
+        return np.column_stack([local[:, 0] / safe * self.fx + self.cx,
+                                local[:, 1] / safe * self.fy + self.cy]), depth
+
+    @functools.cached_property
+    def rows(self):
+        """frames.csv as dictionaries of text, one a frame; empty without the file."""
+        try:
+            with open(self.folder / "frames.csv", newline="", encoding="utf-8") as file:
+                return list(csv.DictReader(file))
+        except FileNotFoundError:
+            return []
+
+
+def rotation_of(quaternion_xyzw):
+    x, y, z, w = np.asarray(quaternion_xyzw, dtype=float) / np.linalg.norm(quaternion_xyzw)
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+
+
+def need(module, package):
+    """Imports a library, or says which Debian package has it."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise Missing(f"Python's {module} is missing; install Debian's {package}.") from error
+
+
+def need_program(name, package):
+    """The path of a program, or Missing with the Debian package that has it."""
+    for folder in os.environ.get("PATH", "").split(os.pathsep):
+        path = os.path.join(folder, name)
+        if os.access(path, os.X_OK) and os.path.isfile(path):
+            return path
+    raise Missing(f"The program {name} is missing; install Debian's {package}.")
+
+
+def mean(values):
+    """The mean of those that exist; None without any."""
+    known = [float(value) for value in values if value is not None and np.isfinite(value)]
+    return float(np.mean(known)) if known else None
+
+
+def finite(value):
+    """A number for a result: None where there is none."""
+    return None if value is None or not np.isfinite(value) else float(value)
+
+
+def progress(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def entry_name(entry):
+    return f"{entry['scene']} {entry['planner']} seed {entry.get('seed', 1)}"
+
+
+def entry_folder(entry):
+    """A folder name for an entry's scratch files."""
+    name = f"{entry['scene']}.{entry['planner']}.seed{entry.get('seed', 1)}"
+    return "".join(c if c.isalnum() or c in "._-" else "_" for c in name)
+
+
+def write_result(path, result):
+    """Written whole or not at all."""
+    temporary = f"{path}.{os.getpid()}.tmp"
+    with open(temporary, "w", encoding="utf-8") as file:
+        json.dump(result, file, indent=1, allow_nan=False)
+        file.write("\n")
+    os.replace(temporary, path)
+
+
+def judge_entries(name, request, measure, metrics):
+    """The result of a judge that looks at one dataset after the other.
+
+    `measure(dataset, request, entry)` returns values by name; what it raises makes them null and
+    becomes a note. `metrics` names all values: {"name": {"unit", "better": "higher"|"lower"|""}}.
+    A row is kept in the work folder as soon as it is there, so that a judge that was stopped goes
+    on with the next one.
+    """
+    rows, notes = [], []
+    for entry in request["entries"]:
+        row = {key: entry.get(key) for key in ("planner", "scene", "seed")}
+        row["values"] = dict.fromkeys(metrics)
+        try:
+            kept = kept_row(name, request, entry)
+            values = read_json(kept)
+            if values is None:
+                values = measure(Dataset(entry["dataset"]), request, entry)
+                values = {key: finite(value) for key, value in values.items()}
+                write_result(kept, values)
+            row["values"].update(values)
+        except (OSError, ValueError, KeyError, RuntimeError, cv2.error) as error:
+            notes.append(f"{entry_name(entry)}: {' '.join(str(error).split())}")
+        rows.append(row)
+        progress(f"{name}: {entry_name(entry)} done")
+    return {"judge": name, "rows": rows, "metrics": metrics, "notes": notes}
+
+
+def kept_row(name, request, entry):
+    """Where an entry's values are kept: the name tells the dataset, the options and the judge."""
+    digest = hashlib.sha256()
+    for path in [pathlib.Path(entry["dataset"]) / "dataset.json", sys.argv[0], __file__,
+                 request.get("references", {}).get(entry["scene"])]:
+        digest.update(pathlib.Path(path).read_bytes() if path else b"-")
+    digest.update(json.dumps([request.get("options"), request.get("seed")],
+                             sort_keys=True).encode())
+    folder = pathlib.Path(request["work"])
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder / f"{name}.{entry_folder(entry)}.{digest.hexdigest()[:16]}.json"
+
+
+def read_json(path):
+    """None where there is no whole JSON file."""
+    try:
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def run(check, judge):
+    """The command line of a judge: --check, or REQUEST.json RESULT.json.
+
+    `check()` returns the versions found in a line, or raises Missing; `judge(request)` returns the
+    result.
+    """
+    try:
+        versions = check()
+        if sys.argv[1:] == ["--check"]:
+            print(versions)
+            sys.exit(0)
+    except Missing as error:
+        print(error)
+        sys.exit(MISSING)
+    if len(sys.argv) != 3:
+        print(f"Usage: {sys.argv[0]} --check | REQUEST.json RESULT.json", file=sys.stderr)
+        sys.exit(2)
+    with open(sys.argv[1], encoding="utf-8") as file:
+        request = json.load(file)
+    seed = int(request.get("seed", 1))
+    np.random.seed(seed)
+    cv2.setRNGSeed(seed)
+    cv2.setNumThreads(1)
+    try:
+        result = judge(request)
+    except Missing as error:
+        print(error)
+        sys.exit(MISSING)
+    result["versions"] = versions
+    write_result(sys.argv[2], result)
