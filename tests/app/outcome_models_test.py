@@ -12,6 +12,7 @@ import unittest
 
 JUDGES = pathlib.Path(__file__).resolve().parents[2] / "app" / "outcomes" / "judges"
 sys.path.insert(0, str(JUDGES))
+import detection_scores  # noqa: E402
 import detector  # noqa: E402
 import novel_views  # noqa: E402
 
@@ -37,7 +38,8 @@ def write_dataset(folder, frames, poses=None, depths=None):
             cv2.imwrite(str(folder / name / f"{index:06d}.png"), image)
     height, width = frames[0][1].shape
     focus = width / 2 / np.tan(np.radians(30))
-    intrinsics = {"width": width, "height": height, "fx": focus, "fy": focus, "cx": width / 2, "cy": height / 2}
+    intrinsics = {"width": width, "height": height, "fx": focus, "fy": focus,
+                  "cx": width / 2, "cy": height / 2}
     dataset = {"conventions": {"intrinsics": intrinsics, "depth": {"scale_m": 0.001}},
                "frames": [{"index": i, "time_s": 0.1 * i, "position": (poses or {}).get(i, [0, 0, 0]),
                            "quaternion_xyzw": [0, 0, 0, 1]} for i in range(len(frames))],
@@ -76,10 +78,12 @@ class Scores(unittest.TestCase):
 
     def precision(self, found, scores, truth, ignored=None, threshold=0.5):
         ignored = np.zeros(len(truth), bool) if ignored is None else np.array(ignored, bool)
-        return detector.average_precision([(boxes(*found), np.array(scores, float), boxes(*truth), ignored)], threshold)
+        image = boxes(*found), np.array(scores, float), boxes(*truth), ignored
+        return detection_scores.average_precision([image], threshold)
 
     def test_overlap_is_shared_area_over_joined_area(self):
-        overlap = detector.box_iou(boxes((0, 0, 10, 10)), boxes((0, 0, 10, 10), (5, 0, 15, 10), (20, 0, 30, 10)))
+        others = boxes((0, 0, 10, 10), (5, 0, 15, 10), (20, 0, 30, 10))
+        overlap = detection_scores.box_iou(boxes((0, 0, 10, 10)), others)
         np.testing.assert_allclose(overlap, [[1, 1 / 3, 0]])
 
     def test_average_precision_interpolates_at_101_recalls(self):
@@ -97,7 +101,7 @@ class Scores(unittest.TestCase):
 
     def test_an_object_is_found_once(self):
         truth = [(0, 0, 10, 10)]
-        self.assertEqual(detector.match_image(boxes(*truth * 2), np.array([0.5, 0.9]), boxes(*truth),
+        self.assertEqual(detection_scores.match_image(boxes(*truth * 2), np.array([0.5, 0.9]), boxes(*truth),
                                               np.zeros(1, bool), 0.5).tolist(), [1, 0])
 
     def test_ignored_objects_count_neither_way(self):
@@ -109,17 +113,17 @@ class Scores(unittest.TestCase):
         truth = (boxes((0, 0, 10, 10), (20, 0, 30, 10)), np.array([0, 1]), np.zeros(2, bool))
         # The second box overlaps by 0.8: right at 0.5 to 0.8 (7 of 10 thresholds), or up to 0.75 by rounding.
         found = (boxes((0, 0, 10, 10), (20, 0, 28, 10)), np.array([0.9, 0.9]), np.array([0, 1]))
-        half, all_of_them = detector.mean_average_precision([found], [truth], 3)
+        half, all_of_them = detection_scores.mean_average_precision([found], [truth], 3)
         self.assertEqual(half, 1)
         self.assertIn(round(all_of_them, 9), (round((1 + 0.7) / 2, 9), round((1 + 0.6) / 2, 9)))
         wrong_class = (found[0], found[1], np.array([0, 0]))
-        self.assertAlmostEqual(detector.mean_average_precision([wrong_class], [truth], 2)[0], 0.5)
+        self.assertAlmostEqual(detection_scores.mean_average_precision([wrong_class], [truth], 2)[0], 0.5)
 
     def test_mean_iou_counts_classes_that_are_there(self):
         # Class 0: 3 of 5 right, 1 of class 1 taken for it; class 2 is nowhere in the truth.
         confusion = np.array([[3, 1, 1], [1, 4, 0], [0, 0, 0]])
-        self.assertAlmostEqual(detector.mean_iou(confusion), (3 / 6 + 4 / 6) / 2)
-        self.assertIsNone(detector.mean_iou(np.zeros((2, 2), int)))
+        self.assertAlmostEqual(detection_scores.mean_iou(confusion), (3 / 6 + 4 / 6) / 2)
+        self.assertIsNone(detection_scores.mean_iou(np.zeros((2, 2), int)))
 
     def test_psnr_counts_pixels_of_the_mask(self):
         first = np.zeros((4, 4, 3), np.uint8)
@@ -206,7 +210,8 @@ class Judges(unittest.TestCase):
     def test_check_says_versions_or_what_to_install(self):
         for name, there, package in (("detector", HAS_TORCH, "python3-torch"),
                                      ("novel_views", HAS_OPEN3D, "python3-open3d")):
-            made = subprocess.run(["/usr/bin/python3", JUDGES / f"{name}.py", "--check"], capture_output=True, text=True)
+            made = subprocess.run(["/usr/bin/python3", JUDGES / f"{name}.py", "--check"],
+                                  capture_output=True, text=True)
             self.assertEqual(made.returncode, 0 if there else 3, made.stderr)
             self.assertEqual(len(made.stdout.splitlines()), 1)
             self.assertIn("NumPy" if there else package, made.stdout)
@@ -263,7 +268,8 @@ class Judges(unittest.TestCase):
     @unittest.skipUnless(HAS_OPEN3D, "Open3D is missing (Debian's python3-open3d)")
     def test_novel_views_are_null_without_tests(self):
         even = [(np.full((48, 64, 3), 100, np.uint8), np.ones((48, 64), int))]
-        result = self.judge("novel_views", self.request([("one", "room", write_dataset(self.folder / "seen", even))], []))
+        seen = write_dataset(self.folder / "seen", even)
+        result = self.judge("novel_views", self.request([("one", "room", seen)], []))
         self.assertTrue(all(value is None for value in result["rows"][0]["values"].values()))
         self.assertEqual(len(result["notes"]), 1)
 

@@ -26,6 +26,7 @@ import math
 import pathlib
 
 from dataset import Dataset, finite, mean, need, progress, read_json, run, write_result
+from detection_scores import mean_average_precision, mean_iou
 
 import cv2
 import numpy as np
@@ -38,92 +39,12 @@ except ImportError:
     torch = None
 
 NAME = "detector"
-OPTIONS = {"steps": 600, "batch": 16, "width_px": 192, "least_px": 480, "trainings": 1, "folds": 0, "threads": 2}
+OPTIONS = {"steps": 600, "batch": 16, "width_px": 192, "least_px": 480, "trainings": 1, "folds": 0,
+           "threads": 2}
 DISTRIBUTIONS = ("uniform", "object_facing", "close")
 STRIDE = 4
 VOID = 255
-IOUS = np.linspace(0.5, 0.95, 10)
 MOST_BOXES = 100
-
-
-# --- scores -------------------------------------------------------------------------------------
-
-def box_iou(first, second):
-    """Intersection over union of boxes (x0, y0, x1, y1), N x M."""
-    low = np.maximum(first[:, None, :2], second[None, :, :2])
-    high = np.minimum(first[:, None, 2:], second[None, :, 2:])
-    shared = np.prod(np.clip(high - low, 0, None), axis=2)
-    areas = [np.prod(boxes[:, 2:] - boxes[:, :2], axis=1) for boxes in (first, second)]
-    return shared / np.maximum(areas[0][:, None] + areas[1][None, :] - shared, 1e-9)
-
-
-def match_image(boxes, scores, truth, ignored, threshold):
-    """COCO's greedy matching of one class in one image.
-
-    Returns for each box, best score first, 1 (right), 0 (wrong) or -1 (it lies on an ignored object).
-    """
-    order = np.argsort(-scores, kind="stable")
-    marks = np.zeros(len(order), int)
-    if len(truth) == 0:
-        return marks
-    overlap = box_iou(boxes[order], truth)
-    free = np.ones(len(truth), bool)
-    for i in range(len(order)):
-        for skip, mark in ((ignored, 1), (~ignored, -1)):
-            usable = np.where(free & ~skip, overlap[i], -1.0)
-            best = int(np.argmax(usable))
-            if usable[best] >= threshold:
-                free[best] = False
-                marks[i] = mark
-                break
-    return marks
-
-
-def average_precision(images, threshold):
-    """AP of one class, None without an object. `images` holds (boxes, scores, truth, ignored) each."""
-    scores, marks, objects = [], [], 0
-    for boxes, confidence, truth, ignored in images:
-        objects += int((~ignored).sum())
-        scores.append(-np.sort(-confidence, kind="stable"))
-        marks.append(match_image(boxes, confidence, truth, ignored, threshold))
-    if objects == 0:
-        return None
-    scores, marks = np.concatenate(scores), np.concatenate(marks)
-    scores, marks = scores[marks >= 0], marks[marks >= 0]
-    right = np.cumsum(marks[np.argsort(-scores, kind="stable")])
-    if len(right) == 0:
-        return 0.0
-    recall = right / objects
-    precision = right / np.arange(1, len(right) + 1)
-    precision = np.maximum.accumulate(precision[::-1])[::-1]
-    at = np.searchsorted(recall, np.linspace(0, 1, 101), side="left")
-    return float(np.where(at < len(precision), precision[np.minimum(at, len(precision) - 1)], 0.0).mean())
-
-
-def mean_average_precision(predictions, truths, classes):
-    """mAP at IoU 0.5 and over 0.5 to 0.95; None without any object.
-
-    Predictions are (boxes, scores, labels) an image, truths (boxes, labels, ignored); labels count classes.
-    """
-    at_half, over_all = [], []
-    for label in range(classes):
-        images = []
-        for (boxes, scores, labels), (truth, truth_labels, ignored) in zip(predictions, truths):
-            mine, its = labels == label, truth_labels == label
-            images.append((boxes[mine], scores[mine], truth[its], ignored[its]))
-        values = [average_precision(images, threshold) for threshold in IOUS]
-        if values[0] is not None:
-            at_half.append(values[0])
-            over_all.append(float(np.mean(values)))
-    return mean(at_half), mean(over_all)
-
-
-def mean_iou(confusion):
-    """Mean intersection over union of the classes (rows: truth) that have pixels; None without any."""
-    right = np.diag(confusion).astype(float)
-    present = confusion.sum(axis=1)
-    union = present + confusion.sum(axis=0) - right
-    return mean((right / np.maximum(union, 1))[present > 0])
 
 
 # --- frames -------------------------------------------------------------------------------------
@@ -136,10 +57,10 @@ def read_frames(data, options):
     frames = []
     for index in range(len(data)):
         found = data.boxes(index, 1)
-        boxes = np.array([[b["x"], b["y"], b["x"] + b["width"], b["y"] + b["height"]] for b in found], float)
+        boxes = np.array([[b["x"], b["y"], b["x"] + b["width"], b["y"] + b["height"]] for b in found])
         frames.append((cv2.resize(data.rgb(index), size, interpolation=cv2.INTER_AREA),
                        cv2.resize(data.semantic(index), size, interpolation=cv2.INTER_NEAREST).astype(int),
-                       boxes.reshape(-1, 4) * scale, np.array([b["label"] for b in found], int),
+                       boxes.reshape(-1, 4).astype(float) * scale, np.array([b["label"] for b in found], int),
                        np.array([b["px"] < least for b in found], bool)))
     return frames
 
@@ -189,7 +110,7 @@ def augment(frame, random):
     centre = np.array([width, height]) / 2
     factor = np.array([scale * mirror, scale])
     move = centre + shift - factor * centre        # new = factor * old + move, in pixels from the corner
-    pixel = np.array([[factor[0], 0, move[0] + 0.5 * factor[0] - 0.5], [0, factor[1], move[1] + 0.5 * factor[1] - 0.5]])
+    pixel = np.column_stack([np.diag(factor), move + 0.5 * factor - 0.5])   # the same from pixel centres
     gain, offset = random.uniform(0.8, 1.2), random.uniform(-25, 25)
     rgb = cv2.warpAffine(rgb, pixel, (width, height), flags=cv2.INTER_LINEAR)
     rgb = np.clip((rgb.astype(np.float32) - 128) * gain + 128 + offset, 0, 255)
@@ -218,13 +139,15 @@ def targets_of(frame, classes):
             inside = ((y >= y0 - 2) & (y <= y1 + 2))[:, None] & ((x >= x0 - 2) & (x <= x1 + 2))[None, :]
             asked[labels[i]][inside] = 0
             continue
-        column, row = (min(int((x0 + x1) / 2 / STRIDE), columns - 1), min(int((y0 + y1) / 2 / STRIDE), rows - 1))
+        column = min(int((x0 + x1) / 2 / STRIDE), columns - 1)
+        row = min(int((y0 + y1) / 2 / STRIDE), rows - 1)
         sigma_x, sigma_y = (max(0.54 * side / 6, STRIDE / 3) for side in (x1 - x0, y1 - y0))
-        bump = np.exp(-((x - x[column]) / sigma_x)[None, :] ** 2 / 2 - ((y - y[row]) / sigma_y)[:, None] ** 2 / 2)
+        across, down = ((x - x[column]) / sigma_x)[None, :], ((y - y[row]) / sigma_y)[:, None]
+        bump = np.exp(-(across ** 2 + down ** 2) / 2)
         heat[labels[i]] = np.maximum(heat[labels[i]], bump)
         near = bump > 0.25
-        border[:, near] = np.stack(np.broadcast_arrays((x - x0)[None, :], (y - y0)[:, None], (x1 - x)[None, :],
-                                                       (y1 - y)[:, None]))[:, near]
+        sides = np.broadcast_arrays((x - x0)[None, :], (y - y0)[:, None], (x1 - x)[None, :], (y1 - y)[:, None])
+        border[:, near] = np.stack(sides)[:, near]
         weight[near] = bump[near] * math.log(max(areas[i], 2)) / bump[near].sum()
     asked[heat == 1] = 1
     coarse = semantic[STRIDE // 2::STRIDE, STRIDE // 2::STRIDE]
@@ -234,7 +157,8 @@ def targets_of(frame, classes):
 # --- model --------------------------------------------------------------------------------------
 
 def convolution(before, after, stride=1, size=3):
-    return nn.Sequential(nn.Conv2d(before, after, size, stride, size // 2, bias=False), nn.BatchNorm2d(after), nn.ReLU())
+    return nn.Sequential(nn.Conv2d(before, after, size, stride, size // 2, bias=False),
+                         nn.BatchNorm2d(after), nn.ReLU())
 
 
 class Block(nn.Module if torch else object):
@@ -292,7 +216,10 @@ def border_loss(found, true, weight):
     """Generalised IoU of boxes that share the pixel they are measured from."""
     shared = torch.minimum(found, true)
     around = torch.maximum(found, true)
-    area = lambda side: (side[:, 0] + side[:, 2]) * (side[:, 1] + side[:, 3])  # noqa: E731
+
+    def area(sides):
+        return (sides[:, 0] + sides[:, 2]) * (sides[:, 1] + sides[:, 3])
+
     both = area(found) + area(true) - area(shared)
     hull = torch.clamp(area(around), min=1e-6)
     loss = 1 - area(shared) / torch.clamp(both, min=1e-6) + (hull - both) / hull
@@ -320,7 +247,7 @@ def train(frames, box_classes, pixel_classes, seed, options):
         heat, border, weight, asked, pixels = (torch.from_numpy(np.stack(part)) for part in zip(*asked_for))
         images = torch.from_numpy(np.stack([frame[0] for frame in changed])).permute(0, 3, 1, 2)
         found_heat, found_border, found_pixels = network(images)
-        loss = (heat_loss(found_heat, heat, asked) + 2.0 * border_loss(found_border, border, weight))
+        loss = heat_loss(found_heat, heat, asked) + 2.0 * border_loss(found_border, border, weight)
         if (pixels != VOID).any():
             loss = loss + functional.cross_entropy(found_pixels, pixels, ignore_index=VOID)
         optimizer.zero_grad()
@@ -392,8 +319,8 @@ def cross_validate(parts, seed, sizes, options):
         training, tested = [], []
         for frames in parts:
             block = np.arange(len(frames)) * options["folds"] // max(1, len(frames))
-            for frame, its in zip(frames, block):
-                (tested if its == fold else training).append(frame)
+            training += [frame for frame, its in zip(frames, block) if its != fold]
+            tested += [frame for frame, its in zip(frames, block) if its == fold]
         if training and tested:
             results.append(test(train(training, *sizes, seed, options), tested, *sizes))
     return {f"{score}_folds": mean([one[score] for one in results]) for score in ("map50", "map", "miou")}
@@ -429,7 +356,8 @@ def judge_group(parts, tests, seed, sizes, options):
 def read_request(request, options, notes):
     """Frames of each planner and seed by scene, test frames by distribution, and the classes of both.
 
-    A planner with a dataset that cannot be read has None for its frames: fewer scenes would be another training.
+    A planner with a dataset that cannot be read has None for its frames, since training on fewer scenes
+    would not compare.
     """
     groups, tests, in_scenes = {}, {}, (set(), set())
     for entry in request["entries"]:
@@ -462,7 +390,9 @@ def read_request(request, options, notes):
 
 def kept_values(request, options, tables, key):
     """Where the values of a planner and seed are kept; the name tells all that they depend on."""
-    digest = hashlib.sha256(pathlib.Path(__file__).read_bytes())
+    digest = hashlib.sha256(torch.__version__.encode())
+    for name in ("detector.py", "detection_scores.py", "dataset.py"):
+        digest.update(pathlib.Path(__file__).with_name(name).read_bytes())
     mine = [one for one in request["entries"] if (one["planner"], one.get("seed", 1)) == key]
     for one in mine + request.get("tests", []):
         digest.update((pathlib.Path(one["dataset"]) / "dataset.json").read_bytes())
@@ -482,7 +412,8 @@ def judge(request):
     groups, tests, tables = read_request(request, options, notes)
     sizes = tuple(len(table) for table in tables)
     if 0 in sizes:
-        notes.append("The training scenes and the tests share no class; give tests with the same kinds of objects.")
+        notes.append("The training scenes and the tests share no class; "
+                     "give tests with the same kinds of objects.")
     tests = {kind: prepare(frames, *tables) for kind, frames in tests.items()}
     metrics = metrics_of([kind for kind in DISTRIBUTIONS if kind in tests], options)
     for key, parts in groups.items():

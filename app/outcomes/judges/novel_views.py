@@ -102,7 +102,7 @@ class Surface:
         if len(self.blocks) == 0:
             return np.zeros((data.height, data.width, 3), np.uint8), np.zeros((data.height, data.width))
         coarse = math.gcd(8, math.gcd(data.width, data.height))
-        for _ in range(2):   # the first call may find its buffer too small, and draws nothing but makes it larger
+        for _ in range(2):   # a call that finds its buffer too small makes it larger and draws nothing
             drawn = self.volume.ray_cast(self.blocks, *self.camera(data, index), data.width, data.height,
                                          ["depth", "color"], 1.0, 0.05, 20.0, 1.0, TRUNCATION_VOXELS, coarse)
         color, depth = drawn["color"].numpy(), drawn["depth"].numpy()[..., 0]
