@@ -1,5 +1,7 @@
 #include "engine/io/import/import_proposal.h"
 #include "engine/io/import/scene_import.h"
+#include "engine/io/orientation/frame_evidence.h"
+#include "engine/io/orientation/up_judgement.h"
 #include "engine/io/settings/import_settings.h"
 #include "engine/math/up_axis.h"
 #include "tests/support/imported_scene.h"
@@ -124,6 +126,52 @@ std::string asGltf(const std::vector<NamedBox>& boxes, UpAxis up, double scale,
         .dump();
 }
 
+/// The same as glTF with all boxes in one mesh of one node, as scans and optimisers leave rooms.
+std::string asMergedGltf(const std::vector<NamedBox>& boxes, UpAxis up, const TempFolder& folder) {
+    const Eigen::Matrix3d turn = up.zUpFromSource().transpose();
+    std::string points;
+    std::string indices;
+    Eigen::AlignedBox3f bounds;
+    int first = 0;
+    for (const NamedBox& box : boxes) {
+        for (int i = 0; i < 8; ++i) {
+            const Eigen::Vector3f p = (turn * cornerOf(box.low, box.high, i)).cast<float>();
+            bounds.extend(p);
+            points.append(reinterpret_cast<const char*>(p.data()), sizeof(p));
+        }
+        for (const auto& f : kFaces) {
+            for (const int i : {f[0], f[1], f[2], f[0], f[2], f[3]}) {
+                const auto index = static_cast<std::uint16_t>(first + i);
+                indices.append(reinterpret_cast<const char*>(&index), sizeof(index));
+            }
+        }
+        first += 8;
+    }
+    static_cast<void>(folder.write("room.bin", points + indices));
+    return nlohmann::json{
+        {"asset", {{"version", "2.0"}}},
+        {"scene", 0},
+        {"scenes", {{{"nodes", {0}}}}},
+        {"nodes", {{{"name", "all"}, {"mesh", 0}}}},
+        {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
+        {"buffers", {{{"byteLength", points.size() + indices.size()}, {"uri", "room.bin"}}}},
+        {"bufferViews",
+         {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", points.size()}},
+          {{"buffer", 0}, {"byteOffset", points.size()}, {"byteLength", indices.size()}}}},
+        {"accessors",
+         {{{"bufferView", 0},
+           {"componentType", 5126},
+           {"count", first},
+           {"type", "VEC3"},
+           {"min", {bounds.min().x(), bounds.min().y(), bounds.min().z()}},
+           {"max", {bounds.max().x(), bounds.max().y(), bounds.max().z()}}},
+          {{"bufferView", 1},
+           {"componentType", 5123},
+           {"count", indices.size() / 2},
+           {"type", "SCALAR"}}}}}
+        .dump();
+}
+
 std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const std::string& line : lines) all += line + "\n";
@@ -218,6 +266,64 @@ TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
         EXPECT_EQ(scene.report.up_axis, axis.text()) << warnings;
         EXPECT_NEAR(find(scene, "sofa")->box.center.z(), 0.4, 1e-4) << axis.text();
     }
+}
+
+// What was judged a wall or floor by its shape follows from the axis that was taken, and does not
+// speak for it.
+TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
+    const TempFolder folder;
+    for (const UpAxis axis : kAllAxes) {
+        const Scene scene =
+            imported(folder.write("room.gltf", asMergedGltf(livingRoom(true), axis, folder)));
+        ASSERT_GE(scene.objects.size(), 4U);
+        const ImportProposal proposal = proposeImport(scene);
+        if (axis == UpAxis('y')) {
+            EXPECT_TRUE(proposal.isEmpty()) << joined(scene.report.warnings);
+            continue;
+        }
+        EXPECT_EQ(proposal.up_axis, axis) << axis.text() << joined(scene.report.warnings);
+        EXPECT_EQ(proposal.unit_m, std::nullopt) << axis.text();
+    }
+}
+
+// Cups, pots and lamps are round about the vertical, whatever walls and shelves look like.
+TEST(FrameGuess, RoundThingsStandUpright) {
+    FrameEvidence evidence;
+    for (int i = 0; i < 6; ++i) {
+        MeasuredThing& thing = evidence.things.emplace_back();
+        const Eigen::Vector3d at(i, 0.1 * i * i, 0.3 * i);
+        thing.box = Eigen::AlignedBox3d(at, at + Eigen::Vector3d(0.2, 0.3, 0.2));
+        thing.area = 0.3;
+        thing.facing = {0.02, 0.06, 0.02};
+        evidence.core.extend(thing.box);
+    }
+    const std::vector<UpEvidence> ranked = judgeUp(evidence);
+    EXPECT_EQ(ranked[0].axis.letter, 'y');
+    EXPECT_EQ(ranked[1].axis.letter, 'y');
+    EXPECT_GT(ranked[1].score - ranked[2].score, 0.3);
+}
+
+// A floor and a ceiling that few other things reach are the room's, not strays.
+TEST(FrameGuess, MeasuresTheRoomFromFloorToCeiling) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(false);
+    boxes.erase(boxes.begin() + 2, boxes.begin() + 6);  // the walls
+    boxes.pop_back();                                   // and the picture on one
+    boxes.back().high.z() = 0.6;
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+    EXPECT_TRUE(proposeImport(scene).isEmpty()) << joined(scene.report.warnings);
+    EXPECT_NEAR(collectEvidence(scene).core.sizes().z(), 2.8, 1e-4);
+}
+
+// A file unit that cannot be is not replaced by one that leaves a room too low to stand in.
+TEST(FrameGuess, TakesAUnitThatLeavesRoomToStand) {
+    const TempFolder folder;
+    const double scale = 21.5;
+    const Scene scene =
+        imported(folder.write("room.gltf", asGltf(livingRoom(true), 'y', scale, folder)));
+    EXPECT_NE(scene.report.unit_m, 1.0);
+    EXPECT_GT(scene.report.unit_m * scale * 2.8, 1.8) << joined(scene.report.warnings);
+    EXPECT_LT(scene.report.unit_m * scale * 2.8, 4.0) << joined(scene.report.warnings);
 }
 
 // Furniture and the room's height tell what a unit is; what is proposed is about right.

@@ -133,6 +133,33 @@ TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
                      "1 mesh may hold several objects, alike and apart from each other: Blorb"));
 }
 
+/// Six chairs whose seat, frame, back, legs and screws are meshes of a material each.
+std::string splitByMaterial(bool apart) {
+    ObjWriter obj = test::furnished();
+    int number = 0;
+    const auto part = [&](const Vector3d& low, const Vector3d& high) {
+        const std::string name = "Mat" + std::to_string(++number);
+        obj.object(name).material(name).box(low, high);
+    };
+    for (int i = 0; i < 6; ++i) {
+        const Vector3d at(0.4 + 0.75 * i, 2.2, 0.0);
+        part(at, at + Vector3d(0.45, 0.45, 0.9));
+        for (int k = 0; k < 5; ++k) {
+            const Vector3d low = at + Vector3d(0.05 + 0.07 * k, 0.1, apart ? 1.0 : 0.45);
+            part(low, low + Vector3d(0.05, 0.2, 0.02 + 0.03 * k));
+        }
+    }
+    return obj.text();
+}
+
+TEST(MaterialMeshes, ThatSplitEachObjectAreDoubtful) {
+    const Scene split = importedWith(splitByMaterial(false), true);
+    EXPECT_TRUE(says(split.report.warnings, "the meshes look split by material: "));
+    EXPECT_TRUE(says(split.report.warnings, "export one mesh per object, or merge them"));
+    const Scene apart = importedWith(splitByMaterial(true), true);
+    EXPECT_FALSE(says(apart.report.warnings, "split by material"));
+}
+
 // The smallest thing that its class does not have the size of, and one that is only unusual.
 TEST(SizeDoubts, NameWhatItsClassCannotBe) {
     ObjWriter obj = test::furnished();

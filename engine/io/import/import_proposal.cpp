@@ -21,13 +21,17 @@ UpAxis inFile(UpAxis in_world, const Scene& scene) {
     return UpAxis("xyz"[axis], along[axis] < 0.0);
 }
 
+std::string upDoubt(UpAxis likelier, const Scene& scene) {
+    return fmt::format(
+        "the upward axis is doubtful: {} ({}) is up, but floors and what stands on them say {}",
+        scene.report.up_axis, scene.report.up_source, likelier.text());
+}
+
 void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const std::vector<UpEvidence> ranked = judgeUp(evidence);
     if (!contradicts(evidence, ranked, kWorldUp)) return;
     proposal.up_axis = inFile(ranked.front().axis, scene);
-    proposal.up_doubt = fmt::format(
-        "the upward axis is doubtful: {} ({}) is up, but floors and what stands on them say {}",
-        scene.report.up_axis, scene.report.up_source, proposal.up_axis->text());
+    proposal.up_doubt = upDoubt(*proposal.up_axis, scene);
 }
 
 void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
@@ -56,6 +60,12 @@ ImportProposal proposeImport(const Scene& scene) {
     if (!axis_given) doubtAxis(evidence, scene, proposal);
     if (!unit_given) doubtUnit(evidence, scene, proposal);
     return proposal;
+}
+
+void proposeUp(UpAxis likelier, const Scene& scene, ImportProposal& proposal) {
+    proposal = {};
+    proposal.up_axis = likelier;
+    proposal.up_doubt = upDoubt(likelier, scene);
 }
 
 std::string settingsText(const ImportProposal& proposal) {

@@ -24,6 +24,10 @@ struct ImportProposal {
 /// with the right unit and upward axis. What a person has given is not doubted.
 [[nodiscard]] ImportProposal proposeImport(const Scene& scene);
 
+/// Adds that another upward axis of the file is likelier. What is said of the unit is dropped:
+/// on its side nothing is as high as it looks.
+void proposeUp(UpAxis likelier, const Scene& scene, ImportProposal& proposal);
+
 /// "1 unit = 4.1 m, z up": what is proposed, for people.
 [[nodiscard]] std::string settingsText(const ImportProposal& proposal);
 

@@ -107,7 +107,11 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
 /// Says what is doubtful about unit and axis, and what is likelier.
 void doubtFrame(const FrameChoice& frame, Scene& scene) {
     ImportProposal proposal = proposeImport(scene);
-    if (proposal.unit_doubt.empty()) proposal.unit_doubt = frame.unit_doubt;
+    if (frame.likelier_up && proposal.up_doubt.empty()) {
+        proposeUp(*frame.likelier_up, scene, proposal);
+    } else if (proposal.unit_doubt.empty()) {
+        proposal.unit_doubt = frame.unit_doubt;
+    }
     for (std::string& line : describe(proposal)) scene.report.warnings.push_back(std::move(line));
 }
 
@@ -240,6 +244,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     noteSizeDoubts(scene, scene.report);
+    if (!knows_objects) noteMaterialSplit(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
     scene.class_table = said_labels->classes;

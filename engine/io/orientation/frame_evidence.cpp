@@ -10,6 +10,7 @@
 namespace dollytrack {
 namespace {
 
+constexpr double kSupportGap = 0.004;        // of the longest side: as near as things touch
 constexpr double kAcross = 0.985;            // cosine of 10 degrees
 constexpr std::size_t kEnoughFaces = 20000;  // of one mesh; larger ones are sampled evenly
 
@@ -60,6 +61,30 @@ MeasuredThing measureThing(const Source& source) {
     return thing;
 }
 
+/// A floor, wall or ceiling of the room itself is no stray: about as wide as the room is, and near.
+void keepSides(const std::vector<MeasuredThing>& things, Eigen::AlignedBox3d& core) {
+    constexpr double kLeastCover = 0.6;
+    constexpr double kMostCover = 1.3;
+    constexpr double kNear = 2.0;  // times the extent of what is left
+    const Eigen::AlignedBox3d left = core;
+    for (const MeasuredThing& thing : things) {
+        const Eigen::Array3d cover = thing.box.sizes().array() / left.sizes().array().max(1e-12);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double reach = kNear * left.sizes()[axis];
+            const bool is_side =
+                cover[axis] < kLeastCover &&
+                std::min(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) > kLeastCover &&
+                std::max(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) < kMostCover;
+            if (!is_side || thing.box.min()[axis] < left.min()[axis] - reach ||
+                thing.box.max()[axis] > left.max()[axis] + reach) {
+                continue;
+            }
+            core.min()[axis] = std::min(core.min()[axis], thing.box.min()[axis]);
+            core.max()[axis] = std::max(core.max()[axis], thing.box.max()[axis]);
+        }
+    }
+}
+
 Eigen::AlignedBox3d coreOfThings(const std::vector<MeasuredThing>& things) {
     Eigen::AlignedBox3d core;
     if (things.size() < 8) {
@@ -79,6 +104,7 @@ Eigen::AlignedBox3d coreOfThings(const std::vector<MeasuredThing>& things) {
         core.min()[axis] = lows[cut];
         core.max()[axis] = highs[highs.size() - 1 - cut];
     }
+    keepSides(things, core);
     return core;
 }
 
@@ -101,23 +127,57 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
             LevelAreas& level = levels[static_cast<std::size_t>(axis)];
             const double area = 0.5 * along * share;
             level.all[at] += area;
-            if (!source.thing.building) level.furniture[at] += area;
+            if (!source.thing.building || source.thing.by_shape) level.furniture[at] += area;
             if (floor) level.floors[at] += area;
         });
     }
 }
 
-FrameEvidence collect(const std::vector<Source>& sources) {
+/// `scene` holds one object for each source.
+FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
     std::vector<MeasuredThing> measured(sources.size());
     parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureThing(sources[i]); });
     FrameEvidence evidence;
-    for (MeasuredThing& thing : measured) {
-        if (!thing.box.isEmpty()) evidence.things.push_back(std::move(thing));
+    std::vector<std::size_t> source_of;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        if (measured[i].box.isEmpty()) continue;
+        evidence.things.push_back(std::move(measured[i]));
+        source_of.push_back(i);
     }
     evidence.core = coreOfThings(evidence.things);
     if (evidence.core.isEmpty()) return evidence;
     for (const Source& source : sources) addLevels(source, evidence.core, evidence.levels);
+    const std::vector<SideSupport> support =
+        measureSupport(scene, kSupportGap * evidence.core.sizes().maxCoeff());
+    for (std::size_t i = 0; i < source_of.size(); ++i) {
+        evidence.things[i].support = support[source_of[i]];
+    }
     return evidence;
+}
+
+/// The triangles of the drafts, an object for each.
+Scene sceneOfDrafts(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
+    Scene scene;
+    for (const ObjectDraft& draft : drafts) {
+        Object& object = scene.objects.emplace_back();
+        object.id = static_cast<int>(scene.objects.size());
+        object.first_vertex = static_cast<std::uint32_t>(scene.positions.size());
+        object.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());
+        for (const std::size_t index : draft.parts) {
+            const MeshPart& part = raw.parts[index];
+            const auto first = static_cast<std::uint32_t>(scene.positions.size());
+            scene.positions.insert(scene.positions.end(), part.positions.begin(),
+                                   part.positions.end());
+            for (const Triangle& t : part.triangles) {
+                scene.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+            }
+        }
+        object.vertex_count =
+            static_cast<std::uint32_t>(scene.positions.size()) - object.first_vertex;
+        object.triangle_count =
+            static_cast<std::uint32_t>(scene.triangles.size()) - object.first_triangle;
+    }
+    return scene;
 }
 
 }  // namespace
@@ -132,7 +192,7 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
             source.meshes.push_back({&raw.parts[part].positions, raw.parts[part].triangles});
         }
     }
-    return collect(sources);
+    return collect(sources, sceneOfDrafts(raw, drafts));
 }
 
 FrameEvidence collectEvidence(const Scene& scene) {
@@ -141,11 +201,12 @@ FrameEvidence collectEvidence(const Scene& scene) {
         Source& source = sources.emplace_back();
         source.thing.nyu40 = object.nyu40;
         source.thing.building = object.structure;
+        source.thing.by_shape = object.structure;
         source.meshes.push_back(
             {&scene.positions,
              std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count)});
     }
-    return collect(sources);
+    return collect(sources, scene);
 }
 
 }  // namespace dollytrack

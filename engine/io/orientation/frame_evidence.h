@@ -2,6 +2,7 @@
 
 #include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/orientation/support_evidence.h"
 #include "engine/scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -18,7 +19,9 @@ struct MeasuredThing {
     std::array<double, 3> facing{};                      // area that faces along x, y, z
     double area = 0.0;
     int nyu40 = 0;
-    bool building = false;  // part of it, by name
+    bool building = false;  // part of it, by name or shape
+    bool by_shape = false;  // perhaps judged so by its shape, which presumes what is up
+    SideSupport support{};
 };
 
 /// How the surfaces that lie across an axis are spread along it: area by height, in equal steps of

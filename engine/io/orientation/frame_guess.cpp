@@ -13,6 +13,7 @@ namespace dollytrack {
 namespace {
 
 constexpr double kSlightly = 0.15;     // scores of upward axes that are no nearer are told apart
+constexpr double kDoubtfulLead = 0.7;  // a lead from which on another axis is proposed
 constexpr double kOverwhelming = 2.0;  // a lead from which on the file's axis is not believed
 
 /// How much an axis is favoured before anything is looked at: files have y up or z up.
@@ -36,7 +37,12 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
     choice.up_source = "file";
     if (!raw.objects.empty()) return;
     const std::vector<UpEvidence> ranked = judgeUp(evidence);
-    if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) return;
+    if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) {
+        if (contradicts(evidence, ranked, raw.file_up_axis, kDoubtfulLead)) {
+            choice.likelier_up = ranked.front().axis;
+        }
+        return;
+    }
     choice.up_axis = ranked.front().axis;
     choice.up_source = "judged from floors and what stands on them, against the file";
     choice.warnings.push_back(
@@ -70,6 +76,19 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     }
 }
 
+/// Where the best of the usual units makes a room too low to stand in, the likeliest of all units
+/// is taken if it fits better, although it is none of the usual ones.
+void preferStandingHeight(const UnitEvidence& evidence, double& unit, UnitScore& score) {
+    constexpr double kLowest_m = 1.8;
+    constexpr double kUnusual = 0.8;
+    if (evidence.height * unit >= kLowest_m) return;
+    const double likeliest = likeliestUnit(evidence);
+    const UnitScore another = scoreUnit(evidence, likeliest);
+    if (evidence.height * likeliest < kLowest_m || kUnusual * another.score <= score.score) return;
+    unit = likeliest;
+    score = another;
+}
+
 void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<double> given,
                 FrameChoice& choice) {
     if (given) {
@@ -84,7 +103,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
         choice.unit_source = "file";
         return;
     }
-    constexpr double kDoubtful = 0.35;
+    constexpr double kDoubtfulScore = 0.35;
     constexpr double kBelievable = 0.9;  // of what a file says; rooms of usual sizes score 1
     constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
     double best_unit = 1.0;
@@ -114,7 +133,8 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
             choice.unit_source = "file";
             // Several storeys and attics are high; that alone speaks for no other unit.
             const bool another_fits_better = best_unit != unit && best.score > by_file.score;
-            if (by_file.score < kDoubtful || (by_file.score < kBelievable && another_fits_better)) {
+            if (by_file.score < kDoubtfulScore ||
+                (by_file.score < kBelievable && another_fits_better)) {
                 choice.unit_doubt = fmt::format(
                     "the unit is doubtful: the file says 1 unit = {:.3g} m, which "
                     "makes the {}",
@@ -122,6 +142,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
             }
             return;
         }
+        preferStandingHeight(evidence, best_unit, best);
         choice.warnings.push_back(
             fmt::format("the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was taken "
                         "instead",
@@ -133,7 +154,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
         choice.warnings.push_back("the unit is doubtful: this is a hall in metres (" +
                                   best.evidence +
                                   "), or a room in feet; give 0.3048 metres per unit for feet");
-    } else if (best.score < kDoubtful) {
+    } else if (best.score < kDoubtfulScore) {
         choice.unit_doubt = "the unit is doubtful: no usual unit gives this scene a room's size";
     }
 }

@@ -12,7 +12,10 @@ namespace {
 constexpr double kContact = 0.004;    // of the room's longest side: as near as things touch
 constexpr double kEnoughTops = 0.05;  // of all surface: so much level furniture is believed
 constexpr double kEdge = 0.1;         // of the height: where floor and ceiling are
-constexpr int kFloorMat = 20;         // NYU40
+constexpr double kSupportWeight = 2.0;
+constexpr float kRestsShare = 0.5F;  // of an object's lowest points on others
+constexpr int kFewestThings = 4;     // objects that prove anything
+constexpr int kFloorMat = 20;        // NYU40
 constexpr int kBed = 4;
 constexpr int kChair = 5;
 constexpr int kSofa = 6;
@@ -24,6 +27,8 @@ constexpr int kBathtub = 36;
 /// A thing's extent along the direction that is tried, rising upwards.
 struct Upright {
     const MeasuredThing* thing = nullptr;
+    int nyu40 = 0;          // 0 where only the shape speaks for the class
+    bool building = false;  // by name
     double low = 0.0;
     double high = 0.0;
 };
@@ -33,7 +38,8 @@ std::vector<Upright> standUp(const std::vector<MeasuredThing>& things, UpAxis ax
     for (const MeasuredThing& thing : things) {
         const double a = axis.sign() * thing.box.min()[axis.index()];
         const double b = axis.sign() * thing.box.max()[axis.index()];
-        all.push_back({&thing, std::min(a, b), std::max(a, b)});
+        all.push_back({&thing, thing.by_shape ? 0 : thing.nyu40, thing.building && !thing.by_shape,
+                       std::min(a, b), std::max(a, b)});
     }
     return all;
 }
@@ -56,7 +62,7 @@ class Ballot {
 double judgeNames(const std::vector<Upright>& all, double bottom, double height, int axis) {
     Ballot ballot;
     for (const Upright& one : all) {
-        const int nyu = one.thing->nyu40;
+        const int nyu = one.nyu40;
         const Eigen::Vector3d size = one.thing->box.sizes();
         const bool thinnest = size[axis] <= size.minCoeff() + 1e-9 * size.maxCoeff();
         const double middle = (0.5 * (one.low + one.high) - bottom) / height;
@@ -80,7 +86,7 @@ double judgeStanding(const std::vector<Upright>& all, double height) {
     std::vector<double> lows;
     std::vector<double> highs;
     for (const Upright& one : all) {
-        if (one.thing->building) continue;
+        if (one.building) continue;
         lows.push_back(one.low);
         highs.push_back(one.high);
     }
@@ -116,7 +122,7 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
     std::vector<const Upright*> by_high;
     std::vector<const Upright*> by_low;
     for (const Upright& one : all) {
-        if (one.thing->building) continue;
+        if (one.building) continue;
         by_high.push_back(&one);
         by_low.push_back(&one);
     }
@@ -142,10 +148,49 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
 
+/// Of the things that are no part of the building, the share that rests on others, less half of
+/// those that would rest upside down.
+double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
+    double rests = 0.0;
+    int count = 0;
+    for (const Upright& one : all) {
+        if (one.building) continue;
+        const SideSupport& support = one.thing->support;
+        rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
+        rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);
+        ++count;
+    }
+    return count < kFewestThings ? 0.0 : rests / count;
+}
+
+/// Of the round things, cups, pots and lamps, the share that is round about this axis.
+double judgeRound(const std::vector<Upright>& all, int axis) {
+    constexpr double kCurved = 0.3;  // share of the surface that faces along none of the axes
+    constexpr double kAlike = 0.03;
+    constexpr double kUnlike = 0.1;
+    double round = 0.0;
+    double along = 0.0;
+    for (const Upright& one : all) {
+        const MeasuredThing& thing = *one.thing;
+        const double level = thing.facing[0] + thing.facing[1] + thing.facing[2];
+        if (one.building || thing.area - level < kCurved * thing.area) continue;
+        const Eigen::Vector3d size = thing.box.sizes();
+        for (int i = 0; i < 3; ++i) {
+            const double a = size[(i + 1) % 3];
+            const double b = size[(i + 2) % 3];
+            const bool is_round = std::abs(a - b) < kAlike * std::max(a, b) &&
+                                  std::abs(size[i] - a) > kUnlike * std::max(size[i], a);
+            round += is_round;
+            along += is_round && i == axis;
+        }
+    }
+    return along / (round + 2.0);
+}
+
 double judgeShapes(const std::vector<Upright>& all, UpAxis axis) {
     Ballot ballot;
     for (const Upright& one : all) {
-        const int nyu = one.thing->nyu40;
+        const int nyu = one.nyu40;
         const bool heavy_above = nyu == kTable || nyu == kDesk;
         const bool heavy_below = nyu == kBed || nyu == kSofa || nyu == kToilet;
         if (!heavy_above && !heavy_below && nyu != kChair && nyu != kBathtub) continue;
@@ -180,6 +225,8 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
     result.named = judgeNames(all, bottom, height, i);
     result.standing = judgeStanding(all, height);
     result.resting = judgeResting(all, i, kContact * size.maxCoeff());
+    result.support = judgeSupport(all, axis);
+    result.round = judgeRound(all, i);
     result.shapes = judgeShapes(all, axis);
 
     const LevelAreas& levels = evidence.levels[static_cast<std::size_t>(i)];
@@ -213,7 +260,8 @@ std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence) {
         for (const bool negative : {false, true}) {
             UpEvidence one = judge(evidence, UpAxis(letter, negative));
             one.score = 2.0 * one.named + 2.0 * one.level + 0.4 * one.lowest + 1.5 * one.standing +
-                        1.0 * one.resting + 0.8 * one.tops + 0.4 * one.floor + 0.8 * one.shapes;
+                        1.0 * one.resting + kSupportWeight * one.support + 1.0 * one.round +
+                        0.8 * one.tops + 0.4 * one.floor + 0.8 * one.shapes;
             all.push_back(one);
         }
     }
@@ -223,8 +271,7 @@ std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence) {
 
 bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked, UpAxis axis,
                  double lead) {
-    constexpr std::size_t kFewest = 4;
-    if (evidence.things.size() < kFewest) return false;
+    if (evidence.things.size() < std::size_t{kFewestThings}) return false;
     const double score = std::ranges::find(ranked, axis, &UpEvidence::axis)->score;
     return ranked.front().score - score >= lead;
 }

@@ -17,6 +17,8 @@ struct UpEvidence {
     double lowest = 0.0;    // a room is lower than it is long
     double standing = 0.0;  // things begin at one height rather than end at one
     double resting = 0.0;   // things rest on others, and do not hang from them
+    double support = 0.0;   // things have another's surface right below their lowest points
+    double round = 0.0;     // cups, pots and lamps are round about it
     double tops = 0.0;      // the tops of furniture lie in the lower half of the room
     double floor = 0.0;     // a floor more often than a ceiling
     double shapes = 0.0;    // seats and beds are heavy below, tables above
