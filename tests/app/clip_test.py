@@ -87,6 +87,7 @@ class Clip(FolderCase):
         for arguments, words in (
                 (["--duration", 20, "--fps", 30, "--max-frames", 300], "max_frames=300"),
                 (["--duration", 0.01, "--fps", 10], "shorter than one frame"),
+                (["--duration", 100000, "--fps", 10], "more than 100000 frames; lower either"),
                 (["--duration", 5, "--set", "path_mode=longest_branch"], "path_mode")):
             result = run("plan", self.room, *SMALL, *arguments)
             self.assertEqual(result.returncode, 2, result.stderr)
@@ -107,6 +108,15 @@ class Clip(FolderCase):
             self.assertEqual(made.returncode, 0, made.stderr)
             film = cv2.VideoCapture(str(out / "preview.mp4"))
             self.assertAlmostEqual(film.get(cv2.CAP_PROP_FPS), rate, delta=0.01)
+
+    def test_the_film_of_one_frame_has_the_trajectory_s_rate(self):
+        self.plan("--fps", 24, "--duration", 2)
+        out = self.folder / "film_of_one"
+        made = run("export", self.folder / "room.dolly", "--out", out, "--modalities", "rgb",
+                   "--formats", "video", "--range", "3:4")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        film = cv2.VideoCapture(str(out / "preview.mp4"))
+        self.assertAlmostEqual(film.get(cv2.CAP_PROP_FPS), 24, delta=0.01)
 
 
 if __name__ == "__main__":
