@@ -276,13 +276,16 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
         const Scene scene =
             imported(folder.write("room.gltf", asMergedGltf(livingRoom(true), axis, folder)));
         ASSERT_GE(scene.objects.size(), 4U);
-        const ImportProposal proposal = proposeImport(scene);
+        const ImportProposal proposal = proposeImport(scene, true);
         if (axis == UpAxis('y')) {
             EXPECT_TRUE(proposal.isEmpty()) << joined(scene.report.warnings);
             continue;
         }
         EXPECT_EQ(proposal.up_axis, axis) << axis.text() << joined(scene.report.warnings);
         EXPECT_EQ(proposal.unit_m, std::nullopt) << axis.text();
+        EXPECT_NE(joined(scene.report.warnings).find("likelier is --up " + axis.text()),
+                  std::string::npos)
+            << axis.text();
     }
 }
 

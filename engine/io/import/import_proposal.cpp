@@ -50,12 +50,12 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 
 }  // namespace
 
-ImportProposal proposeImport(const Scene& scene) {
+ImportProposal proposeImport(const Scene& scene, bool classes_by_shape) {
     ImportProposal proposal;
     const bool axis_given = scene.report.up_source == "given";
     const bool unit_given = scene.report.unit_source == "given";
     if (axis_given && unit_given) return proposal;
-    const FrameEvidence evidence = collectEvidence(scene);
+    const FrameEvidence evidence = collectEvidence(scene, classes_by_shape);
     if (evidence.core.isEmpty()) return proposal;
     if (!axis_given) doubtAxis(evidence, scene, proposal);
     if (!unit_given) doubtUnit(evidence, scene, proposal);

@@ -21,8 +21,10 @@ struct ImportProposal {
 };
 
 /// Judges by gravity, known sizes of furniture and the room's height whether the scene was read
-/// with the right unit and upward axis. What a person has given is not doubted.
-[[nodiscard]] ImportProposal proposeImport(const Scene& scene);
+/// with the right unit and upward axis. What a person has given is not doubted. Where the classes
+/// of walls and floors may have been judged by shape, which presumes an upward axis, they do not
+/// speak for that axis.
+[[nodiscard]] ImportProposal proposeImport(const Scene& scene, bool classes_by_shape = false);
 
 /// Adds that another upward axis of the file is likelier. What is said of the unit is dropped:
 /// on its side nothing is as high as it looks.

@@ -105,8 +105,8 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
 }
 
 /// Says what is doubtful about unit and axis, and what is likelier.
-void doubtFrame(const FrameChoice& frame, Scene& scene) {
-    ImportProposal proposal = proposeImport(scene);
+void doubtFrame(const FrameChoice& frame, bool classes_by_shape, Scene& scene) {
+    ImportProposal proposal = proposeImport(scene, classes_by_shape);
     if (frame.likelier_up && proposal.up_doubt.empty()) {
         proposeUp(*frame.likelier_up, scene, proposal);
     } else if (proposal.unit_doubt.empty()) {
@@ -240,7 +240,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
-    doubtFrame(frame, scene);
+    doubtFrame(frame, !knows_objects, scene);
     setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     noteSizeDoubts(scene, scene.report);

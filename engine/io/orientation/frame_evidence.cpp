@@ -195,13 +195,13 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
     return collect(sources, sceneOfDrafts(raw, drafts));
 }
 
-FrameEvidence collectEvidence(const Scene& scene) {
+FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
     std::vector<Source> sources;
     for (const Object& object : scene.objects) {
         Source& source = sources.emplace_back();
         source.thing.nyu40 = object.nyu40;
         source.thing.building = object.structure;
-        source.thing.by_shape = object.structure;
+        source.thing.by_shape = classes_by_shape && object.structure;
         source.meshes.push_back(
             {&scene.positions,
              std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count)});

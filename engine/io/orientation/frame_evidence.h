@@ -43,7 +43,8 @@ struct FrameEvidence {
 /// In the source's axes and unit.
 FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft>& drafts);
 
-/// In the world's axes, metres.
-FrameEvidence collectEvidence(const Scene& scene);
+/// In the world's axes, metres. `classes_by_shape`: what is part of the building may have been
+/// judged so by its shape.
+FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape = false);
 
 }  // namespace dollytrack
