@@ -4,6 +4,7 @@
 Usage: edit_command_test.py PROGRAM [unittest arguments]
 """
 import json
+import os
 import unittest
 
 import tiny_room
@@ -85,6 +86,13 @@ class EditCommand(FolderCase):
                          "0.1 .. 1")
         self.assertFails(run("edit", path, "--op", "{"), 2, "JSON")
         self.assertFails(run("edit", path, "--script", self.folder / "none.json"), 4, "none.json")
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        self.assertFails(run("edit", path, "--script", pipe), 4, str(pipe), "ordinary file")
+        self.assertFails(run("edit", path, "--script", self.room), 4, str(self.room), "JSON")
+        single = self.folder / "single.json"
+        single.write_text('{"op": "exclude", "object": "sofa"}')
+        self.assertFails(run("edit", path, "--script", single), 4, str(single), "list")
         self.assertFails(run("edit", path, "--plan"), 2, "--op")
         self.assertFails(run("edit", path, "--unit", 0.01), 2, "--unit")
         broken = json.loads(path.read_text())

@@ -48,11 +48,12 @@ struct EditArguments {
     }
 };
 
-Result<nlohmann::json> parse(const std::string& text, const std::string& where) {
+/// `code`: of the error. A file is bad input, an option's text is usage.
+Result<nlohmann::json> parse(const std::string& text, const std::string& where, ErrorCode code) {
     Result<nlohmann::json> json = io::parseBoundedJson(text, where);
     if (json) return json;
     const bool has_place = json.error().where != where;  // of what is no JSON at all
-    return fail(ErrorCode::Usage,
+    return fail(code,
                 has_place ? "This is not valid JSON; names and texts stand in double quotes, as in "
                             "{\"op\":\"exclude\",\"object\":\"lamp_3\"}."
                           : json.error().message,
@@ -65,16 +66,17 @@ Result<nlohmann::json> readOperations(const EditArguments& arguments) {
     if (!arguments.script.empty()) {
         const Result<std::string> text = io::readText(arguments.script);
         if (!text) return tl::unexpected<Error>(text.error());
-        Result<nlohmann::json> script = parse(*text, arguments.script);
+        Result<nlohmann::json> script = parse(*text, arguments.script, ErrorCode::BadInput);
         if (!script) return script;
         if (!script->is_array()) {
-            return fail(ErrorCode::Usage, "A script is a list of operations: [{\"op\": ...}, ...].",
+            return fail(ErrorCode::BadInput,
+                        "A script is a list of operations: [{\"op\": ...}, ...].",
                         arguments.script);
         }
         all = std::move(*script);
     }
     for (const std::string& text : arguments.operations) {
-        Result<nlohmann::json> one = parse(text, "--op");
+        Result<nlohmann::json> one = parse(text, "--op", ErrorCode::Usage);
         if (!one) return one;
         all.push_back(std::move(*one));
     }
