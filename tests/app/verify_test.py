@@ -199,6 +199,23 @@ class VerifyTest(FolderCase):
             copy.card["conventions"]["intrinsics"]["width"] = 2 ** 30
         self.assertFails(run("verify", self.damaged(widen)), 4, "conventions.intrinsics", "16384")
 
+    def test_a_card_with_a_wrong_type_is_refused_with_the_field(self):
+        def changed(copy, change):
+            copy.mended = False
+            change(copy.card)
+        for field, change in {
+            "objects": lambda card: card.update(objects=5),
+            "objects[1]": lambda card: card["objects"][1].update(name=[]),
+            "frames[0]": lambda card: card["frames"][0].update(time_s="soon"),
+            "formats": lambda card: card.update(formats={"coco": 1}),
+            "files": lambda card: card["files"].update({"rgb/000000.png": 5}),
+            "conventions.intrinsics": lambda card: card.update(conventions=None),
+        }.items():
+            with self.subTest(field):
+                result = run("verify", self.damaged(lambda copy: changed(copy, change)))
+                self.assertFails(result, 4, f"dataset.json: {field}: ", "export the dataset again")
+                self.assertNotIn("json.exception", result.stderr)
+
     def test_a_few_modalities_are_checked_as_far_as_they_go(self):
         out = self.folder / "few"
         export = run("export", self.folder / "room.dolly", "--out", out, "--modalities",

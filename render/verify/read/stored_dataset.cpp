@@ -79,8 +79,16 @@ std::set<int> readUnusableFrames(const Json& card) {
     return frames;
 }
 
-Status readCard(StoredDataset& dataset) {
+/// `field`: what is read at the moment, for the error where it throws.
+Status readCard(StoredDataset& dataset, std::string& field) {
     const Json& card = dataset.card;
+    const auto list = [&](const char* name) -> const Json& {
+        field = name;
+        const Json& all = card.at(name);
+        if (!all.is_array()) (void)all.get<Json::array_t>();  // throws
+        return all;
+    };
+    field = "labels";
     if (card.contains("labels")) {
         Result<ClassTable> own =
             io::classTableFromJson(nlohmann::json(card["labels"]),
@@ -88,11 +96,19 @@ Status readCard(StoredDataset& dataset) {
         if (!own) return tl::unexpected<Error>(own.error());
         dataset.own_classes = std::make_shared<const ClassTable>(std::move(*own));
     }
+    field = "conventions.intrinsics";
     readLens(card, dataset);
-    dataset.modalities = card.at("modalities").get<std::vector<std::string>>();
-    dataset.formats = card.at("formats").get<std::vector<std::string>>();
-    for (const Json& one : card.at("objects")) dataset.objects.push_back(objectFrom(one));
-    for (const Json& one : card.at("frames")) dataset.frames.push_back(frameFrom(one));
+    dataset.modalities = list("modalities").get<std::vector<std::string>>();
+    dataset.formats = list("formats").get<std::vector<std::string>>();
+    for (const Json& one : list("objects")) {
+        field = fmt::format("objects[{}]", dataset.objects.size());
+        dataset.objects.push_back(objectFrom(one));
+    }
+    for (const Json& one : list("frames")) {
+        field = fmt::format("frames[{}]", dataset.frames.size());
+        dataset.frames.push_back(frameFrom(one));
+    }
+    field = "files";
     dataset.sha256s = card.at("files").get<std::map<std::string, std::string>>();
     return {};
 }
@@ -162,17 +178,22 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     Result<Json> card = io::readBoundedJson<Json>(path);
     if (!card) return tl::unexpected<Error>(card.error());
     dataset.card = std::move(*card);
+    std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
             return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
                         path.string());
         }
-        if (Status read = readCard(dataset); !read) return tl::unexpected<Error>(read.error());
+        if (Status read = readCard(dataset, field); !read) {
+            return tl::unexpected<Error>(read.error());
+        }
+        field = "metrics.pictures";
         dataset.unusable_frames = readUnusableFrames(dataset.card);
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("It is damaged ({}); export the dataset again.", error.what()),
-                    path.string());
+                    "The field lacks a value or has one of the wrong type; export the dataset "
+                    "again.",
+                    path.string() + ": " + field);
     }
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
     if (!isSide(dataset.lens.width) || !isSide(dataset.lens.height) || !(dataset.lens.fx > 0.0) ||
