@@ -203,6 +203,11 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
     for (const std::string& folder : wanted) {
         if (Status status = folder_.checkFolder(folder); !status) return status;
     }
+    const Result<std::vector<std::string>> in_the_way = filesNamed(folder_, names);
+    if (!in_the_way) return tl::unexpected(in_the_way.error());
+    for (const std::string& file : *in_the_way) {
+        if (Status status = folder_.checkFile(file); !status) return status;
+    }
     if (isComplete()) {
         const Result<std::set<std::string>> old = filesListed(folder_, kCardFile);
         if (!old) return tl::unexpected(old.error());

@@ -125,6 +125,20 @@ class ExportFolder(FolderCase):
                     self.assertFails(refused, 6, str(link), "link")
                     self.assertEqual(hashes(pictures), before)
 
+    def test_a_link_in_the_way_of_a_file_is_said_before_anything_is_drawn(self):
+        for place in ["camera.json", "dataset.json", "contact_sheet.jpg", "rgb/000001.png"]:
+            with self.subTest(place=place):
+                out = self.new_folder()
+                pictures, before = self.pictures(out)
+                (out / "rgb").mkdir()
+                (out / place).symlink_to(pictures / "000000.png")
+                refused = run("-q", "export", self.project, "--out", out, "--range", "0:2",
+                              "--modalities", "rgb", "--formats", "camera_json", "--overwrite")
+                self.assertFails(refused, 6, str(out / place), "link")
+                self.assertNotIn("frames are finished", refused.stderr)
+                self.assertFalse((out / "rgb" / "000000.png").exists())
+                self.assertEqual(hashes(pictures), before)
+
     def test_a_journal_with_a_second_name_is_not_written(self):
         out = self.new_folder()
         pictures, before = self.pictures(out)

@@ -238,6 +238,16 @@ Status GuardedFolder::checkFolder(const std::string& name) const {
     return {};
 }
 
+Status GuardedFolder::checkFile(const std::string& name) const {
+    const Result<std::optional<Place>> place = findPlace(name, false);
+    if (!place) return tl::unexpected(place.error());
+    if (!*place) return {};
+    const auto found = statusAt((*place)->folder, (*place)->name);
+    if (found && S_ISLNK(found->st_mode)) return failure(ELOOP, **place);
+    if (found && S_ISDIR(found->st_mode)) return failure(EISDIR, **place);
+    return {};
+}
+
 Status GuardedFolder::write(const std::string& name, std::span<const std::uint8_t> bytes,
                             Durability durability) const {
     const Result<Place> place = placeOf(name, true);

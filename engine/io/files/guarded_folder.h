@@ -69,6 +69,8 @@ class GuardedFolder {
     [[nodiscard]] Result<std::vector<std::string>> list(const std::string& name) const;
     /// Whether no link and no file stands where this folder and those around it should be.
     [[nodiscard]] Status checkFolder(const std::string& name) const;
+    /// Whether no link and no folder stands where this file should be.
+    [[nodiscard]] Status checkFile(const std::string& name) const;
 
     /// As writeWhole(); folders within this one that the name needs are made.
     [[nodiscard]] Status write(const std::string& name, std::span<const std::uint8_t> bytes,
