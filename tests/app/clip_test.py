@@ -87,6 +87,7 @@ class Clip(FolderCase):
         for arguments, words in (
                 (["--duration", 20, "--fps", 30, "--max-frames", 300], "max_frames=300"),
                 (["--duration", 0.01, "--fps", 10], "shorter than one frame"),
+                (["--duration", 100000, "--fps", 10], "more than 100000 frames; lower either"),
                 (["--duration", 5, "--set", "path_mode=longest_branch"], "path_mode")):
             result = run("plan", self.room, *SMALL, *arguments)
             self.assertEqual(result.returncode, 2, result.stderr)
