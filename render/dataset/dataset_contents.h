@@ -44,6 +44,7 @@ struct DatasetContents {
     ModalitySet modalities;            // whose images are in the dataset
     std::vector<DatasetFrame> frames;  // by index
     CameraMotion camera_motion = {};   // through the whole trajectory, of which frames are a part
+    double frame_interval_s = 0.1;     // of that trajectory
     double imu_rate_hz = 200.0;
     ScoreWeights score = {};
     std::vector<int> flow_distances = {1};  // in frames, each at least 1

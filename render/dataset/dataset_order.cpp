@@ -60,6 +60,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
     order.contents.camera_motion = CameraMotion(trajectory);
+    order.contents.frame_interval_s = trajectory.frame_interval_s;
     order.contents.imu_rate_hz = settings.imu_rate_hz;
     for (const int distance : settings.flow_distances) {
         if (distance >= 1) continue;

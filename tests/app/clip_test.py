@@ -109,6 +109,15 @@ class Clip(FolderCase):
             film = cv2.VideoCapture(str(out / "preview.mp4"))
             self.assertAlmostEqual(film.get(cv2.CAP_PROP_FPS), rate, delta=0.01)
 
+    def test_the_film_of_one_frame_has_the_trajectory_s_rate(self):
+        self.plan("--fps", 24, "--duration", 2)
+        out = self.folder / "film_of_one"
+        made = run("export", self.folder / "room.dolly", "--out", out, "--modalities", "rgb",
+                   "--formats", "video", "--range", "3:4")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        film = cv2.VideoCapture(str(out / "preview.mp4"))
+        self.assertAlmostEqual(film.get(cv2.CAP_PROP_FPS), 24, delta=0.01)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -16,18 +16,19 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
 
-constexpr double kUnknown = 5.0;  // pictures a second, where a frame alone has no rate
-constexpr double kSlowest = 0.01;
+constexpr double kSlowest = 0.01;  // pictures a second
 constexpr double kFastest = 1000.0;
 
 /// Pictures a second, as the camera flies: one second of film is one of the trajectory.
-double rateOf(const std::vector<DatasetFrame>& frames) {
+/// A frame alone has the trajectory's rate.
+double rateOf(const DatasetContents& contents) {
+    const std::vector<DatasetFrame>& frames = contents.frames;
     std::vector<double> steps;
     for (std::size_t i = 1; i < frames.size(); ++i) {
         if (frames[i].camera.path != frames[i - 1].camera.path) continue;
         steps.push_back(frames[i].camera.time_s - frames[i - 1].camera.time_s);
     }
-    if (steps.empty()) return kUnknown;
+    if (steps.empty()) steps.push_back(contents.frame_interval_s);
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
     return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
@@ -44,8 +45,8 @@ Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& 
 }
 
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    Result<VideoEncoder> video = VideoEncoder::begin(
-        contents.camera.width_px, contents.camera.height_px, rateOf(contents.frames));
+    Result<VideoEncoder> video =
+        VideoEncoder::begin(contents.camera.width_px, contents.camera.height_px, rateOf(contents));
     if (!video) return tl::unexpected(video.error());
     const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
     if (!folder) return tl::unexpected(folder.error());
