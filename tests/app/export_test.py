@@ -15,6 +15,7 @@ import tempfile
 import time
 import unittest
 
+import tiny_room
 from program import FolderCase, hashes, lines_in, run, start, wait_for
 
 APARTMENT = sys.argv.pop(1)
@@ -209,6 +210,23 @@ class Export(FolderCase):
             self.assertEqual(hashes(out), self.expected)
         finally:
             subprocess.run(["umount", disk], check=True)
+
+    def test_a_hall_is_neither_white_nor_dark(self):
+        hall = self.folder / "hall.obj"
+        tiny_room.write_boxes(hall, [
+            ("floor", (0, -0.1, 0), (20, 0, 15)), ("ceiling", (0, 6, 0), (20, 6.1, 15)),
+            ("wall_1", (-0.1, 0, 0), (0, 6, 15)), ("wall_2", (20, 0, 0), (20.1, 6, 15)),
+            ("wall_3", (0, 0, -0.1), (20, 6, 0)), ("wall_4", (0, 0, 15), (20, 6, 15.1)),
+            ("table", (2, 0, 2), (3.4, 0.75, 2.8)), ("cabinet", (10, 0, 12), (11, 2, 12.5)),
+            ("chair", (16, 0, 5), (16.5, 0.9, 5.5))])
+        out = self.folder / "hall"
+        made = run("export", hall, "--out", out, "--max-frames", 24, "--unit", 1,
+                   "--set", "octree_resolution_m=0.2", "--set", "camera_radius_m=0.2",
+                   "--set", "width_px=64", "--set", "height_px=48", "--modalities", "rgb")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        pictures = json.loads((out / "dataset.json").read_text())["metrics"]["pictures"]
+        self.assertGreater(pictures["measured"], 8)
+        self.assertEqual((pictures["white"], pictures["dark"]), ([], []))
 
     def test_a_folder_that_cannot_be_written_is_told_at_once(self):
         self.assertFails(run("export", self.project, "--out", "/proc/nothing"), 6, "/proc/nothing")

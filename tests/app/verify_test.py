@@ -200,6 +200,9 @@ class VerifyTest(FolderCase):
         self.assertFails(run("verify", self.damaged(widen)), 4, "conventions.intrinsics", "16384")
 
     def test_a_card_with_a_wrong_type_is_refused_with_the_field(self):
+        def changed(copy, change):
+            copy.mended = False
+            change(copy.card)
         for field, change in {
             "objects": lambda card: card.update(objects=5),
             "objects[1]": lambda card: card["objects"][1].update(name=[]),
@@ -209,7 +212,7 @@ class VerifyTest(FolderCase):
             "conventions.intrinsics": lambda card: card.update(conventions=None),
         }.items():
             with self.subTest(field):
-                result = run("verify", self.damaged(lambda copy: change(copy.card)))
+                result = run("verify", self.damaged(lambda copy: changed(copy, change)))
                 self.assertFails(result, 4, f"dataset.json: {field}: ", "export the dataset again")
                 self.assertNotIn("json.exception", result.stderr)
 
