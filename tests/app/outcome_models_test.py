@@ -226,6 +226,7 @@ class Judges(unittest.TestCase):
         values = result["rows"][0]["values"]
         self.assertEqual((values["frames"], values["classes"], values["classes_trained"]), (48, 2, 2))
         self.assertGreater(values["map50_uniform"], 0.5)
+        self.assertGreater(values["ap50_any_uniform"], 0.5)
         self.assertGreater(values["miou_uniform"], 0.5)
         self.assertGreater(values["map50_uniform"], values["map_uniform"])
         self.assertNotIn("map50_close", values)

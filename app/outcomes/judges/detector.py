@@ -13,6 +13,7 @@ Protocol, the same for every planner and every kind of test:
 - Classes are those of the objects in the training scenes that the tests show, too. A class that a planner
   never shows counts in its means like any other, so that it gains nothing by showing less.
 - mAP is COCO's: 101 recall levels, at most 100 boxes an image, the mean over classes that a test holds.
+- `ap50_any` is the AP at IoU 0.5 of objects of whatever class: how well they are found, not named.
 - mIoU is the mean over classes that a test's pixels hold; pixels of other classes do not count.
 - Option `trainings` (1) repeats the training with further seeds; values are means, `_spread` their standard
   deviation. Option `folds` (0) adds cross-validation on the planner's own frames, in consecutive blocks.
@@ -41,6 +42,7 @@ except ImportError:
 NAME = "detector"
 OPTIONS = {"steps": 600, "batch": 16, "width_px": 192, "least_px": 480, "trainings": 1, "folds": 0,
            "threads": 2}
+SCORES = ("map50", "map", "ap50_any", "miou")
 DISTRIBUTIONS = ("uniform", "object_facing", "close")
 STRIDE = 4
 VOID = 255
@@ -283,7 +285,7 @@ def predict(network, images):
 
 
 def test(network, frames, box_classes, pixel_classes):
-    """mAP50, mAP50:95 and mIoU of prepared frames."""
+    """Scores of prepared frames."""
     predictions = []
     confusion = np.zeros((pixel_classes, pixel_classes), np.int64)
     for start in range(0, len(frames), 16):
@@ -294,8 +296,12 @@ def test(network, frames, box_classes, pixel_classes):
             known = frame[1] != VOID
             both = frame[1][known].astype(int) * pixel_classes + seen[known]
             confusion += np.bincount(both, minlength=pixel_classes ** 2).reshape(confusion.shape)
-    half, all_of_them = mean_average_precision(predictions, [frame[2:] for frame in frames], box_classes)
-    return {"map50": half, "map": all_of_them, "miou": mean_iou(confusion)}
+    truths = [frame[2:] for frame in frames]
+    half, all_of_them = mean_average_precision(predictions, truths, box_classes)
+    found = [(boxes, scores, np.zeros_like(labels)) for boxes, scores, labels in predictions]
+    objects = [(boxes, np.zeros_like(labels), ignored) for boxes, labels, ignored in truths]
+    return {"map50": half, "map": all_of_them, "ap50_any": mean_average_precision(found, objects, 1)[0],
+            "miou": mean_iou(confusion)}
 
 
 # --- judge --------------------------------------------------------------------------------------
@@ -303,7 +309,7 @@ def test(network, frames, box_classes, pixel_classes):
 def metrics_of(distributions, options):
     metrics = {}
     kinds = [*distributions, "mean"] + (["folds"] if options["folds"] else [])
-    for score in ("map50", "map", "miou"):
+    for score in SCORES:
         for kind in kinds:
             metrics[f"{score}_{kind}"] = {"unit": "", "better": "higher"}
     metrics["map50_spread"] = metrics["miou_spread"] = {"unit": "", "better": ""}
@@ -323,7 +329,7 @@ def cross_validate(parts, seed, sizes, options):
             tested += [frame for frame, its in zip(frames, block) if its == fold]
         if training and tested:
             results.append(test(train(training, *sizes, seed, options), tested, *sizes))
-    return {f"{score}_folds": mean([one[score] for one in results]) for score in ("map50", "map", "miou")}
+    return {f"{score}_folds": mean([one[score] for one in results]) for score in SCORES}
 
 
 def judge_group(parts, tests, seed, sizes, options):
@@ -339,8 +345,8 @@ def judge_group(parts, tests, seed, sizes, options):
     for k in range(options["trainings"]):
         network = train(frames, *sizes, seed + k, options)
         scores = {kind: test(network, its, *sizes) for kind, its in tests.items()}
-        one = {f"{score}_{kind}": scores[kind][score] for kind in tests for score in ("map50", "map", "miou")}
-        for score in ("map50", "map", "miou"):
+        one = {f"{score}_{kind}": scores[kind][score] for kind in tests for score in SCORES}
+        for score in SCORES:
             one[f"{score}_mean"] = mean([scores[kind][score] for kind in tests])
         runs.append(one)
     for name in runs[0]:
