@@ -135,18 +135,19 @@ TEST_F(DatasetJobGl, AFileInTheFoldersPlaceIsNamed) {
     EXPECT_NE(refused.error().where.find("out"), std::string::npos);
 }
 
-TEST_F(DatasetJobGl, AFailedWriteNamesTheFileAndLeavesNoCard) {
+TEST_F(DatasetJobGl, AFolderInTheWayOfAPictureIsSaidBeforeTheOldDatasetIsTouched) {
     fs::create_directories(folder_ / "out");
     const auto first = exportTo(folder_ / "out", circle(2));
     ASSERT_TRUE(first);
     // A folder where a picture should go fails for root, too, whom permissions do not stop.
     fs::remove(folder_ / "out/rgb/000001.png");
     fs::create_directories(folder_ / "out/rgb/000001.png/full");
+    const auto before = tree(folder_ / "out");
     const auto failed = exportTo(folder_ / "out", circle(2), true);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().code, ErrorCode::CannotWrite);
     EXPECT_NE(failed.error().where.find("000001.png"), std::string::npos);
-    EXPECT_FALSE(fs::exists(folder_ / "out/dataset.json"));
+    EXPECT_EQ(tree(folder_ / "out"), before);
 }
 
 TEST_F(DatasetJobGl, CancellingLeavesWholeImagesAndNoCard) {
