@@ -172,10 +172,11 @@ struct GazeParams {
 
 template <class Params, class Visitor>
 void visitGazeParams(Params& p, Visitor&& visit) {
-    visit("view_mix", p.view_mix,
-          FieldInfo{0, 1, "",
-                    "Share of context: how much time the camera takes between two close views to "
-                    "look at many objects at once; 0: none, it turns straight to the next"});
+    visit(
+        "view_mix", p.view_mix,
+        FieldInfo{0, 1, "",
+                  "Weight of context views, which show many objects at once, between close views: "
+                  "0 adds none; 0.5 charges 1 s for each radian of turning, 1 charges nothing"});
 }
 
 /// Limits of motion by one name; see motionLimits().
@@ -220,11 +221,12 @@ void visitTimingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 3600, "deg/s", "Turning limit; 0: the preset's"});
     visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
           FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
-    visit("max_image_motion_dps", p.max_image_motion_dps,
-          FieldInfo{0, 3600, "deg/s",
-                    "With a budget of frames: the camera slows down where the image would move "
-                    "faster, by a turn or past near things, so that frames come at even steps; "
-                    "0: no limit"});
+    visit(
+        "max_image_motion_dps", p.max_image_motion_dps,
+        FieldInfo{0, 3600, "deg/s",
+                  "With max_frames and no kept frame rate: the camera slows down where the image "
+                  "would move faster than this, by turning or passing near objects, so that frames "
+                  "are evenly spaced in the image; 0: no limit"});
     visit("max_frames", p.max_frames,
           FieldInfo{0, 1e6, "",
                     "Budget of frames, for which the frame rate is lowered; 0: no limit"});

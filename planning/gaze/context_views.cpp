@@ -19,10 +19,10 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kSpacing_m = 0.6;   // between two added views
-constexpr double kShortest_m = 0.1;  // between key frames; none is added in less
+constexpr double kSpacing_m = 0.6;   // distance between two context views
+constexpr double kShortest_m = 0.1;  // no context view between key frames closer than this
 constexpr int kMostBetweenKeys = 6;
-constexpr double kFramesPerView = 2.5;  // with a budget of frames
+constexpr double kFramesPerView = 2.5;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
 constexpr int kPasses = 3;
 
@@ -35,7 +35,7 @@ constexpr std::size_t kMostCandidates = 14;
 constexpr double kApart = 20.0 * kRadian;
 using Grid = std::array<double, std::size_t{kHeadings} * kElevations>;
 
-// The pace by which time is weighed; a camera without limits has one as well.
+// Speeds assumed for the price of a turn where the motion limits are higher or absent.
 constexpr double kFastest_mps = 1.5;
 constexpr double kFastest_rps = 120.0 * kRadian;
 constexpr double kFastest_rps2 = 720.0 * kRadian;
@@ -172,7 +172,7 @@ class GazeSearch {
         return made;
     }
 
-    /// Value by time of the direct turns between key frames.
+    /// Mean value per second of the direct turns between key frames.
     [[nodiscard]] double meanValue() const {
         double value = 0.0;
         double time_s = 0.0;
@@ -184,7 +184,8 @@ class GazeSearch {
         return time_s > 0.0 ? value / time_s : 0.0;
     }
 
-    /// Candidates, one a place, with the largest sum of (value - price) * time.
+    /// One candidate for each position, maximizing the sum of value / price * travel time minus the
+    /// cost of turning.
     [[nodiscard]] std::vector<std::size_t> bestSequence(double price) const {
         std::vector<std::vector<std::size_t>> came_from(places_.size());
         std::vector<double> sums(places_.front().directions.size(), 0.0);

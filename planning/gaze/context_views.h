@@ -11,12 +11,13 @@ struct GazeParams;
 struct Surroundings;
 struct TimingParams;
 
-/// Adds views between the key frames of a smoothed path, in which the camera looks at many objects
-/// at once instead of turning straight from one close view to the next. The places are those that
-/// the camera passes anyway. Among all sequences of directions, dynamic programming finds the one
-/// that shows the most in relation to the time it takes (a fractional program; Dinkelbach 1967,
-/// "On nonlinear fractional programming"); an object counts less the more often it is shown.
-/// Key frames stay as they are; `pose_at` tells their poses.
+/// Inserts context views between the key frames of a smoothed path: the camera looks at many
+/// objects at once instead of turning straight from one close view to the next. Path and key frames
+/// stay unchanged; `pose_at` gives the poses of keys. Dynamic programming chooses one direction for
+/// each position, maximizing the visible objects relative to the mean of the direct turns, minus
+/// turning time. It runs in three passes; between them an object's weight falls with how often it
+/// is shown. Returns the path unchanged if view_mix is 0, the heading is restricted, or the budget
+/// of frames leaves none for context.
 [[nodiscard]] SmoothPath withContextViews(
     const SmoothPath& path, const std::function<Pose(const SmoothPath::Key&)>& pose_at,
     const Surroundings& around, const GazeParams& params, const TimingParams& timing);

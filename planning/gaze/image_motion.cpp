@@ -55,7 +55,7 @@ void measureImageMotion(SmoothPath& path,
             const Eigen::Vector3d way =
                 at((part + 1.0) / kParts) - at(static_cast<double>(part) / kParts);
             const Eigen::Vector3d forward = pose.forward();
-            // What the camera moves towards grows about half as fast as it passes by.
+            // Approaching a surface moves its image about half as fast as passing it sideways.
             const double across =
                 (way - way.dot(forward) * forward).norm() + 0.5 * std::abs(way.dot(forward));
             motion += across / medianDepth(pose, views);

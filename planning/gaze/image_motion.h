@@ -10,9 +10,9 @@ namespace dollytrack::planning {
 class ViewEstimator;
 struct PitchBand;
 
-/// Sets Key::image_motion_rad of each key: how far the image moves on the way from the key before,
-/// as the angle turned by plus the way across the direction of view over the distance of what is
-/// seen (the median of few rays).
+/// Sets Key::image_motion_rad of each key: how far the image moves since the key before, rad. It is
+/// the angle turned by, plus the camera's displacement divided by the median depth of the view;
+/// displacement along the viewing direction counts half. Measure again after inserting keys.
 void measureImageMotion(SmoothPath& path,
                         const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                         const ViewEstimator& views, const PitchBand& pitch);

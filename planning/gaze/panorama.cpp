@@ -96,7 +96,8 @@ Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
         Sighting sighting{of_target[i], 0.0, {}};
         for (std::size_t k = 0; k < TargetSamples::kPerObject; ++k) {
             const std::size_t ray = i * TargetSamples::kPerObject + k;
-            // Its own front before its back counts: that much of the silhouette is visible.
+            // A sample hidden only by its own object counts: that part of the silhouette is
+            // visible.
             if (hits[ray].object_id == target.object_id || hits[ray].distance >= kReachedBefore ||
                 hits[ray].object_id == 0) {
                 sighting.visible.push_back(rays[ray].direction);

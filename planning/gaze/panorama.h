@@ -11,7 +11,7 @@
 
 namespace dollytrack::planning {
 
-/// Points on the surface of each target, by which panoramas tell how much of it is visible.
+/// Sample points on each target's surface; rays to them estimate its visible share.
 class TargetSamples {
   public:
     static constexpr int kPerObject = 6;
@@ -28,8 +28,8 @@ class TargetSamples {
     std::vector<Target> targets_;
 };
 
-/// The targets that are visible from one place, and how much each direction of view shows of them.
-/// Few rays a target: good for choosing among directions, not for deciding what is captured.
+/// The targets visible from one position, and how well each viewing direction shows them. Six rays
+/// per target: enough to rank directions, not to decide what is captured.
 class Panorama {
   public:
     Panorama(const ViewEstimator& views, const TargetSamples& samples,

@@ -143,7 +143,20 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                             points().viewpoints.observation_points, pitch,
                                             heading));
     };
-    const auto timed = [&](const std::vector<SmoothPath>& smooth, const TimingParams& with) {
+    const auto withImageMotion = [&](std::vector<SmoothPath> paths_of_keys) {
+        const KeyViews at(points().viewpoints.position_points,
+                          points().viewpoints.observation_points, pitch);
+        for (SmoothPath& path : paths_of_keys) {
+            measureImageMotion(
+                path, [&](const SmoothPath::Key& key) { return at.pose(key); }, *views, pitch);
+        }
+        return paths_of_keys;
+    };
+    const auto timed = [&](std::vector<SmoothPath> smooth, const TimingParams& with) {
+        // Timing adds keys of its own where the camera looks along its motion.
+        if (limitsImageMotion(with) && !heading.restricts()) {
+            smooth = withImageMotion(std::move(smooth));
+        }
         const auto within = [&](int max_frames) {
             TimingParams fewer = with;
             fewer.max_frames = max_frames;
@@ -177,11 +190,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         const KeyViews at(points().viewpoints.position_points,
                           points().viewpoints.observation_points, pitch);
         const auto pose = [&](const SmoothPath::Key& key) { return at.pose(key); };
-        SmoothPath made = withContextViews(path, pose, around, params.gaze, params.timing);
-        if (params.timing.max_frames > 0 && params.timing.max_image_motion_dps > 0.0) {
-            measureImageMotion(made, pose, *views, pitch);
-        }
-        return made;
+        return withContextViews(path, pose, around, params.gaze, params.timing);
     };
     const TrajectoryMaker maker{
         [&](const CameraPath& path) { return smoothOne(path).map(withContext); },
@@ -356,7 +365,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&] {
             return run("gaze", gaze,
-                       std::tuple(smoothing.version(), views.version(), params.gaze, params.timing),
+                       std::tuple(smoothing.version(), views.version(), params.gaze,
+                                  params.gaze.view_mix > 0.0 ? params.timing : TimingParams{}),
                        job.stage(0.89, 0.9, "gaze"), [&]() -> Result<std::vector<SmoothPath>> {
                            return withContextAll(*smoothing);
                        });

@@ -12,6 +12,10 @@ bool keepsFrameRate(const TimingParams& params) {
     return params.keep_frame_rate || params.duration_s > 0.0;
 }
 
+bool limitsImageMotion(const TimingParams& params) {
+    return params.max_image_motion_dps > 0.0 && params.max_frames > 0 && !keepsFrameRate(params);
+}
+
 int clipFrames(const TimingParams& params) {
     if (params.duration_s <= 0.0) return params.keep_frame_rate ? params.max_frames : 0;
     return static_cast<int>(std::lround(params.duration_s * params.frame_rate));
@@ -34,7 +38,8 @@ Status validateClip(const PlanParams& params) {
                     "path_mode");
     }
     const int frames = clipFrames(timing);
-    // What each frame sees is measured: more take minutes to plan, and days to render.
+    // Planning estimates what every frame sees; longer clips take minutes to plan and days to
+    // render.
     constexpr int kMostFrames = 100'000;
     if (timing.duration_s > 0.0 && timing.duration_s * timing.frame_rate > kMostFrames + 0.5) {
         return fail(ErrorCode::Usage,

@@ -13,6 +13,9 @@ struct TimingParams;
 /// Whether budgets must leave the frame rate alone: a clip of a given length or rate.
 [[nodiscard]] bool keepsFrameRate(const TimingParams& params);
 
+/// Whether a budget of frames is spread by how far the image moves; see max_image_motion_dps.
+[[nodiscard]] bool limitsImageMotion(const TimingParams& params);
+
 /// Frames that a trajectory at a kept frame rate may have: exactly so many with `duration_s`, at
 /// most so many with `max_frames`; 0: any number.
 [[nodiscard]] int clipFrames(const TimingParams& params);

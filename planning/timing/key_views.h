@@ -16,10 +16,11 @@ class KeyViews {
              const PitchBand& pitch)
         : points_(points), targets_(targets), pitch_(pitch) {}
 
-    /// What the camera looks at there. From a pinned point it looks where it was told to, and
-    /// otherwise as steeply as it may, as far as its target is away.
+    /// The point that the camera looks at, world. For a pinned point or a limited pitch it lies on
+    /// the actual viewing ray, at the target's distance.
     [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const;
 
+    /// Pose at a key; the pitch limit is applied unless the point is pinned.
     [[nodiscard]] Pose pose(const SmoothPath::Key& key) const;
 
   private:

@@ -212,9 +212,8 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
             stretches[i] = makeStretch(*motions[motion].path, key, views, pitch, limits);
         }
     });
-    const double motion_rps = keepsFrameRate(params) || params.max_frames == 0
-                                  ? 0.0
-                                  : params.max_image_motion_dps * std::numbers::pi / 180.0;
+    const double motion_rps =
+        limitsImageMotion(params) ? params.max_image_motion_dps * std::numbers::pi / 180.0 : 0.0;
     for (std::size_t i = 0; i < begins.size(); ++i) {
         double least_s = stretches[i].pace.time();
         if (motion_rps > 0.0)

@@ -14,7 +14,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// A hall with things all along its walls: from one close view to the next there is much to see.
+/// A hall with objects along both long walls.
 Scene furnishedHall() {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {9, 5, 2.6});
@@ -94,6 +94,8 @@ TEST(ContextViews, KeepToBudgetAndPitchBand) {
     params.constraints.max_pitch_deg = 10.0;
     const auto plan = planOf(furnishedHall(), params);
     EXPECT_LE(plan->trajectory.frames.size(), 60U);
+    EXPECT_TRUE(std::ranges::any_of(plan->smooth_paths.front().keys,
+                                    [](const auto& key) { return key.position_point < 0; }));
     const PitchBand band = pitchBand(params.constraints);
     for (const TrajectoryFrame& frame : plan->trajectory.frames) {
         EXPECT_TRUE(band.holds(frame.pose.rotation));

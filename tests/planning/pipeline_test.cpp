@@ -154,9 +154,10 @@ TEST(Pipeline, RepeatsOnlyWhatDependsOnAChange) {
     params.timing.max_speed_mps = 1.0;
     EXPECT_EQ(rerun(), (std::set<std::string>{"timing", "repair", "metrics"}));
     params.smoothing.corner_distance_m = 0.2;
-    EXPECT_EQ(rerun(), (std::set<std::string>{"smoothing", "timing", "repair", "metrics"}));
+    EXPECT_EQ(rerun(), (std::set<std::string>{"smoothing", "gaze", "timing", "repair", "metrics"}));
     params.path.path_mode = PathMode::LongestBranch;
-    EXPECT_EQ(rerun(), (std::set<std::string>{"path", "smoothing", "timing", "repair", "metrics"}));
+    EXPECT_EQ(rerun(),
+              (std::set<std::string>{"path", "smoothing", "gaze", "timing", "repair", "metrics"}));
     params.viewpoints.fill = 0.4;
     EXPECT_FALSE(rerun().contains("free_space"));
     params.free_space.octree_resolution_m = 0.1;
