@@ -249,7 +249,7 @@ class HandMade(ParentCase):
             self.refuses("evaluate", self.dataset, "--estimated", path, words=[path.name, "nested"])
         path.write_text(deep)
         done = self.runs("edit", self.project, "--script", path)
-        self.assertEqual((done.code, "nested" in done.output), (2, True), done.output)
+        self.assertEqual((done.code, "nested" in done.output), (4, True), done.output)
         path = self.work / "m.dolly"
         path.write_text('{"dollytrack_project":1,"x":%s}' % deep)
         self.refuses("edit", path, words=[path.name, "nested"])
