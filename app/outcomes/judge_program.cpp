@@ -141,7 +141,8 @@ Result<fs::path> judgesFolder() {
     const fs::path self = fs::read_symlink("/proc/self/exe", error);
     fs::path folder = (self.parent_path() / "../share/dollytrack/judges").lexically_normal();
     if (!error && fs::is_directory(folder, error)) return folder;
-    return fail(ErrorCode::Failed, "The folder of the judges is missing; build or install again.",
+    return fail(ErrorCode::Failed,
+                "The folder of judges is missing; build or install dollytrack again.",
                 folder.string());
 }
 
@@ -198,8 +199,10 @@ Result<std::vector<JudgeProgram>> chooseJudges(const std::vector<JudgeProgram>& 
 }
 
 Result<JudgeEnd> checkJudge(const JudgeProgram& judge, const JudgeSettings& settings,
-                            const JobContext& job) {
-    return WatchedProcess(judge, settings).run({"--check"}, kCheckTimeout_s, 0, job);
+                            const fs::path& request, const JobContext& job) {
+    std::vector<std::string> arguments = {"--check"};
+    if (!request.empty()) arguments.push_back(request.string());
+    return WatchedProcess(judge, settings).run(arguments, kCheckTimeout_s, 0, job);
 }
 
 Result<JudgeEnd> runJudge(const JudgeProgram& judge, const JudgeSettings& settings, int entries,

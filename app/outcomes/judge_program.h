@@ -11,7 +11,7 @@
 
 namespace dollytrack::outcomes {
 
-/// A Python program that measures what another program makes of datasets; README.md has its rules.
+/// A Python program that evaluates datasets with another program; README.md has its protocol.
 struct JudgeProgram {
     std::string name;            // of its file, without ".py"
     std::filesystem::path path;  // absolute
@@ -45,8 +45,10 @@ struct JudgeSettings {
     double timeout_s = 0.0;  // 0: without limit
 };
 
-/// Asks a judge whether what it needs is installed. Errors: Cancelled, CannotWrite.
+/// Asks a judge whether all that it needs is installed, also for the options and programs of the
+/// request, a file; an empty path: none. Errors: Cancelled, CannotWrite.
 [[nodiscard]] Result<JudgeEnd> checkJudge(const JudgeProgram& judge, const JudgeSettings& settings,
+                                          const std::filesystem::path& request,
                                           const JobContext& job);
 
 /// Runs a judge on `request.json` in its folder, where it writes `result.json`; progress counts its

@@ -61,7 +61,7 @@ std::string judgeSection(const JudgeOutcome& outcome) {
 }  // namespace
 
 std::string outcomeHtml(const OutcomeReport& report) {
-    std::string body = "<h1>What other programs make of the frames</h1>\n";
+    std::string body = "<h1>Downstream evaluation of the frames</h1>\n";
     for (const std::string& note : report.notes) body += "<p>" + asMarkup(note) + "</p>\n";
     for (const JudgeOutcome& outcome : report.judges) body += judgeSection(outcome);
     return batch::htmlPage("Outcomes", body);

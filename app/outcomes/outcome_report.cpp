@@ -89,11 +89,23 @@ bool noBetter(const Metric& metric, const std::optional<double>& value,
     return metric.better == "higher" ? *value <= *other : *value >= *other;
 }
 
-/// Metrics in which the planner is not the worst of all rows.
+/// Metrics that at least one planner has a value of, by their indices.
+std::vector<std::size_t> measuredMetrics(const JudgeOutcome& outcome,
+                                         const std::vector<Row>& rows) {
+    std::vector<std::size_t> measured;
+    for (std::size_t m = 0; m < outcome.metrics.size(); ++m) {
+        const bool any =
+            std::ranges::any_of(rows, [&](const Row& row) { return row.values[m].has_value(); });
+        if (any) measured.push_back(m);
+    }
+    return measured;
+}
+
+/// Metrics in which the planner is better than the worst of all rows.
 std::vector<std::string> notWorstIn(const JudgeOutcome& outcome, const std::vector<Row>& rows,
                                     const Row& stare, int& asked) {
     std::vector<std::string> names;
-    for (std::size_t m = 0; m < outcome.metrics.size(); ++m) {
+    for (const std::size_t m : measuredMetrics(outcome, rows)) {
         const Metric& metric = outcome.metrics[m];
         if (metric.better.empty()) continue;
         ++asked;
@@ -160,8 +172,9 @@ std::vector<Row> emptyRows(const std::vector<Entry>& entries) {
     return rows;
 }
 
-Status readResult(const Json& json, const std::vector<Entry>& entries, JudgeOutcome& outcome) {
+Status readResult(const Json& json, const std::vector<Entry>& entries, JudgeOutcome& result) {
     if (Status status = checkRows(json); !status) return status;
+    JudgeOutcome outcome = result;  // which stays as it is when a row is missing
     outcome.metrics = metricsIn(json);
     outcome.rows.clear();
     for (const Entry& entry : entries) {
@@ -186,6 +199,7 @@ Status readResult(const Json& json, const std::vector<Entry>& entries, JudgeOutc
     for (const Json& note : json.value("notes", Json::array())) {
         if (note.is_string()) outcome.notes.push_back(cleanText(note.get<std::string>()));
     }
+    result = std::move(outcome);
     return {};
 }
 
@@ -215,8 +229,8 @@ std::vector<std::string> controlNotes(const JudgeOutcome& outcome, const std::st
     const Row* first = rowOf(rows, planner);
     const Row* second = rowOf(rows, again);
     const Row* bad = rowOf(rows, stare);
-    if (outcome.metrics.empty() || first == nullptr || second == nullptr || bad == nullptr)
-        return {};
+    if (first == nullptr || second == nullptr || bad == nullptr) return {};
+    if (measuredMetrics(outcome, rows).empty()) return {};
     std::vector<std::string> different;
     for (std::size_t m = 0; m < outcome.metrics.size(); ++m) {
         if (!nearlyEqual(first->values[m], second->values[m])) {
@@ -225,7 +239,7 @@ std::vector<std::string> controlNotes(const JudgeOutcome& outcome, const std::st
     }
     int asked = 0;
     const std::vector<std::string> not_worst = notWorstIn(outcome, rows, *bad, asked);
-    std::string worst = fmt::format("Control: {} is worst in {} of {} values", stare,
+    std::string worst = fmt::format("Control: {} is worst or tied in {} of {} values", stare,
                                     asked - static_cast<int>(not_worst.size()), asked);
     if (!not_worst.empty()) worst += fmt::format("; not in {}", fmt::join(not_worst, ", "));
     return {different.empty() ? fmt::format("Control: {} equals {}.", again, planner)
@@ -279,7 +293,6 @@ std::string outcomeCsv(const OutcomeReport& report) {
     text += ",notes\n";
     std::string notes;
     for (const JudgeOutcome& outcome : report.judges) {
-        if (outcome.state == "done") continue;
         for (const std::string& note : outcome.notes) {
             notes += (notes.empty() ? "" : " ") + outcome.judge + ": " + note;
         }

@@ -55,15 +55,15 @@ struct OutcomeReport {
 std::vector<Row> emptyRows(const std::vector<Entry>& entries);
 
 /// Takes over a judge's result.json. Error: BadInput for a result that does not keep to the rules,
-/// with the place: a judge's rows have to be those of the entries, each with its values.
+/// with the place, and `result` as it was: every entry needs a row, each with its values.
 Status readResult(const nlohmann::ordered_json& json, const std::vector<Entry>& entries,
-                  JudgeOutcome& outcome);
+                  JudgeOutcome& result);
 
 /// Planner by planner the means over scenes and seeds. A mean is of those that have a value.
 std::vector<Row> meanRows(const JudgeOutcome& outcome);
 
-/// What the controls say of each judge that has found something: whether the planner that is
-/// measured twice came out equal, and where the camera at the wall did not come out worst.
+/// Results of the controls in the metrics that any planner has a value of: whether the planner that
+/// is measured twice is equal, and in which metrics the camera at the wall is not the worst.
 std::vector<std::string> controlNotes(const JudgeOutcome& outcome, const std::string& planner,
                                       const std::string& again, const std::string& stare);
 

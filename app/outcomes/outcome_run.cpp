@@ -46,6 +46,9 @@ class Measurement {
     Measurement(const OutcomeOrder& order, const JobContext& job) : order_(order), job_(job) {}
 
     Result<OutcomeReport> run() {
+        if (Status status = checkJudges(); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
         listSets();
         if (Status status = exportFrames(job_.stage(0.0, 0.5, "frames")); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
@@ -60,7 +63,7 @@ class Measurement {
                 job_.stage(0.55 + 0.45 * static_cast<double>(i) / count,
                            0.55 + 0.45 * static_cast<double>(i + 1) / count, judge.name);
             part.report(0.0);
-            Result<JudgeOutcome> outcome = askJudge(judge, part);
+            Result<JudgeOutcome> outcome = askJudge(judge, checks_[i], part);
             if (!outcome) return tl::unexpected<Error>(std::move(outcome.error()));
             report_.judges.push_back(std::move(*outcome));
         }
@@ -68,6 +71,46 @@ class Measurement {
     }
 
   private:
+    [[nodiscard]] JudgeSettings settingsOf(const JudgeProgram& judge) const {
+        return {order_.folder / "judges" / judge.name, order_.timeout_s};
+    }
+
+    /// Before the exports, which can take hours: what is missing is said at once.
+    Status checkJudges() {
+        for (const JudgeProgram& judge : order_.judges) {
+            JudgeSettings settings = settingsOf(judge);
+            settings.folder /= "check";  // so that the log of an earlier run stays
+            std::error_code error;
+            fs::create_directories(settings.folder, error);
+            const fs::path file = settings.folder / "request.json";
+            if (Status status = writeJson(file, choicesOf(judge)); !status) return status;
+            Result<JudgeEnd> end = checkJudge(judge, settings, file, job_);
+            if (!end) return tl::unexpected<Error>(std::move(end.error()));
+            if (end->how == JudgeEnd::How::Done) {
+                available_.push_back(judge);
+            } else {
+                log::warn("compare", fmt::format("{}: {}", judge.name, end->text));
+            }
+            checks_.push_back(std::move(*end));
+        }
+        return {};
+    }
+
+    /// The user's choices for a judge.
+    [[nodiscard]] Json choicesOf(const JudgeProgram& judge) const {
+        return {{"seed", order_.first_seed},
+                {"options", order_.options.value(judge.name, Json::object())},
+                {"programs", order_.programs.value(judge.name, Json::array())}};
+    }
+
+    static std::string textOf(const Json& json) {
+        return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+
+    static Status writeJson(const fs::path& file, const Json& json) {
+        return io::writeWhole(file, textOf(json));
+    }
+
     void listSets() {
         for (const ComparedFile& scene : order_.scenes) {
             for (int seed = order_.first_seed; seed < order_.first_seed + order_.seeds; ++seed) {
@@ -84,7 +127,7 @@ class Measurement {
     }
 
     void addTests(const ComparedFile& scene) {
-        if (!std::ranges::any_of(order_.judges, &JudgeProgram::wants_tests)) return;
+        if (!std::ranges::any_of(available_, &JudgeProgram::wants_tests)) return;
         for (const TestKind& test : kTests) {
             addSet(scene, std::string("test-") + test.distribution, test.planner,
                    kTestSeedsFrom + order_.first_seed, order_.test_frames, test.distribution);
@@ -112,6 +155,11 @@ class Measurement {
     }
 
     Status exportFrames(const JobContext& job) {
+        if (available_.empty()) {
+            for (const FrameSet& set : sets_) report_.entries.push_back(set.entry);
+            report_.notes.emplace_back("No judge can run, so no frames were exported.");
+            return {};
+        }
         Result<fs::path> program = batch::ownProgram();
         if (!program) return tl::unexpected<Error>(std::move(program.error()));
         batch::RunSettings settings;
@@ -133,7 +181,8 @@ class Measurement {
         const bool any = std::ranges::any_of(
             report_.entries, [](const Entry& entry) { return !entry.dataset.empty(); });
         if (any) return {};
-        return fail(ErrorCode::Failed, "No planner has frames to judge; the log says why.",
+        return fail(ErrorCode::Failed,
+                    "No planner's frames could be exported; see the messages above.",
                     settings.folder.string());
     }
 
@@ -143,18 +192,23 @@ class Measurement {
             fmt::format("{} in {}, seed {}", entry.planner, entry.scene, entry.seed);
         scene_hashes_[entry.scene] = result.scene.sha256;
         if (result.state != batch::JobState::Done || result.datasets.size() != 1) {
-            report_.notes.push_back(fmt::format("{}: no frames: {}.", who,
-                                                result.state == batch::JobState::Done
-                                                    ? "rooms of their own are not compared"
-                                                    : result.message));
+            std::string why = result.message;
+            if (result.state == batch::JobState::Done) {
+                why = fmt::format(
+                    "the export wrote {} datasets, one per room; exactly one can be "
+                    "judged",
+                    result.datasets.size());
+            }
+            report_.notes.push_back(
+                fmt::format("{}: no frames: {}{}", who, why, why.ends_with('.') ? "" : "."));
         } else {
             entry.frames = result.datasets.front().frames;
             entry.dataset =
                 order_.folder / "frames" / set.job.name / result.datasets.front().folder;
-            const bool fewer = set.distribution.empty() && entry.frames != order_.frames;
-            if (fewer) {
+            const int wanted = set.distribution.empty() ? order_.frames : order_.test_frames;
+            if (entry.frames != wanted) {
                 report_.notes.push_back(
-                    fmt::format("{}: {} frames instead of {}.", who, entry.frames, order_.frames));
+                    fmt::format("{}: {} frames instead of {}.", who, entry.frames, wanted));
             }
         }
         if (set.distribution.empty()) report_.entries.push_back(entry);
@@ -165,7 +219,7 @@ class Measurement {
     }
 
     Status writeReferences(const JobContext& job) {
-        if (!std::ranges::any_of(order_.judges, &JudgeProgram::wants_surface)) return {};
+        if (!std::ranges::any_of(available_, &JudgeProgram::wants_surface)) return {};
         for (std::size_t i = 0; i < order_.scenes.size(); ++i) {
             const ComparedFile& scene = order_.scenes[i];
             const auto count = static_cast<double>(order_.scenes.size());
@@ -193,20 +247,36 @@ class Measurement {
         return {};
     }
 
-    /// What the judge is asked. Datasets and judges are told by their hashes, too: an earlier
-    /// result holds only for the same ones.
-    Result<Json> requestFor(const JudgeProgram& judge, const fs::path& folder) const {
-        Json request = {{"judge_sha256", ""},
+    /// Hashes of all Python files of the judge's folder, by name: it may import any of them.
+    static Result<Json> codeHashes(const JudgeProgram& judge) {
+        std::map<std::string, std::string> hashes;
+        std::error_code error;
+        for (auto entry = fs::directory_iterator(judge.path.parent_path(), error);
+             !error && entry != fs::directory_iterator(); entry.increment(error)) {
+            if (entry->path().extension() != ".py") continue;
+            Result<std::string> hash = io::sha256OfFile(entry->path());
+            if (!hash) return tl::unexpected<Error>(std::move(hash.error()));
+            hashes[entry->path().filename().string()] = std::move(*hash);
+        }
+        Json json = Json::object();
+        for (const auto& [name, hash] : hashes) json[name] = hash;
+        return json;
+    }
+
+    /// The judge's request. It has hashes of the datasets and of the judge's code, and all
+    /// versions: an earlier result is used only for an equal request.
+    Result<Json> requestFor(const JudgeProgram& judge, const std::string& versions) const {
+        Result<Json> hashes = codeHashes(judge);
+        if (!hashes) return hashes;
+        Json request = choicesOf(judge);
+        request.update({{"code_sha256", std::move(*hashes)},
                         {"program", program_.string()},
-                        {"work", (folder / "work").string()},
-                        {"seed", order_.first_seed},
-                        {"options", order_.options.value(judge.name, Json::object())},
+                        {"version", order_.version},
+                        {"versions", versions},
+                        {"work", (settingsOf(judge).folder / "work").string()},
                         {"references", Json::object()},
                         {"entries", Json::array()},
-                        {"tests", Json::array()}};
-        const Result<std::string> own = io::sha256OfFile(judge.path);
-        if (!own) return tl::unexpected<Error>(own.error());
-        request["judge_sha256"] = *own;
+                        {"tests", Json::array()}});
         for (const ComparedFile& scene : order_.scenes) {
             const fs::path file = referenceOf(scene.name);
             std::error_code error;
@@ -235,18 +305,24 @@ class Measurement {
         return request;
     }
 
-    Result<JudgeOutcome> askJudge(const JudgeProgram& judge, const JobContext& job) {
+    Result<JudgeOutcome> askJudge(const JudgeProgram& judge, const JudgeEnd& check,
+                                  const JobContext& job) {
         JudgeOutcome outcome;
         outcome.judge = judge.name;
         outcome.text = judge.text;
         outcome.rows = emptyRows(report_.entries);
-        const JudgeSettings settings{order_.folder / "judges" / judge.name, order_.timeout_s};
+        if (check.how != JudgeEnd::How::Done) {
+            outcome.state = stateOf(check.how);
+            outcome.notes.push_back(check.text);
+            return outcome;
+        }
+        outcome.versions = check.text;
+        const JudgeSettings settings = settingsOf(judge);
         std::error_code error;
         fs::create_directories(settings.folder / "work", error);
-        const Result<Json> request = requestFor(judge, settings.folder);
+        const Result<Json> request = requestFor(judge, check.text);
         if (!request) return tl::unexpected<Error>(request.error());
-        const std::string text =
-            request->dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+        const std::string text = textOf(*request);
         const fs::path request_file = settings.folder / "request.json";
         const bool asked_before = io::readText(request_file).value_or("") == text;
         if (asked_before && readOutcome(settings.folder, outcome)) return outcome;
@@ -254,11 +330,8 @@ class Measurement {
         if (Status status = io::writeWhole(request_file, text); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
-        Result<JudgeEnd> end = checkJudge(judge, settings, job);
-        if (end && end->how == JudgeEnd::How::Done) {
-            outcome.versions = end->text;
-            end = runJudge(judge, settings, static_cast<int>((*request)["entries"].size()), job);
-        }
+        const auto entries = static_cast<int>((*request)["entries"].size());
+        Result<JudgeEnd> end = runJudge(judge, settings, entries, job);
         if (!end) return tl::unexpected<Error>(std::move(end.error()));
         conclude(*end, settings.folder, outcome);
         return outcome;
@@ -282,12 +355,15 @@ class Measurement {
         return {};
     }
 
+    /// The state of a judge without a result.
+    static std::string stateOf(JudgeEnd::How how) {
+        if (how == JudgeEnd::How::Missing) return "missing";
+        return how == JudgeEnd::How::TimedOut ? "timed out" : "failed";
+    }
+
     void conclude(const JudgeEnd& end, const fs::path& folder, JudgeOutcome& outcome) const {
-        using enum JudgeEnd::How;
-        outcome.state = end.how == Missing    ? "missing"
-                        : end.how == TimedOut ? "timed out"
-                                              : "failed";
-        if (end.how != Done) {
+        outcome.state = stateOf(end.how);
+        if (end.how != JudgeEnd::How::Done) {
             outcome.notes.push_back(end.text);
             log::warn("compare", fmt::format("{}: {}", outcome.judge, end.text));
             return;
@@ -296,8 +372,6 @@ class Measurement {
         const Status taken =
             json ? takeResult(*json, outcome) : Status(tl::unexpected<Error>(json.error()));
         if (taken) return;
-        outcome.metrics.clear();
-        outcome.rows = emptyRows(report_.entries);
         outcome.notes.push_back(describe(taken.error()));
         log::warn("compare", fmt::format("{}: {}", outcome.judge, describe(taken.error())));
     }
@@ -305,6 +379,8 @@ class Measurement {
     const OutcomeOrder& order_;
     const JobContext& job_;
     fs::path program_;
+    std::vector<JudgeEnd> checks_;  // of the order's judges
+    std::vector<JudgeProgram> available_;
     std::vector<FrameSet> sets_;
     std::map<std::string, std::string> scene_hashes_;  // by the scene's name
     OutcomeReport report_;

@@ -31,16 +31,18 @@ struct OutcomeOrder {
     cli::SceneArguments each;  // how to read and plan every scene
     std::vector<std::string> export_arguments;  // the same for 'dollytrack export'
     std::vector<JudgeProgram> judges;
-    nlohmann::ordered_json options;  // by judge: options by name
-    double timeout_s = 0.0;          // of each judge; 0: without limit
-    int threads = 1;                 // of each export
-    std::string version;             // of the program
+    nlohmann::ordered_json options;   // by judge: options by name
+    nlohmann::ordered_json programs;  // by judge: the user's programs, each with name and command
+    double timeout_s = 0.0;           // of each judge; 0: without limit
+    int threads = 1;                  // of each export
+    std::string version;              // of the program
 };
 
-/// Exports the frames that are not there yet, and runs the judges that are installed on all of
-/// them. A judge or an export that fails leaves rows without values and a note. What is finished
-/// when it is cancelled is used by the next run with the same order. Errors: Cancelled,
-/// CannotWrite, and Failed when there are no frames at all.
+/// Checks the judges, exports the frames that are not there yet, and runs the judges that are
+/// installed on all of them; without any, nothing is exported. A judge or an export that fails
+/// leaves rows without values and a note. What is finished when it is cancelled is used by the next
+/// run with the same order. Errors: Cancelled, CannotWrite, and Failed when there are no frames at
+/// all.
 Result<OutcomeReport> measureOutcomes(const OutcomeOrder& order, const JobContext& job);
 
 /// Names of the controls in reports.

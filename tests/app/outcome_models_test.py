@@ -4,6 +4,7 @@ Needs no program: the datasets are written here. What needs torch or Open3D is s
 """
 import importlib.util
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -14,7 +15,9 @@ JUDGES = pathlib.Path(__file__).resolve().parents[2] / "app" / "outcomes" / "jud
 sys.path.insert(0, str(JUDGES))
 import detection_scores  # noqa: E402
 import detector  # noqa: E402
+import dataset  # noqa: E402
 import novel_views  # noqa: E402
+import slam  # noqa: E402
 
 import cv2  # noqa: E402
 import numpy as np  # noqa: E402
@@ -24,6 +27,24 @@ HAS_OPEN3D = importlib.util.find_spec("open3d") is not None
 WIDTH, HEIGHT = 96, 72
 CLASSES = {5: (200, 40, 40), 7: (40, 60, 210)}   # NYU40's chair and table, and their colours here
 WALL = 1
+
+
+RUN_SFM = """import sys
+sys.path.insert(0, sys.argv.pop(1))
+import dataset, sfm
+sys.argv[0] = sfm.__file__
+dataset.run(lambda: "", None, sfm.OPTIONS)
+"""
+RUN_RAISING = """import sys
+sys.path.insert(0, sys.argv.pop(1))
+import dataset
+sys.argv[0] = dataset.__file__
+def measure(data, request, entry):
+    if entry["planner"] == "bad":
+        raise ZeroDivisionError
+    return {"one": 1}
+dataset.run(lambda: "", lambda request: dataset.judge_entries("j", request, measure, {"one": {}}))
+"""
 
 
 def write_dataset(folder, frames, poses=None, depths=None):
@@ -40,12 +61,12 @@ def write_dataset(folder, frames, poses=None, depths=None):
     focus = width / 2 / np.tan(np.radians(30))
     intrinsics = {"width": width, "height": height, "fx": focus, "fy": focus,
                   "cx": width / 2, "cy": height / 2}
-    dataset = {"conventions": {"intrinsics": intrinsics, "depth": {"scale_m": 0.001}},
+    about = {"conventions": {"intrinsics": intrinsics, "depth": {"scale_m": 0.001}},
                "frames": [{"index": i, "time_s": 0.1 * i, "position": (poses or {}).get(i, [0, 0, 0]),
                            "quaternion_xyzw": [0, 0, 0, 1]} for i in range(len(frames))],
                "objects": [{"id": i, "name": f"object {i}", "nyu40": label,
                             "role": "structure" if label == WALL else "target"} for i, label in classes.items()]}
-    (folder / "dataset.json").write_text(json.dumps(dataset), encoding="utf-8")
+    (folder / "dataset.json").write_text(json.dumps(about), encoding="utf-8")
     return folder
 
 
@@ -230,7 +251,61 @@ class Judges(unittest.TestCase):
         self.assertGreater(values["miou_uniform"], 0.5)
         self.assertGreater(values["map50_uniform"], values["map_uniform"])
         self.assertNotIn("map50_close", values)
-        self.assertTrue(any("trained on" in note for note in result["notes"]))
+        self.assertFalse(any("no test views" in note for note in result["notes"]))
+
+    @unittest.skipUnless(HAS_TORCH, "torch is missing (Debian's python3-torch)")
+    def test_detector_without_views_of_unseen_scenes_has_no_values_and_one_note(self):
+        known = write_dataset(self.folder / "known", rectangles(4, 1))
+        kinds = ("uniform", "object_facing", "close")
+        result = self.judge("detector", self.request([("all", "toy", known)],
+                                                     [(kind, "toy", known) for kind in kinds]))
+        self.assertEqual([row["planner"] for row in result["rows"]], ["all"])
+        self.assertEqual(set(result["rows"][0]["values"].values()), {None})
+        self.assertEqual(result["notes"], [detector.NO_TESTS])
+
+    def test_an_option_that_a_judge_does_not_have_is_refused(self):
+        path = self.folder / "request.json"
+        for option, value, words in (("evry", "3", "no option 'evry'; its options are every, matching"),
+                                     ("every", "x", "sfm.every must be a whole number, not 'x'")):
+            path.write_text(json.dumps(self.request([], [], **{option: value})), encoding="utf-8")
+            made = subprocess.run(["/usr/bin/python3", "-c", RUN_SFM, JUDGES, "--check", path],
+                                  capture_output=True, text=True)
+            self.assertEqual(made.returncode, 2, made.stderr)
+            self.assertIn(words, made.stderr)
+
+    def test_one_entry_that_raises_leaves_the_others(self):
+        good = write_dataset(self.folder / "good", rectangles(1, 1))
+        request = self.request([("bad", "toy", good), ("good", "toy", good)], [])
+        path = self.folder / "request.json"
+        path.write_text(json.dumps(request), encoding="utf-8")
+        made = subprocess.run(["/usr/bin/python3", "-c", RUN_RAISING, JUDGES, path, self.folder / "result.json"],
+                              capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        result = json.loads((self.folder / "result.json").read_text(encoding="utf-8"))
+        self.assertEqual([row["values"] for row in result["rows"]], [{"one": None}, {"one": 1.0}])
+        self.assertEqual(result["notes"], ["toy bad seed 1: ZeroDivisionError"])
+
+    def test_kept_values_depend_on_code_options_versions_and_tests(self):
+        good = write_dataset(self.folder / "good", rectangles(1, 1))
+        request = {**self.request([("one", "toy", good)], []), "version": "1", "versions": "x 1"}
+        entry = request["entries"][0]
+        tests = [{"distribution": "uniform", "scene": "toy", "dataset": str(good)}]
+        kept = {dataset.kept_row("j", {**request, **change}, entry)
+                for change in ({}, {"seed": 2}, {"version": "2"}, {"versions": "x 2"}, {"tests": tests},
+                               {"options": {"a": 1}}, {"programs": [{"name": "a", "command": "b"}]})}
+        self.assertEqual(len(kept), 7)
+
+    def test_a_slam_program_that_takes_too_long_is_ended_with_its_children(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, reader)
+        os.set_blocking(reader, True)
+        child = f"(sleep 30; echo alive) > {pipe}"
+        for line, timeout_s in ((f"exec 3> {pipe}; {child} &", 600.0), (f"{child} & wait", 0.01)):
+            slam.run_shell(line, self.folder, timeout_s)
+            self.assertEqual(os.read(reader, 9), b"")   # the end of the pipe: nobody holds it open
+        self.assertIn("stopped after 0.01 s", (self.folder / "log.txt").read_text())
 
     @unittest.skipUnless(HAS_TORCH, "torch is missing (Debian's python3-torch)")
     def test_detector_repeats_exactly_and_knows_an_unreadable_dataset(self):
@@ -254,7 +329,7 @@ class Judges(unittest.TestCase):
         # The first view lies within what was fused; of the second, at the wall's edge, half was never fused.
         held = write_dataset(self.folder / "held", even * 2, {0: [0.05, 0, 0.3], 1: [1.1547, 0, 0]},
                              [np.full((48, 64), depth, np.uint16) for depth in (1700, 2000)])
-        request = self.request([("one", "room", seen)], [("held_out", "room", held)])
+        request = self.request([("one", "room", seen)], [("uniform", "room", held), ("close", "room", held)])
         result = self.judge("novel_views", request)
         values = result["rows"][0]["values"]
         self.assertEqual(values["views"], 2)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What other programs make of planners' frames: compare --outcomes on a tiny room.
+"""Downstream evaluation of planners' frames: compare --outcomes on a tiny room.
 
 Usage: outcomes_test.py PROGRAM [unittest arguments]
 """
@@ -101,7 +101,8 @@ class Outcomes(OutcomesCase):
     def setUpClass(cls):
         super().setUpClass()
         # One that knows the truth, and one that never begins to track.
-        cls.all = cls.command(cls, "features,odometry,sfm,slam,surface", "--controls",
+        cls.all = cls.command(cls, "features,novel_views,odometry,sfm,slam,surface", "--controls",
+                              "--test-frames", 2,
                               "--slam", "true=cp {rgbd_folder}/groundtruth.txt {out}",
                               "--slam", "lost=test -s {settings} && test -s {camera}",
                               "--judge-option", "sfm.every=4", "--judge-option", "slam.runs=2")
@@ -148,7 +149,7 @@ class Outcomes(OutcomesCase):
         self.assertEqual(bad["few_corners_rate"], 1)
         self.assertEqual(bad["trackable_rate"], 0)
         self.assertLess(bad["corners_per_frame"], good["corners_per_frame"])
-        self.assertTrue(any(f"Control: {STARE} is worst in" in note
+        self.assertTrue(any(f"Control: {STARE} is worst or tied in" in note
                             for note in self.judged("features")["notes"]))
 
     def test_surface_is_measured_against_what_can_be_seen(self):
@@ -165,6 +166,13 @@ class Outcomes(OutcomesCase):
         self.assertGreater(good["completion_rate"], 2 * bad["completion_rate"])
         self.assertGreater(bad["completion_cm"], good["completion_cm"])
         self.assertEqual(good["reference_samples"], len(samples))
+
+    def test_novel_views_are_drawn_at_the_uniform_test_views(self):
+        self.found("novel_views")
+        values = self.values("novel_views", PLANNER)
+        self.assertEqual(values["views"], 2)
+        self.assertIsNotNone(values["psnr_filled"])
+        self.assertLess(values["missing"], self.values("novel_views", STARE)["missing"])
 
     def test_odometry_tells_lost_pairs(self):
         self.found("odometry")
@@ -270,11 +278,55 @@ class OwnJudges(OutcomesCase):
             '    print("The program x is missing; install Debian\'s x.")\n    sys.exit(3)\n')
         done = self.own("absent")
         self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertEqual([one["frames"] for one in self.report()["entries"]], [0])
+        self.assertIn("No judge can run, so no frames were exported.", self.report()["notes"])
         self.assertNoValues("absent", "missing", "install Debian's x")
         listed = run("compare", "--list", "--outcomes", "absent", "--judges", self.judges)
         self.assertEqual(listed.returncode, 0, listed.stderr)
         self.assertIn("Measures nothing yet.", listed.stdout)
         self.assertIn("missing: The program x is missing; install Debian's x.", listed.stdout)
+
+    def test_a_judge_whose_check_fails_is_listed_as_failed(self):
+        self.judges.mkdir(exist_ok=True)
+        (self.judges / "broken.py").write_text('"""Breaks."""\nimport sys\nif __name__ == "__main__":\n'
+                                               '    sys.exit("cannot begin")\n')
+        listed = run("compare", "--list", "--outcomes", "broken", "--judges", self.judges)
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn("failed: cannot begin", listed.stdout)
+
+    def test_an_entry_without_any_value_is_told(self):
+        add_judge(self.judges, "valueless_entry", "rows[0]['values'] = {'one': None}",
+                  "write({'rows': rows, 'notes': ['room: out of luck']})")
+        done = self.own("valueless_entry")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertEqual(self.judged("valueless_entry")["state"], "done")
+        self.assertIn("valueless_entry: room: out of luck", self.table()[0]["notes"])
+
+    def test_an_earlier_result_without_a_row_is_not_used(self):
+        stop = self.folder / "stop"
+        add_judge(self.judges, "stopping", "import os", f"assert not os.path.exists({str(stop)!r}), 'no'",
+                  "write({'rows': rows})")
+        self.assertEqual(self.own("stopping").returncode, 0)
+        result = self.out / "judges" / "stopping" / "result.json"
+        result.write_text(result.read_text().replace(f'"{PLANNER}"', '"x"'))
+        stop.touch()
+        self.assertEqual(self.own("stopping").returncode, 3)
+        self.assertNoValues("stopping", "failed", "no")
+        self.assertEqual(self.table()[0]["stopping"], "")
+
+    def test_a_result_of_other_code_is_not_used(self):
+        add_judge(self.judges, "importing", "import values_of_it", "rows[0]['values']['one'] = values_of_it.ONE",
+                  "write({'rows': rows})")
+        for one in (1.0, 2.0):
+            (self.judges / "values_of_it.py").write_text(f"ONE = {one}\n")
+            self.assertEqual(self.own("importing").returncode, 0)
+            self.assertEqual(self.values("importing", PLANNER)["one"], one)
+
+    def test_a_misspelt_option_is_told_before_the_export(self):
+        done = self.compare("features", "--judge-option", "features.corners=3")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertNoValues("features", "failed", "has no option 'corners'")
+        self.assertEqual([one["frames"] for one in self.report()["entries"]], [0])
 
     def test_a_missing_slam_program_is_no_failure_to_track(self):
         done = self.compare("slam", "--slam", "x=/no/such/program {rgbd_folder} {out}")
@@ -331,7 +383,13 @@ class OwnJudges(OutcomesCase):
             ([*good, "features", "--out", self.out, "--judge-option", "every=3"], "JUDGE.NAME=VALUE"),
             ([*good, "features", "--out", self.out, "--judge-option", "sfm.every=3"], "sfm"),
             ([*good, "slam", "--out", self.out, "--slam", "orb"], "NAME=COMMAND"),
+            ([*good, "slam", "--out", self.out, "--judge-option", "slam.programs=x"], "--slam"),
+            ([*good, "features", "--out", self.out, "--set", "max_frames=5"], "--max-frames"),
+            ([*good, "features", "--out", self.out, "--set", "seed=5"], "--seed"),
+            ([*good, "features", "--out", self.out, "--set", "rooms=each"], "one dataset"),
             (["compare", self.folder / "room.obj", "--out", self.out], "--outcomes"),
+            (["compare", self.folder / "room.obj", "--controls"], "--outcomes", "--controls"),
+            (["compare", "--list", "--test-scene", "x.glb"], "--outcomes", "--test-scene"),
         ]:
             with self.subTest(arguments[3:]):
                 self.assertFails(run(*arguments), 2, *words)

@@ -152,6 +152,27 @@ render::Figure comparisonFigure(const ComparedScene& scene) {
     return figure;
 }
 
+/// Refuses options that only --outcomes uses when it is not given.
+Status checkOutcomesGiven(const OutcomeArguments& given) {
+    if (!given.judges.empty()) return {};
+    const OutcomeArguments usual;
+    for (const auto& [differs, option] :
+         {std::pair(!given.out.empty(), "--out"),
+          std::pair(given.resolution != usual.resolution, "--resolution"),
+          std::pair(given.controls, "--controls"), std::pair(!given.slam.empty(), "--slam"),
+          std::pair(!given.options.empty(), "--judge-option"),
+          std::pair(given.timeout_s != usual.timeout_s, "--judge-timeout"),
+          std::pair(!given.folders.empty(), "--judges"),
+          std::pair(!given.test_scenes.empty(), "--test-scene"),
+          std::pair(given.test_frames != usual.test_frames, "--test-frames")}) {
+        if (differs) {
+            return fail(ErrorCode::Usage, "It needs --outcomes; name judges there, or 'all'.",
+                        option);
+        }
+    }
+    return {};
+}
+
 /// What would be in vain or in doubt only after long work.
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
@@ -171,11 +192,9 @@ Status checkUsage(const CompareArguments& arguments) {
               std::pair(!arguments.trajectories.empty(), "--trajectory"),
               std::pair(arguments.bound, "--bound")}) {
             if (!given) continue;
-            return fail(ErrorCode::Usage, "--outcomes writes files of its own into --out.", option);
+            return fail(ErrorCode::Usage,
+                        "It cannot be combined with --outcomes; leave out one of the two.", option);
         }
-    } else if (!arguments.outcomes.out.empty()) {
-        return fail(ErrorCode::Usage, "It is the folder of --outcomes; name judges, or 'all'.",
-                    "--out");
     }
     if (Status status = checkWritable(arguments.csv); !status) return status;
     return checkWritable(arguments.picture);
@@ -209,6 +228,9 @@ SceneArguments withFrames(SceneArguments each) {
 
 Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
     const bool outcomes = !arguments.outcomes.judges.empty();
+    if (Status status = checkOutcomesGiven(arguments.outcomes); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
     if (arguments.list) {
         return outcomes ? listOutcomes(arguments.outcomes, session) : listPlanners();
     }

@@ -65,18 +65,30 @@ std::vector<std::string> exportArguments(const SceneArguments& each) {
     return words;
 }
 
-/// JUDGE.NAME=VALUE and the SLAM programs, by judge.
+/// The options JUDGE.NAME=VALUE, by judge.
 Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     for (const std::string& text : arguments.options) {
         const std::size_t dot = text.find('.');
         const std::size_t equals = text.find('=');
-        if (dot == std::string::npos || equals == std::string::npos || dot > equals) {
+        if (dot == 0 || dot == std::string::npos || equals == std::string::npos ||
+            dot + 1 >= equals) {
             return fail(ErrorCode::Usage, "Write an option of a judge as JUDGE.NAME=VALUE.",
                         "--judge-option " + text);
         }
-        all[text.substr(0, dot)][text.substr(dot + 1, equals - dot - 1)] = text.substr(equals + 1);
+        const std::string name = text.substr(dot + 1, equals - dot - 1);
+        if (name == "programs") {
+            return fail(ErrorCode::Usage, "Name programs with --slam NAME=COMMAND.",
+                        "--judge-option " + text);
+        }
+        all[text.substr(0, dot)][name] = text.substr(equals + 1);
     }
+    return all;
+}
+
+/// The programs of --slam, by judge.
+Result<nlohmann::ordered_json> judgePrograms(const OutcomeArguments& arguments) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::object();
     std::set<std::string> names;
     for (const std::string& text : arguments.slam) {
         const std::size_t equals = text.find('=');
@@ -87,7 +99,7 @@ Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
                 "Name each SLAM program once, as NAME=COMMAND with {rgbd_folder} and {out}.",
                 "--slam " + text);
         }
-        all["slam"]["slam"].push_back(
+        all["slam"].push_back(
             {{"name", text.substr(0, equals)}, {"command", text.substr(equals + 1)}});
     }
     return all;
@@ -113,11 +125,30 @@ Status checkOptionNames(const nlohmann::ordered_json& options,
     return {};
 }
 
+/// Refuses parameters that every export is given in another way.
+Status checkAssignments(const std::vector<std::string>& assignments) {
+    for (const std::string& text : assignments) {
+        const char* instead = nullptr;
+        if (text.starts_with("max_frames=")) {
+            instead = "With --outcomes, set the number of frames with --max-frames N.";
+        } else if (text.starts_with("seed=")) {
+            instead = "With --outcomes, set the first seed with --seed N.";
+        } else if (text == "rooms=each") {
+            instead = "With --outcomes, every scene must become one dataset; leave out rooms=each.";
+        }
+        if (instead != nullptr) return fail(ErrorCode::Usage, instead, "--set " + text);
+    }
+    return {};
+}
+
 Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSubjects& subjects,
                              const Session& session) {
     OutcomeOrder order;
     if (arguments.out.empty()) {
         return fail(ErrorCode::Usage, "Say where frames and results go, with --out DIR.", "--out");
+    }
+    if (Status status = checkAssignments(subjects.each.assignments); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
     order.folder = fs::absolute(arguments.out).lexically_normal();
     std::vector<std::string> paths = subjects.scenes;
@@ -125,7 +156,9 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
     const std::vector<std::string> names = sceneNames(paths);
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (std::count(names.begin(), names.end(), names[i]) > 1) {
-            return fail(ErrorCode::Usage, "Name each scene once.", paths[i]);
+            return fail(ErrorCode::Usage,
+                        "Another scene has the same file and folder name; rename one of them.",
+                        paths[i]);
         }
         (i < subjects.scenes.size() ? order.scenes : order.test_scenes)
             .push_back({names[i], paths[i]});
@@ -141,7 +174,8 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
     size->emplace_back("max_repeat_rate=1");
     order.each.assignments.insert(order.each.assignments.begin(), size->begin(), size->end());
     order.export_arguments = exportArguments(order.each);
-    order.frames = subjects.each.max_frames.value_or(order.frames);
+    const int frames = subjects.each.max_frames.value_or(0);
+    if (frames > 0) order.frames = frames;  // 0: the usual number
     order.test_frames = arguments.test_frames;
     order.controls = arguments.controls;
     order.timeout_s = arguments.timeout_s;
@@ -150,23 +184,33 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
     order.judges = std::move(*judges);
     Result<nlohmann::ordered_json> options = judgeOptions(arguments);
     if (!options) return tl::unexpected<Error>(std::move(options.error()));
-    if (Status status = checkOptionNames(*options, order.judges); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+    Result<nlohmann::ordered_json> programs = judgePrograms(arguments);
+    if (!programs) return tl::unexpected<Error>(std::move(programs.error()));
+    for (const auto* by_judge : {&*options, &*programs}) {
+        if (Status status = checkOptionNames(*by_judge, order.judges); !status) {
+            return tl::unexpected<Error>(std::move(status.error()));
+        }
     }
     order.options = std::move(*options);
+    order.programs = std::move(*programs);
     const auto cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
     order.threads = session.threads > 0 ? session.threads : cores;
     order.version = DOLLYTRACK_VERSION;
     return order;
 }
 
-/// A judge that is missing matters only where it was named.
+bool hasValue(const outcomes::Row& row) {
+    return std::ranges::any_of(row.values, [](const auto& value) { return value.has_value(); });
+}
+
+/// Whether every judge has measured every entry. A missing judge matters only where it was named.
 bool isComplete(const OutcomeReport& report, const std::vector<std::string>& named) {
     const bool frames = std::ranges::none_of(
         report.entries, [](const auto& entry) { return entry.dataset.empty(); });
     return frames && std::ranges::all_of(report.judges, [&](const JudgeOutcome& outcome) {
                const bool wanted = std::ranges::find(named, outcome.judge) != named.end();
-               return outcome.state == "done" || (outcome.state == "missing" && !wanted);
+               if (outcome.state == "missing") return !wanted;
+               return outcome.state == "done" && std::ranges::all_of(outcome.rows, hasValue);
            });
 }
 
@@ -183,9 +227,10 @@ Status writeReports(const OutcomeReport& report, const fs::path& folder) {
 
 void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments) {
     command
-        .add_option("--outcomes", arguments.judges,
-                    "Measure what other programs make of the frames, by these judges or 'all'; "
-                    "with --list: say which there are")
+        .add_option(
+            "--outcomes", arguments.judges,
+            "Run these judges (or 'all') on every planner's frames; with --list: show which "
+            "are installed")
         ->delimiter(',')
         ->type_name("NAMES");
     command.add_option("--out", arguments.out, "Folder for frames and results of --outcomes")
@@ -195,37 +240,35 @@ void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments) {
         ->type_name("WxH")
         ->capture_default_str();
     command.add_flag("--controls", arguments.controls,
-                     "With --outcomes also the first planner twice, which must come out equal, and "
-                     "a camera that stares at a wall, which must come out bad");
+                     "Also measure two controls: the first planner again (must be equal) and a "
+                     "camera that stares at a wall (must score worst)");
     command
-        .add_option("--slam", arguments.slam,
-                    "A SLAM program for the judge slam; its command may have {rgbd_folder}, {out}, "
-                    "{settings} and {camera}; again for more")
+        .add_option(
+            "--slam", arguments.slam,
+            "SLAM program to run, as a shell command with {rgbd_folder}, {out}, {settings}, "
+            "{camera}; repeatable")
         ->type_name("NAME=COMMAND")
         ->allow_extra_args(false);
     command
         .add_option("--judge-option", arguments.options,
-                    "An option of a judge, as in sfm.every=3; again for more")
+                    "Option of one judge, such as sfm.every=3; repeatable")
         ->type_name("JUDGE.NAME=VALUE")
         ->allow_extra_args(false);
     command
-        .add_option("--judge-timeout", arguments.timeout_s,
-                    "Stop a judge that takes longer; 0: never")
+        .add_option("--judge-timeout", arguments.timeout_s, "Time limit of each judge, s; 0: none")
         ->check(CLI::Range(0.0, 1e9).description("0 .. 1e9"))
         ->type_name("SECONDS");
-    command
-        .add_option("--judges", arguments.folders,
-                    "A folder with judges of your own; again for more")
+    command.add_option("--judges", arguments.folders, "Folder with additional judges; repeatable")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command
         .add_option("--test-scene", arguments.test_scenes,
-                    "A scene that only test views are made of; again for more")
+                    "Scene for test views only, never planned in; repeatable")
         ->type_name("SCENE")
         ->allow_extra_args(false);
     command
         .add_option("--test-frames", arguments.test_frames,
-                    "Frames of each set of views that judges test on")
+                    "Number of frames in each set of test views")
         ->check(CLI::Range(1, 100'000))
         ->type_name("N")
         ->capture_default_str();
@@ -249,23 +292,27 @@ Result<ExitCode> runOutcomes(const OutcomeArguments& arguments, const OutcomeSub
 Result<ExitCode> listOutcomes(const OutcomeArguments& arguments, const Session& session) {
     const Result<std::vector<JudgeProgram>> judges = judgesOf(arguments);
     if (!judges) return tl::unexpected<Error>(judges.error());
-    std::string name = (fs::temp_directory_path() / "dollytrack-judges-XXXXXX").string();
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) return tl::unexpected<Error>(io::writeError(error.value(), "TMPDIR"));
+    std::string name = (parent / "dollytrack-judges-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
         return tl::unexpected<Error>(io::writeError(errno, name));
     }
     const fs::path folder = name;
     Status status;
     for (const JudgeProgram& judge : *judges) {
-        const auto end = outcomes::checkJudge(judge, {folder, 0.0}, session.job());
+        const auto end = outcomes::checkJudge(judge, {folder, 0.0}, {}, session.job());
         if (!end) {
             status = tl::unexpected<Error>(end.error());
             break;
         }
-        const bool there = end->how == outcomes::JudgeEnd::How::Done;
-        fmt::print("{:<18} {}\n{:<18}   {}: {}\n", judge.name, judge.text, "",
-                   there ? "found" : "missing", end->text);
+        using How = outcomes::JudgeEnd::How;
+        const char* state = end->how == How::Done      ? "found"
+                            : end->how == How::Missing ? "missing"
+                                                       : "failed";
+        fmt::print("{:<18} {}\n{:<18}   {}: {}\n", judge.name, judge.text, "", state, end->text);
     }
-    std::error_code error;
     fs::remove_all(folder, error);
     if (!status) return tl::unexpected<Error>(std::move(status.error()));
     return kDone;

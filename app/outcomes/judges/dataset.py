@@ -6,6 +6,7 @@ import importlib
 import json
 import os
 import pathlib
+import signal
 import sys
 
 # One thread unless a judge says otherwise: sums come out the same, and judges share the machine.
@@ -17,18 +18,25 @@ import numpy as np  # noqa: E402
 
 IMAGE_PIXELS = 640 * 480  # the image that limits in pixels are said for
 SHOWN_PX = 120            # of that image: an object with fewer is not counted as shown
+USAGE = 2                 # exit code for a wrong option or argument
 MISSING = 3               # exit code of --check when something has to be installed
+TERMINATED = 143          # exit code after SIGTERM
 
 
 class Missing(Exception):
     """A program or library that a judge needs is not installed; the text says how to get it."""
 
 
+class BadOption(Exception):
+    """An option that the judge does not have, or a value that it cannot take."""
+
+
 class Dataset:
     """A dataset's camera, poses, objects and images. Metres, seconds, pixels; world z up.
 
-    Camera axes are x right, y down, z forward. Pixel (0, 0) has its centre at (0.5, 0.5); OpenCV
-    and COLMAP's features count from pixel centres, see `matrix(pixel_centres=True)`.
+    Camera axes are x right, y down, z forward. The centre of the first pixel is (0.5, 0.5), as in
+    COLMAP. OpenCV, Open3D, ORB-SLAM and DSO put it at (0, 0); `matrix(pixel_centres=True)` is for
+    them.
     """
 
     def __init__(self, folder):
@@ -166,6 +174,22 @@ def need_program(name, package):
     raise Missing(f"The program {name} is missing; install Debian's {package}.")
 
 
+def options_of(request, defaults):
+    """The options of a request, with these defaults, whose types they get. Error: BadOption."""
+    judge = pathlib.Path(sys.argv[0]).stem
+    options = dict(defaults)
+    for name, value in (request.get("options") or {}).items():
+        if name not in defaults:
+            there = f"its options are {', '.join(defaults)}" if defaults else "it has no options"
+            raise BadOption(f"The judge {judge} has no option '{name}'; {there}.")
+        try:
+            options[name] = type(defaults[name])(value)
+        except ValueError as error:
+            kind = "a whole number" if isinstance(defaults[name], int) else "a number"
+            raise BadOption(f"The option {judge}.{name} must be {kind}, not '{value}'.") from error
+    return options
+
+
 def mean(values):
     """The mean of those that exist; None without any."""
     known = [float(value) for value in values if value is not None and np.isfinite(value)]
@@ -205,8 +229,8 @@ def judge_entries(name, request, measure, metrics):
 
     `measure(dataset, request, entry)` returns values by name; what it raises makes them null and
     becomes a note. `metrics` names all values: {"name": {"unit", "better": "higher"|"lower"|""}}.
-    A row is kept in the work folder as soon as it is there, so that a judge that was stopped goes
-    on with the next one.
+    A row is kept in the work folder as soon as it is measured, so that a judge that was stopped
+    goes on with the next one.
     """
     rows, notes = [], []
     for entry in request["entries"]:
@@ -220,21 +244,40 @@ def judge_entries(name, request, measure, metrics):
                 values = {key: finite(value) for key, value in values.items()}
                 write_result(kept, values)
             row["values"].update(values)
-        except (OSError, ValueError, KeyError, RuntimeError, cv2.error) as error:
-            notes.append(f"{entry_name(entry)}: {' '.join(str(error).split())}")
+        except Missing:
+            raise
+        except Exception as error:  # pylint: disable=broad-except  # the other entries go on
+            notes.append(f"{entry_name(entry)}: {text_of(error)}")
         rows.append(row)
         progress(f"{name}: {entry_name(entry)} done")
     return {"judge": name, "rows": rows, "metrics": metrics, "notes": notes}
 
 
-def kept_row(name, request, entry):
-    """Where an entry's values are kept: the name tells the dataset, the options and the judge."""
+def text_of(error):
+    """An exception in one line."""
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def digest_of(request):
+    """The start of a hash of all that values depend on: the judges' code and how it is run."""
     digest = hashlib.sha256()
-    for path in [pathlib.Path(entry["dataset"]) / "dataset.json", sys.argv[0], __file__,
-                 request.get("references", {}).get(entry["scene"])]:
-        digest.update(pathlib.Path(path).read_bytes() if path else b"-")
-    digest.update(json.dumps([request.get("options"), request.get("seed")],
-                             sort_keys=True).encode())
+    folders = {pathlib.Path(path).resolve().parent for path in (sys.argv[0], __file__)}
+    for path in sorted(path for folder in folders for path in folder.glob("*.py")):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    keys = ("options", "programs", "seed", "version", "versions")
+    digest.update(json.dumps([request.get(key) for key in keys], sort_keys=True).encode())
+    return digest
+
+
+def kept_row(name, request, entry):
+    """Where an entry's values are kept: the name has a hash of all that they depend on."""
+    digest = digest_of(request)
+    reference = request.get("references", {}).get(entry["scene"])
+    tests = [one for one in request.get("tests", []) if one["scene"] == entry["scene"]]
+    for one in [entry, *tests]:
+        digest.update(one.get("distribution", "").encode())
+        digest.update((pathlib.Path(one["dataset"]) / "dataset.json").read_bytes())
+    digest.update(pathlib.Path(reference).read_bytes() if reference else b"-")
     folder = pathlib.Path(request["work"])
     folder.mkdir(parents=True, exist_ok=True)
     return folder / f"{name}.{entry_folder(entry)}.{digest.hexdigest()[:16]}.json"
@@ -248,33 +291,41 @@ def read_json(path):
         return None
 
 
-def run(check, judge):
-    """The command line of a judge: --check, or REQUEST.json RESULT.json.
+def run(check, judge, defaults=None, check_request=None):
+    """The command line of a judge: --check [REQUEST.json], or REQUEST.json RESULT.json.
 
     `check()` returns the versions found in a line, or raises Missing; `judge(request)` returns the
-    result.
+    result. `defaults` are the options that the judge has, see options_of(). `check_request(request)`
+    raises Missing when a program that the request names is missing.
     """
+    # As an exception, so that judges end the programs that they started.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))
+    arguments = sys.argv[1:]
+    checking = arguments[:1] == ["--check"]
+    files = arguments[1:] if checking else arguments
+    if len(files) not in ((0, 1) if checking else (2,)):
+        print(f"Usage: {sys.argv[0]} --check [REQUEST.json] | REQUEST.json RESULT.json", file=sys.stderr)
+        sys.exit(USAGE)
     try:
         versions = check()
-        if sys.argv[1:] == ["--check"]:
+        request = json.loads(pathlib.Path(files[0]).read_text(encoding="utf-8")) if files else None
+        if request is not None:
+            request.update(options=options_of(request, defaults or {}), versions=versions)
+            if check_request is not None:
+                check_request(request)
+        if checking:
             print(versions)
             sys.exit(0)
-    except Missing as error:
-        print(error)
-        sys.exit(MISSING)
-    if len(sys.argv) != 3:
-        print(f"Usage: {sys.argv[0]} --check | REQUEST.json RESULT.json", file=sys.stderr)
-        sys.exit(2)
-    with open(sys.argv[1], encoding="utf-8") as file:
-        request = json.load(file)
-    seed = int(request.get("seed", 1))
-    np.random.seed(seed)
-    cv2.setRNGSeed(seed)
-    cv2.setNumThreads(1)
-    try:
+        seed = int(request.get("seed", 1))
+        np.random.seed(seed)
+        cv2.setRNGSeed(seed)
+        cv2.setNumThreads(1)
         result = judge(request)
     except Missing as error:
         print(error)
         sys.exit(MISSING)
+    except BadOption as error:
+        print(error, file=sys.stderr)
+        sys.exit(USAGE)
     result["versions"] = versions
-    write_result(sys.argv[2], result)
+    write_result(files[1], result)

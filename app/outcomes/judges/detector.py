@@ -21,12 +21,11 @@ Protocol, the same for every planner and every kind of test:
 The network has 0.5 million weights: residual blocks at strides 4, 8 and 16, joined at stride 4, where one
 head predicts class heatmaps and box borders (as TTFNet, AAAI 2020) and one classes of pixels.
 """
-import hashlib
 import json
 import math
 import pathlib
 
-from dataset import Dataset, finite, mean, need, progress, read_json, run, write_result
+from dataset import Dataset, digest_of, finite, mean, need, progress, read_json, run, text_of, write_result
 from detection_scores import mean_average_precision, mean_iou
 
 import cv2
@@ -46,6 +45,8 @@ SCORES = ("map50", "map", "ap50_any", "miou")
 DISTRIBUTIONS = ("uniform", "object_facing", "close")
 STRIDE = 4
 VOID = 255
+NO_TESTS = ("There are no test views of unseen scenes; give --test-scene SCENE or "
+            "--judge-option detector.folds=5.")
 MOST_BOXES = 100
 
 
@@ -359,6 +360,13 @@ def judge_group(parts, tests, seed, sizes, options):
     return values
 
 
+def usable_tests(request):
+    """The test views of scenes that were not trained on."""
+    trained = {entry["scene"] for entry in request["entries"]}
+    return [test for test in request.get("tests", [])
+            if test["distribution"] in DISTRIBUTIONS and test["scene"] not in trained]
+
+
 def read_request(request, options, notes):
     """Frames of each planner and seed by scene, test frames by distribution, and the classes of both.
 
@@ -371,24 +379,18 @@ def read_request(request, options, notes):
         try:
             data = Dataset(entry["dataset"])
             frames = read_frames(data, options)
-        except (OSError, ValueError, KeyError, cv2.error) as error:
-            notes.append(f"{entry['scene']} {entry['planner']}: {' '.join(str(error).split())}")
+        except Exception as error:  # pylint: disable=broad-except  # the other planners go on
+            notes.append(f"{entry['scene']} {entry['planner']}: {text_of(error)}")
             groups[key] = None
             continue
         for known, more in zip(in_scenes, classes_of_scene(data)):
             known.update(more)
         if groups.setdefault(key, []) is not None:
             groups[key].append(frames)
-    trained = {entry["scene"] for entry in request["entries"]}
-    for entry in request.get("tests", []):
-        if entry["distribution"] not in DISTRIBUTIONS:
-            continue
-        if entry["scene"] in trained:
-            notes.append(f"{entry['scene']}: It was trained on, so it is not tested.")
-            continue
+    for entry in usable_tests(request):
         tests.setdefault(entry["distribution"], []).extend(read_frames(Dataset(entry["dataset"]), options))
     if not tests:
-        notes.append("No test was given: there are only values of cross-validation.")
+        notes.append("There are no test views of unseen scenes; only cross-validation has values.")
         return groups, tests, [Table(ids) for ids in in_scenes]
     shown = classes_shown([frame for frames in tests.values() for frame in frames])
     return groups, tests, [Table(ids & its) for ids, its in zip(in_scenes, shown)]
@@ -396,23 +398,26 @@ def read_request(request, options, notes):
 
 def kept_values(request, options, tables, key):
     """Where the values of a planner and seed are kept; the name tells all that they depend on."""
-    digest = hashlib.sha256(torch.__version__.encode())
-    for name in ("detector.py", "detection_scores.py", "dataset.py"):
-        digest.update(pathlib.Path(__file__).with_name(name).read_bytes())
+    digest = digest_of(request)
     mine = [one for one in request["entries"] if (one["planner"], one.get("seed", 1)) == key]
-    for one in mine + request.get("tests", []):
+    for one in mine + usable_tests(request):
         digest.update((pathlib.Path(one["dataset"]) / "dataset.json").read_bytes())
         digest.update(one.get("distribution", "").encode())
-    digest.update(json.dumps([options, request.get("seed", 1), [table.ids for table in tables]]).encode())
+    digest.update(json.dumps([options, [table.ids for table in tables]]).encode())
     folder = pathlib.Path(request["work"])
     folder.mkdir(parents=True, exist_ok=True)
     return folder / f"{NAME}.{digest.hexdigest()[:24]}.json"
 
 
 def judge(request):
-    options = dict(OPTIONS)
-    options.update({key: int(value) for key, value in request.get("options", {}).items() if key in options})
+    options = request["options"]
     seed, notes, rows = int(request.get("seed", 1)), [], []
+    if not usable_tests(request) and not options["folds"]:
+        metrics = metrics_of([], options)
+        keys = dict.fromkeys((entry["planner"], entry.get("seed", 1)) for entry in request["entries"])
+        rows = [{"planner": planner, "scene": "all", "seed": number, "values": dict.fromkeys(metrics)}
+                for planner, number in keys]
+        return {"judge": NAME, "rows": rows, "metrics": metrics, "notes": [NO_TESTS]}
     torch.set_num_threads(options["threads"])
     torch.use_deterministic_algorithms(True)
     groups, tests, tables = read_request(request, options, notes)
@@ -445,4 +450,4 @@ def check():
 
 
 if __name__ == "__main__":
-    run(check, judge)
+    run(check, judge, OPTIONS)

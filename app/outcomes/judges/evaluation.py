@@ -1,6 +1,7 @@
 """Trajectories that other programs estimated, measured by `dollytrack evaluate`."""
 import json
 import pathlib
+import shutil
 import subprocess
 
 import numpy as np
@@ -49,7 +50,8 @@ def centimetres(metres):
 
 
 def scratch(request, *names):
-    """A fresh folder in the judge's own one, for the files of one entry."""
+    """An empty folder in the judge's own one, for the files of one entry."""
     folder = pathlib.Path(request["work"]).joinpath(*[str(name) for name in names])
-    folder.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     return folder

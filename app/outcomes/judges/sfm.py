@@ -2,7 +2,6 @@
 import dataset  # before others: it sets the number of threads
 
 import pathlib
-import shutil
 import subprocess
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 import evaluation
 
 THREADS = "2"
+OPTIONS = {"every": 1, "matching": "exhaustive"}
 METRICS = {
     "registered_rate": {"unit": "%", "better": "higher"},
     "ate_cm": {"unit": "cm", "better": "lower"},
@@ -63,8 +63,7 @@ def read_model(folder):
 
 def reconstruct(data, folder, options):
     """The models that COLMAP makes of the images, largest first."""
-    every = max(1, int(options.get("every", 1)))
-    matching = options.get("matching", "exhaustive")
+    every, matching = max(1, options["every"]), options["matching"]
     if matching not in ("exhaustive", "sequential"):
         raise ValueError(f"matching={matching} is neither exhaustive nor sequential")
     images, chosen = link_images(data, folder, every)
@@ -95,9 +94,7 @@ def reconstruct(data, folder, options):
 
 def measure(data, request, entry):
     folder = evaluation.scratch(request, "sfm", dataset.entry_folder(entry))
-    shutil.rmtree(folder)
-    folder.mkdir()
-    models, chosen = reconstruct(data, folder, request.get("options", {}))
+    models, chosen = reconstruct(data, folder, request["options"])
     poses, errors = models[0] if models else ({}, [])
     values = {"registered_rate": len(poses) / len(chosen), "images": len(chosen),
               "models": len(models), "points": len(errors),
@@ -114,4 +111,4 @@ def measure(data, request, entry):
 
 
 if __name__ == "__main__":
-    dataset.run(check, lambda request: dataset.judge_entries("sfm", request, measure, METRICS))
+    dataset.run(check, lambda request: dataset.judge_entries("sfm", request, measure, METRICS), OPTIONS)

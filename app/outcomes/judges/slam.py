@@ -1,16 +1,17 @@
 """SLAM programs of your own (--slam NAME=COMMAND): tracked share, errors, success rate."""
 import dataset  # before others: it sets the number of threads
 
+import os
 import shlex
 import shutil
+import signal
 import subprocess
 
 import numpy as np
 
 import evaluation
 
-RUNS = 3
-TIMEOUT_S = 1800
+OPTIONS = {"runs": 3, "timeout_s": 1800.0, "align": "se3"}
 VALUES = {
     "success_rate": {"unit": "%", "better": "higher"},
     "tracked_rate": {"unit": "%", "better": "higher"},
@@ -48,7 +49,24 @@ def write_settings(data, folder):
     (folder / "settings.yaml").write_text("\n".join(lines) + "\n")
     size = f"{data.width} {data.height}"
     (folder / "camera.txt").write_text(
-        f"Pinhole {data.fx} {data.fy} {data.cx} {data.cy} 0\n{size}\ncrop\n{size}\n")
+        f"Pinhole {k[0, 0]} {k[1, 1]} {k[0, 2]} {k[1, 2]} 0\n{size}\ncrop\n{size}\n")
+
+
+def run_shell(line, folder, timeout_s):
+    """Runs a shell command in a folder; ends all its processes with it, or when its time is over."""
+    with open(folder / "log.txt", "w", encoding="utf-8") as log:
+        process = subprocess.Popen(["/bin/sh", "-c", line], cwd=folder, stdout=log, stderr=log,
+                                   start_new_session=True)
+        try:
+            process.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            log.write(f"\nstopped after {timeout_s:g} s\n")
+        finally:
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass  # all of them have ended
+            process.wait()
 
 
 def run_once(command, data, folder, timeout_s):
@@ -61,12 +79,7 @@ def run_once(command, data, folder, timeout_s):
     line = command
     for name, value in words.items():
         line = line.replace("{" + name + "}", shlex.quote(str(value)))
-    with open(folder / "log.txt", "w", encoding="utf-8") as log:
-        try:
-            subprocess.run(["/bin/sh", "-c", line], cwd=folder, stdout=log, stderr=log,
-                           timeout=timeout_s, check=False)
-        except subprocess.TimeoutExpired:
-            log.write(f"\nstopped after {timeout_s} s\n")
+    run_shell(line, folder, timeout_s)
     # ORB-SLAM writes this into the folder it runs in, DSO the other.
     for name in ("CameraTrajectory.txt", "result.txt"):
         if not out.exists() and (folder / name).exists():
@@ -84,15 +97,12 @@ def median(values):
 def measure(data, request, entry):
     options = request["options"]
     values = {}
-    for number, one in enumerate(options["slam"]):
+    for number, one in enumerate(request["programs"]):
         folder = evaluation.scratch(request, "slam", dataset.entry_folder(entry), str(number))
-        shutil.rmtree(folder)
-        folder.mkdir()
         estimates = [run_once(one["command"], data, folder / f"run{i + 1}",
-                              float(options.get("timeout_s", TIMEOUT_S)))
-                     for i in range(int(options.get("runs", RUNS)))]
-        runs = evaluation.evaluate(request["program"], data.folder, estimates,
-                                   options.get("align", "se3"))
+                              options["timeout_s"])
+                     for i in range(max(1, options["runs"]))]
+        runs = evaluation.evaluate(request["program"], data.folder, estimates, options["align"])
         values.update({f"{one['name']}_{key}": value for key, value in {
             "success_rate": sum(run["success"] for run in runs) / len(runs),
             "tracked_rate": median([run["tracked_share"] for run in runs]),
@@ -105,8 +115,8 @@ def measure(data, request, entry):
     return values
 
 
-def judge(request):
-    programs = request.get("options", {}).get("slam", [])
+def check_request(request):
+    programs = request.get("programs", [])
     if not programs:
         raise dataset.Missing("No SLAM program was named; give --slam 'NAME=COMMAND {rgbd_folder} "
                               "{out}'.")
@@ -117,9 +127,12 @@ def judge(request):
         if found.returncode != 0:
             raise dataset.Missing(f"The program '{word}' of --slam {one['name']} is missing; give "
                                   "its path.")
-    metrics = {f"{one['name']}_{key}": info for one in programs for key, info in VALUES.items()}
+
+
+def judge(request):
+    metrics = {f"{one['name']}_{key}": info for one in request["programs"] for key, info in VALUES.items()}
     return dataset.judge_entries("slam", request, measure, metrics)
 
 
 if __name__ == "__main__":
-    dataset.run(check, judge)
+    dataset.run(check, judge, OPTIONS, check_request)

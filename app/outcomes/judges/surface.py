@@ -51,6 +51,8 @@ def nearest(points, of):
 
 
 def measure(data, request, entry):
+    if entry["scene"] not in request["references"]:
+        raise ValueError("there is no reference surface of this scene")
     reference = np.load(request["references"][entry["scene"]]).astype(np.float64)
     samples, normals = reference[:, :3], reference[:, 3:6]
     fused = fuse(data)
