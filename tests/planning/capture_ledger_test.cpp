@@ -3,7 +3,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
-#include "planning/pipeline/pipeline.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -14,13 +14,7 @@
 namespace dollytrack::planning {
 namespace {
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params = {},
-                                   const PlanEdits& edits = {}) {
-    Pipeline pipeline(std::make_shared<const Scene>(scene));
-    auto plan = pipeline.run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+using test_support::planOf;
 
 int idOf(const Scene& scene, const std::string& name) {
     const auto found = std::ranges::find(scene.objects, name, &Object::name);

@@ -8,6 +8,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +23,7 @@
 namespace dollytrack::planning {
 namespace {
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanEdits& edits,
-                                   const PlanParams& params = {}) {
-    Pipeline pipeline(std::make_shared<const Scene>(scene));
-    auto plan = pipeline.run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+using test_support::planOf;
 
 std::string pathOf(const Plan& plan) {
     return trajectoryJson(plan.trajectory).dump();
@@ -95,7 +90,7 @@ bool framesHold(const Plan& plan, const Pose& pose) {
 
 TEST(Edits, NoPartOfTheCameraEntersANoGoBox) {
     const Scene scene = test::furnishedRoom();
-    const auto without = planOf(scene, {});
+    const auto without = planOf(scene);
     PlanEdits edits;
     // Across the room, with a way around at one end; and a turned one in a corner.
     edits.no_go = {boxAt({2.0, 1.0, 1.3}, {0.4, 2.0, 2.6}),
@@ -418,7 +413,7 @@ TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {
         }
     }
     // Keeping what holds gives what starting anew gives.
-    EXPECT_EQ(pathOf(*after), pathOf(*planOf(*edited, {})));
+    EXPECT_EQ(pathOf(*after), pathOf(*planOf(*edited)));
     pipeline.setScene(shared, true);
     EXPECT_EQ(pathOf(**pipeline.run({}, JobContext{})), pathOf(*before));
 }
@@ -426,7 +421,7 @@ TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {
 TEST(Edits, LargeAndSmallDecideHowAnObjectIsSeen) {
     const Scene scene = test::furnishedRoom();
     const auto kindOf = [&](const Scene& of, const std::string& name) {
-        const auto plan = planOf(of, {});
+        const auto plan = planOf(of);
         for (const ObservationPoint& point : plan->observation_points) {
             if (has(point.objects, idOf(of, name))) return point.kind;
         }

@@ -1,9 +1,9 @@
 #include "engine/jobs/parallel.h"
 #include "planning/gaze/image_motion.h"
 #include "planning/gaze/panorama.h"
-#include "planning/pipeline/pipeline.h"
 #include "planning/timing/turn.h"
 #include "planning/visibility/pitch_band.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,8 @@
 
 namespace dollytrack::planning {
 namespace {
+
+using test_support::planOf;
 
 /// A hall with objects along both long walls.
 Scene furnishedHall() {
@@ -24,13 +26,6 @@ Scene furnishedHall() {
         builder.object("north " + std::to_string(i)).box({x + 0.4, 4.7, 0.4}, {0.4, 0.3, 0.8});
     }
     return builder.build();
-}
-
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params) {
-    Pipeline pipeline(std::make_shared<const Scene>(scene));
-    auto plan = pipeline.run(params, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
 }
 
 PlanParams withContext(double view_mix) {

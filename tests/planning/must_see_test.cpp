@@ -4,8 +4,8 @@
 #include "planning/coverage/region_weights.h"
 #include "planning/coverage/surface_patches.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline/pipeline.h"
 #include "planning/viewpoints/key_frames.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,8 @@
 
 namespace dollytrack::planning {
 namespace {
+
+using test_support::planOf;
 
 /// A room with a shelf in a corner that has a back side nobody can get behind.
 Scene roomWithShelf() {
@@ -27,13 +29,6 @@ Scene roomWithShelf() {
 
 Region shelfRegion(bool must_see) {
     return {"shelf", {{4.6, 3.0, 0.9}, {0.4, 0.7, 1.0}, 0.0}, 1.0, must_see};
-}
-
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanEdits& edits,
-                                   const PlanParams& params = {}) {
-    auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
 }
 
 /// Random points of the five faces of the shelf that are not on the floor.
@@ -167,7 +162,7 @@ TEST(RegionWeights, TheLargestRegionCountsAndNothingIsLostWithoutABudget) {
     half.half_size.x() = 2.0;
     edits.regions = {{"a", half, kSmallestWeight, false}};
     EXPECT_EQ(planOf(scene, edits)->capture_metrics.captured,
-              planOf(scene, {})->capture_metrics.captured);
+              planOf(scene)->capture_metrics.captured);
 }
 
 }  // namespace dollytrack::planning

@@ -4,6 +4,7 @@
 #include "engine/io/settings/stored_plan.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -18,12 +19,7 @@
 namespace dollytrack::planning {
 namespace {
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params = {}) {
-    Pipeline pipeline(std::make_shared<const Scene>(scene));
-    auto plan = pipeline.run(params, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+using test_support::planOf;
 
 /// Smallest distance from a densely sampled trajectory to any surface, without the planner.
 double smallestDistance(const Scene& scene, const Plan& plan) {

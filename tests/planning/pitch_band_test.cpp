@@ -1,6 +1,7 @@
 #include "engine/core/random.h"
 #include "planning/pipeline/pipeline.h"
 #include "planning/timing/turn.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +13,9 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+using test_support::planOf;
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params,
-                                   const PlanEdits& edits = {}) {
-    auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Elevation of what a frame looks along, in degrees, from its rotation matrix alone.
 double pitchOf(const Pose& pose) {
@@ -48,7 +44,7 @@ PinnedPoint pinAt(const std::string& name, const Eigen::Vector3d& from, const Ei
 
 TEST(PitchBand, NoFrameLooksSteeper) {
     const Scene scene = test::furnishedRoom();
-    const auto free = planOf(scene, {});
+    const auto free = planOf(scene);
     EXPECT_LT(pitchesOf(*free).first, -20.0) << "nothing looks down: the test tests nothing";
     for (const auto& [low, high] : {std::pair(-15.0, 15.0), {-90.0, -10.0}, {0.0, 0.0}}) {
         for (const PathMode mode : {PathMode::Tour, PathMode::LongestBranch}) {

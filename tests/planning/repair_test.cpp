@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/linking/rrt_star.h"
 #include "planning/pipeline/pipeline.h"
+#include "tests/planning/plan_support.h"
 #include "tests/planning/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
@@ -15,6 +16,8 @@
 
 namespace dollytrack::planning {
 namespace {
+
+using test_support::planOf;
 
 /// A long hall with small things far apart: on its way the camera passes much bare wall.
 Scene longHall() {
@@ -32,13 +35,6 @@ Scene longHall() {
         thing("north " + std::to_string(i), 3.5 * i + 0.6, 3.8, 0.2);
     }
     return builder.build();
-}
-
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params) {
-    Pipeline pipeline(std::make_shared<const Scene>(scene));
-    auto plan = pipeline.run(params, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
 }
 
 PlanParams repaired(int rounds) {
@@ -106,7 +102,7 @@ TEST(Repair, KeepsKeyFramesToTheLastBitButAtTheEndsOfOtherWays) {
         }
         return poses;
     };
-    const auto before = keyPoses(*planOf(scene, {}));
+    const auto before = keyPoses(*planOf(scene));
     for (const int rounds : {1, 4}) {
         const auto plan = planOf(scene, repaired(rounds));
         const auto after = keyPoses(*plan);
@@ -160,7 +156,7 @@ TEST(Repair, KeepsTheSphereOutOfAllTriangles) {
 
 TEST(Repair, LeavesOutLowFramesButNoneThatIsNeeded) {
     const Scene scene = longHall();
-    const auto before = planOf(scene, {});
+    const auto before = planOf(scene);
     PlanParams params = repaired(0);
     params.repair.drop_low_frames = true;
     const auto after = planOf(scene, params);

@@ -1,8 +1,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
 #include "planning/free_space/free_space.h"
-#include "planning/pipeline/pipeline.h"
 #include "planning/rooms/room_plan.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -14,14 +14,9 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kWall_x = 3.05;  // of the wall between the two rooms
+using test_support::planOf;
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params,
-                                   const PlanEdits& edits = {}) {
-    auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+constexpr double kWall_x = 3.05;  // of the wall between the two rooms
 
 RoomPlan roomPlanOf(const Scene& scene) {
     const RayCaster rays(scene);

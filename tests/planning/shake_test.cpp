@@ -3,8 +3,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
-#include "planning/pipeline/pipeline.h"
 #include "planning/visibility/view_estimator.h"
+#include "tests/planning/plan_support.h"
 #include "tests/planning/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
@@ -17,17 +17,13 @@
 namespace dollytrack::planning {
 namespace {
 
+using test_support::planOf;
+
 PlanParams shakenBy(ShakeKind kind, double amplitude_m) {
     PlanParams params;
     params.shake.shake = kind;
     params.shake.shake_amplitude_m = amplitude_m;
     return params;
-}
-
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params) {
-    const auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, JobContext{});
-    EXPECT_TRUE(plan.has_value());
-    return *plan;
 }
 
 double furthest(const Trajectory& a, const Trajectory& b) {

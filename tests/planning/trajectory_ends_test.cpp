@@ -1,6 +1,6 @@
 #include "engine/core/random.h"
 #include "planning/path/tour.h"
-#include "planning/pipeline/pipeline.h"
+#include "tests/planning/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,7 @@
 namespace dollytrack::planning {
 namespace {
 
-std::shared_ptr<const Plan> planOf(const Scene& scene, const PlanParams& params,
-                                   const PlanEdits& edits = {}) {
-    auto plan = Pipeline(std::make_shared<const Scene>(scene)).run(params, edits, JobContext{});
-    EXPECT_TRUE(plan.has_value()) << describe(plan.error());
-    return *plan;
-}
+using test_support::planOf;
 
 PinnedPoint pinAt(const std::string& name, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     return {name, lookAt(from, to), {}};
@@ -72,7 +67,7 @@ TEST(Ends, OneEndAloneIsKeptAndARefusedOneIsSaid) {
 
 TEST(Ends, ALoopComesBackAndCapturesAsMuch) {
     const Scene scene = test::furnishedRoom();
-    const auto open = planOf(scene, {});
+    const auto open = planOf(scene);
     for (const PathMode mode : {PathMode::Tour, PathMode::LongestBranch}) {
         for (const int max_frames : {0, 50, 3}) {
             PlanParams params;
