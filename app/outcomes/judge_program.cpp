@@ -1,5 +1,6 @@
 #include "app/outcomes/judge_program.h"
 
+#include "app/batch/batch_runner.h"
 #include "app/batch/log_end.h"
 #include "app/process/child_process.h"
 #include "engine/core/clean_text.h"
@@ -137,10 +138,11 @@ class WatchedProcess {
 }  // namespace
 
 Result<fs::path> judgesFolder() {
+    const Result<fs::path> program = batch::ownProgram();
+    if (!program) return tl::unexpected<Error>(program.error());
+    fs::path folder = (program->parent_path() / "../share/dollytrack/judges").lexically_normal();
     std::error_code error;
-    const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    fs::path folder = (self.parent_path() / "../share/dollytrack/judges").lexically_normal();
-    if (!error && fs::is_directory(folder, error)) return folder;
+    if (fs::is_directory(folder, error)) return folder;
     return fail(ErrorCode::Failed,
                 "The folder of judges is missing; build or install dollytrack again.",
                 folder.string());

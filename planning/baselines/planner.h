@@ -28,8 +28,8 @@ struct Planner {
 /// All there are, ours first.
 [[nodiscard]] std::span<const Planner> planners();
 
-/// Those that are no methods and are in no comparison of methods: controls of what is measured with
-/// frames, and views to test on. Only whoever asks for one by its name gets it.
+/// Controls and generators of test views, which are not baselines: choosePlanners() does not know
+/// them; the option --planner finds them by name.
 [[nodiscard]] std::span<const Planner> auxiliaryPlanners();
 
 /// Those named, in the table's order; all for "all". Error: Usage, with the closest name.

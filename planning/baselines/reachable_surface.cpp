@@ -4,6 +4,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/visibility/facing_normal.h"
 #include "planning/visibility/scanned_surfaces.h"
 
 #include <Eigen/Geometry>
@@ -20,7 +21,6 @@ constexpr std::size_t kPlacesAround = 400;
 constexpr int kRaysAround = 20'000;  // from each place: 7 cm apart at 3 m
 // Cubes do not begin at round coordinates, where walls are: a wall would lie in two of them.
 constexpr double kGridShift = 0.31;
-constexpr double kFlattestCosine = 0.17364817766693036;  // of 80 degrees, as PatchSight has it
 
 /// Places where the camera fits, spread over the cells of all rooms.
 std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
@@ -38,23 +38,14 @@ std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
     return places;
 }
 
-Eigen::Vector3d normalOf(const Scene& scene, std::uint32_t index) {
-    const Triangle& triangle = scene.triangles[index];
-    const Eigen::Vector3d a = scene.positions[triangle[0]].cast<double>();
-    const Eigen::Vector3d b = scene.positions[triangle[1]].cast<double>();
-    const Eigen::Vector3d c = scene.positions[triangle[2]].cast<double>();
-    return (b - a).cross(c - a).normalized();
-}
-
 std::vector<SurfacePatch> seenFrom(const RivalScene& scene, const Eigen::Vector3d& place,
                                    const std::vector<Eigen::Vector3d>& directions) {
     std::vector<SurfacePatch> seen;
     for (const Eigen::Vector3d& direction : directions) {
         const RayHit hit = scene.rays->cast(place, direction);
         if (hit.object_id == 0) continue;
-        Eigen::Vector3d normal = normalOf(*scene.scene, hit.triangle);
-        if (normal.dot(direction) > 0.0) normal = -normal;
-        if (-normal.dot(direction) < kFlattestCosine) continue;
+        const Eigen::Vector3d normal = facingNormal(*scene.scene, hit, direction).cast<double>();
+        if (-normal.dot(direction) < kFlattestSightCosine) continue;
         seen.push_back({place + hit.distance * direction, normal});
     }
     return seen;

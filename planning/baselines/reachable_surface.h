@@ -9,10 +9,9 @@
 
 namespace dollytrack::planning {
 
-/// The surface that a camera can see from the places that it can reach, as samples: at most one a
-/// cube of `spacing_m` and direction of surface. Normals point to a place that sees the sample.
-/// Found by rays from places spread evenly over the free space, so that what is hidden from all of
-/// them has no sample. The same scene and parameters give the same samples. Error: Cancelled.
+/// Samples of the surface visible from about 400 to 800 positions spread over the free space, at
+/// most one per cube of `spacing_m` and orientation. Normals face the position that saw the sample.
+/// Deterministic. Error: Cancelled.
 Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, double spacing_m,
                                                    const JobContext& job);
 

@@ -41,8 +41,7 @@ BareView lookAtWall(const RivalScene& scene, const Eigen::Vector3d& place, doubl
     for (int i = 0; i < kRaysAcross * kRaysAcross; ++i) {
         const double x = (i % kRaysAcross + 0.5) / kRaysAcross * lens.width;
         const double y = (i / kRaysAcross + 0.5) / kRaysAcross * lens.height;
-        const Eigen::Vector3d ray((x - lens.cx) / lens.fx, (y - lens.cy) / lens.fy, 1.0);
-        const int id = scene.rays->cast(place, pose.rotation * ray).object_id;
+        const int id = scene.rays->cast(place, pose.rotation * lens.unproject(x, y)).object_id;
         if (id != 0 && scene.scene->object(id).role == Role::Structure) ++met[id];
     }
     view.on_wall = 0;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t kMostPatches = 6000;
 constexpr double kLeastPixels = 8.0;
-constexpr double kLeastCosine = 0.17364817766693036;  // of 80 degrees
 // How much nearer than the patch a ray may end and still be said to have met it.
 constexpr double kReached_m = 0.01;
 
@@ -97,7 +96,7 @@ bool PatchSight::reaches(const Eigen::Vector3d& from, const SurfacePatch& patch)
     const double distance = way.norm();
     if (distance > farthest_m_ || distance < 1e-6) return false;
     const Eigen::Vector3d direction = way / distance;
-    if (std::abs(direction.dot(patch.normal)) < kLeastCosine) return false;
+    if (std::abs(direction.dot(patch.normal)) < kFlattestSightCosine) return false;
     return rays_.cast(from, direction, distance - kReached_m).object_id == 0;
 }
 

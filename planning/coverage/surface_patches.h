@@ -27,6 +27,9 @@ struct SurfacePatches {
 /// Patches of all surfaces in a box: at most one a cube of `spacing_m` and direction of surface.
 SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spacing_m);
 
+/// A surface that is met at more than 80 degrees from its normal is not seen.
+inline constexpr double kFlattestSightCosine = 0.17364817766693036;
+
 /// Whether an eye at a place sees patches, whatever it looks along: nothing is in between, the
 /// surface is met at 80 degrees from its normal or less, and the patch is not too small.
 class PatchSight {

@@ -1,6 +1,7 @@
 #include "planning/viewpoints/gap_test.h"
 
 #include "planning/collision/swept_sphere.h"
+#include "planning/visibility/facing_normal.h"
 #include "planning/visibility/scanned_surfaces.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -20,23 +21,14 @@ constexpr double kFacing = -0.5;  // cosine between the normals of surfaces that
 // A third of the lines is within reach only where the gap is no wider than 2/3 of it.
 constexpr double kNearestWall = 1.0 / 3.0;
 
-/// Unit normal of the triangle that was hit, towards where the ray came from.
-Eigen::Vector3f facing(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& direction) {
-    const Triangle& triangle = scene.triangles[hit.triangle];
-    const Eigen::Vector3f& a = scene.positions[triangle[0]];
-    const Eigen::Vector3f normal =
-        (scene.positions[triangle[1]] - a).cross(scene.positions[triangle[2]] - a).normalized();
-    return normal.dot(direction.cast<float>()) <= 0.0F ? normal : Eigen::Vector3f(-normal);
-}
-
 bool endsBetween(const ViewEstimator& views, const Eigen::Vector3d& place,
                  const Eigen::Vector3d& direction, double reach) {
     const RayHit ahead = views.rays().cast(place, direction, reach);
     if (ahead.object_id == 0) return false;
     const RayHit behind = views.rays().cast(place, -direction, reach - ahead.distance);
     return behind.object_id != 0 &&
-           facing(views.scene(), ahead, direction).dot(facing(views.scene(), behind, -direction)) <
-               kFacing;
+           facingNormal(views.scene(), ahead, direction)
+                   .dot(facingNormal(views.scene(), behind, -direction)) < kFacing;
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ struct ImportProposal {
 };
 
 /// Judges by gravity, known sizes of furniture and the room's height whether the scene was read
-/// with the right unit and upward axis. What a person has given is not doubted. Where the classes
-/// of walls and floors may have been judged by shape, which presumes an upward axis, they do not
-/// speak for that axis.
+/// with the right unit and upward axis. What a person has given is not doubted. Set
+/// `classes_by_shape` if walls and floors may have been classified by their shape: that presumes an
+/// upward axis, so these classes are then not used as evidence for it.
 [[nodiscard]] ImportProposal proposeImport(const Scene& scene, bool classes_by_shape = false);
 
-/// Adds that another upward axis of the file is likelier. What is said of the unit is dropped:
-/// on its side nothing is as high as it looks.
+/// Replaces the proposal by another upward axis. Its doubts about the unit are dropped: heights
+/// that were measured along the wrong axis say nothing about the unit.
 void proposeUp(UpAxis likelier, const Scene& scene, ImportProposal& proposal);
 
 /// "1 unit = 4.1 m, z up": what is proposed, for people.

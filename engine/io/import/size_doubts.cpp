@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t kLeastSplit = 30;      // targets; fewer prove nothing
 constexpr std::size_t kMostCompared = 5000;  // targets; each is compared with each
 constexpr double kMostlySingle = 0.8;        // share of the targets that have one material each
-constexpr double kMostlyInside = 0.5;        // share of these that lie inside others
+constexpr double kMostlyInside =
+    0.5;  // share of all targets that have a single material and lie inside another target
 
 Eigen::AlignedBox3d uprightBoundsOf(const Scene& scene, const Object& object) {
     Eigen::AlignedBox3f box;

@@ -61,8 +61,9 @@ MeasuredThing measureThing(const Source& source) {
     return thing;
 }
 
-/// A floor, wall or ceiling of the room itself is no stray: about as wide as the room is, and near.
-void keepSides(const std::vector<MeasuredThing>& things, Eigen::AlignedBox3d& core) {
+/// Extends the core to floors, walls and ceilings that the outlier cut removed: thin objects about
+/// as wide as the core, within twice its extent.
+void includeRoomSides(const std::vector<MeasuredThing>& things, Eigen::AlignedBox3d& core) {
     constexpr double kLeastCover = 0.6;
     constexpr double kMostCover = 1.3;
     constexpr double kNear = 2.0;  // times the extent of what is left
@@ -104,7 +105,7 @@ Eigen::AlignedBox3d coreOfThings(const std::vector<MeasuredThing>& things) {
         core.min()[axis] = lows[cut];
         core.max()[axis] = highs[highs.size() - 1 - cut];
     }
-    keepSides(things, core);
+    includeRoomSides(things, core);
     return core;
 }
 

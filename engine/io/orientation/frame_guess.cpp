@@ -76,8 +76,8 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     }
 }
 
-/// Where the best of the usual units makes a room too low to stand in, the likeliest of all units
-/// is taken if it fits better, although it is none of the usual ones.
+/// If the best usual unit makes the room lower than 1.8 m, takes the most likely unit of any size
+/// instead, provided that it scores clearly better.
 void preferStandingHeight(const UnitEvidence& evidence, double& unit, UnitScore& score) {
     constexpr double kLowest_m = 1.8;
     constexpr double kUnusual = 0.8;

@@ -18,7 +18,8 @@ struct FrameChoice {
     std::string unit_source;
     UpAxis up_axis = 'y';
     std::string up_source;
-    std::optional<UpAxis> likelier_up;  // than the file's axis, which was taken all the same
+    std::optional<UpAxis>
+        likelier_up;  // a more plausible axis, where the file's axis is doubtful but was kept
     std::string unit_doubt;  // why, without a full stop; empty where the unit is believed
     std::vector<std::string> warnings;
 

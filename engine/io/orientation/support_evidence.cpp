@@ -10,10 +10,10 @@ namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostSupportTriangles = 5'000'000;
-constexpr int kProbes = 4;  // the outermost of the lowest points, in four diagonal directions
+constexpr int kProbes = 4;
 constexpr int kOwnSurfaces = 8;
 
-/// The lowest points of an object along a direction, as far apart as they lie.
+/// Four extreme points among the lowest vertices, one per diagonal direction.
 std::array<Eigen::Vector3d, kProbes> lowestPoints(const Scene& scene, const Object& object,
                                                   int axis, double sign, double contact) {
     const auto first = scene.positions.begin() + object.first_vertex;

@@ -163,7 +163,8 @@ double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     return count < kFewestThings ? 0.0 : rests / count;
 }
 
-/// Of the round things, cups, pots and lamps, the share that is round about this axis.
+/// Share of round objects (cups, pots, lamps) whose axis of symmetry is this one, damped when there
+/// are few.
 double judgeRound(const std::vector<Upright>& all, int axis) {
     constexpr double kCurved = 0.3;  // share of the surface that faces along none of the axes
     constexpr double kAlike = 0.03;
