@@ -166,7 +166,7 @@ void visitSmoothingParams(Params& p, Visitor&& visit) {
 
 /// Where the camera looks between key frames.
 struct GazeParams {
-    double view_mix = 0.0;
+    double view_mix = 0.9;
     bool operator==(const GazeParams&) const = default;
 };
 
@@ -175,8 +175,9 @@ void visitGazeParams(Params& p, Visitor&& visit) {
     visit(
         "view_mix", p.view_mix,
         FieldInfo{0, 1, "",
-                  "Weight of context views, which show many objects at once, between close views: "
-                  "0 adds none; 0.5 charges 1 s for each radian of turning, 1 charges nothing"});
+                  "Weight of views that show many objects at once, beside the close views: 0 adds "
+                  "none; else room views take this share of the spare frames, and looking across "
+                  "the room between close views costs less turning time the higher it is"});
 }
 
 /// Limits of motion by one name; see motionLimits().

@@ -49,7 +49,9 @@ struct SmoothPath {
         int position_point = -1;  // -1: no key frame, only a glance aside, see looks_at
         Eigen::Vector3d position = Eigen::Vector3d::Zero();  // on the curve
         Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world; without a position point
-        double image_motion_rad = 0.0;  // on the way from the key before; 0: not measured
+        // Of the way from the key before:
+        double image_motion_rad = 0.0;  // 0: not measured
+        double slowdown = 1.0;          // takes so many times as long as the limits of motion ask
     };
     int component = 0;
     std::vector<Piece> pieces;

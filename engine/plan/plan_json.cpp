@@ -301,6 +301,7 @@ json resultJson(const Scene& scene, const Plan& plan) {
         one["well_captured"] = names(scene, point.well_captured);
         one["captured"] = names(scene, point.captured);
         if (point.pin >= 0) one["pin"] = point.pin;
+        if (point.room_view) one["room_view"] = true;
         result["position_points"].push_back(std::move(one));
     }
     result["key_frames"] = plan.key_frames;

@@ -54,6 +54,9 @@ struct PositionPoint {
     int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
     /// A key frame at this very pose, whatever it captures: pinned, or asked for.
     bool fixed = false;
+    /// Shows many objects at once from farther away. A key frame as far as the budget of frames
+    /// allows, whatever it captures.
+    bool room_view = false;
     int room = 0;  // points of different rooms are on trajectories of their own
 };
 

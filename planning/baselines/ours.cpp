@@ -96,10 +96,11 @@ Result<Flight> planOurs(const RivalScene& scene, const PlanParams& params, int s
 
 Result<Flight> planPaperSmoothing(const RivalScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job) {
-    PlanParams with_budget = params;
-    with_budget.timing.max_frames = frameBudget(params);
-    return runPipeline(scene, params, seed, job).and_then([&](const auto& plan) {
-        return smoothAsThePaper(scene, *plan, with_budget);
+    PlanParams as_paper = params;
+    as_paper.timing.max_frames = frameBudget(params);
+    as_paper.gaze.view_mix = 0.0;
+    return runPipeline(scene, as_paper, seed, job).and_then([&](const auto& plan) {
+        return smoothAsThePaper(scene, *plan, as_paper);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/gaze/panorama.h"
 #include "planning/plan_params.h"
+#include "planning/timing/clip.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/turn.h"
 #include "planning/viewpoints/viewpoint_search.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -22,9 +24,12 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSpacing_m = 0.6;   // distance between two context views
 constexpr double kShortest_m = 0.1;  // no context view between key frames closer than this
 constexpr int kMostBetweenKeys = 6;
-constexpr double kFramesPerView = 2.5;  // frames of the budget that each key needs
+constexpr double kFramesPerView = 2.0;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
 constexpr int kPasses = 3;
+// Of the limits of motion, where a budget of frames goes to what shows much.
+constexpr double kSlowdownAtMean = 4.0;
+constexpr double kMostSlowdown = 8.0;
 
 // Directions that are tried at each place.
 constexpr int kHeadings = 36;
@@ -47,6 +52,12 @@ struct Place {
     std::vector<Eigen::Vector3d> directions;
     std::vector<double> values;  // of the directions
     Grid grid{};                 // values of all directions that are tried
+};
+
+/// A target in the image of a view, and how well it shows.
+struct Shown {
+    std::uint32_t target = 0;
+    float share = 0.0F;
 };
 
 Eigen::Vector3d gridDirection(int heading, int elevation, const PitchBand& pitch) {
@@ -82,11 +93,29 @@ class GazeSearch {
             made[i] = std::make_unique<Panorama>(around.views, samples_, places_[i].key.position);
         });
         for (auto& one : made) panoramas_.push_back(std::move(*one));
+        shown_.resize(places_.size());
+        parallelFor(places_.size(), [&](std::size_t i) {
+            for (int e = 0; e < kElevations; ++e) {
+                for (int h = 0; h < kHeadings; ++h) {
+                    std::vector<Shown>& list =
+                        shown_[i][static_cast<std::size_t>(e * kHeadings + h)];
+                    panoramas_[i].visitShown(
+                        gridDirection(h, e, pitch_), [&](std::size_t target, double share) {
+                            list.push_back(
+                                {static_cast<std::uint32_t>(target), static_cast<float>(share)});
+                        });
+                }
+            }
+        });
     }
 
-    /// The direction chosen at each place.
-    std::vector<Eigen::Vector3d> search() {
+    struct Result {
+        std::vector<Eigen::Vector3d> directions;  // chosen at each place
+        std::vector<double> shown;  // on the way to each place from the one before; 0 for the first
+    };
+    Result search() {
         std::vector<Eigen::Vector3d> chosen;
+        std::vector<double> shown(places_.size(), 0.0);
         for (const Place& place : places_) chosen.push_back(place.directions.front());
         for (int pass = 0; pass < kPasses; ++pass) {
             parallelFor(places_.size(), [&](std::size_t i) { propose(i, chosen[i]); });
@@ -94,10 +123,11 @@ class GazeSearch {
             const std::vector<std::size_t> best = bestSequence(price);
             for (std::size_t i = 0; i < places_.size(); ++i) {
                 chosen[i] = places_[i].directions[best[i]];
+                if (i > 0) shown[i] = step(i - 1, best[i - 1], best[i]).value;
             }
             if (pass + 1 < kPasses) weigh(chosen);
         }
-        return chosen;
+        return {std::move(chosen), std::move(shown)};
     }
 
   private:
@@ -119,10 +149,10 @@ class GazeSearch {
     /// the most, apart from one another.
     void propose(std::size_t index, const Eigen::Vector3d& chosen) {
         Place& place = places_[index];
-        for (int e = 0; e < kElevations; ++e) {
-            for (int h = 0; h < kHeadings; ++h) {
-                place.grid[static_cast<std::size_t>(e * kHeadings + h)] =
-                    valueOf(index, gridDirection(h, e, pitch_));
+        for (std::size_t d = 0; d < place.grid.size(); ++d) {
+            place.grid[d] = 0.0;
+            for (const Shown& one : shown_[index][d]) {
+                place.grid[d] += weights_[one.target] * static_cast<double>(one.share);
             }
         }
         if (place.free) {
@@ -233,6 +263,8 @@ class GazeSearch {
     double turn_price_;            // s a radian
     double speed_mps_ = 0.0, turn_rps_ = 0.0, turn_rps2_ = 0.0;
     std::vector<Panorama> panoramas_;  // one a place
+    // What each direction of the grid shows, by place.
+    std::vector<std::array<std::vector<Shown>, std::size_t{kHeadings} * kElevations>> shown_;
 };
 
 /// The key frames, and the places between them where a view may be added.
@@ -280,16 +312,27 @@ SmoothPath withContextViews(const SmoothPath& path,
     const std::vector<Place> places = placesOn(path, pose_at, around.pitch, timing.max_frames);
     if (std::ranges::none_of(places, &Place::free)) return path;
     const double turn_price = (1.0 - params.view_mix) / params.view_mix;
-    const std::vector<Eigen::Vector3d> chosen =
-        GazeSearch(places, around, turn_price, timing).search();
+    const auto [directions, shown] = GazeSearch(places, around, turn_price, timing).search();
+    double mean = 0.0;
+    for (const double value : shown) mean += value / static_cast<double>(shown.size() - 1);
+    const bool spreads = timing.max_frames > 0 && !keepsFrameRate(timing) && mean > 0.0;
     SmoothPath made = path;
     made.keys.clear();
+    double shown_since = 0.0;  // the key before, on the mean
+    int steps = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
+        shown_since = (steps * shown_since + shown[i]) / (steps + 1);
+        ++steps;
         SmoothPath::Key key = places[i].key;
-        const bool direct = chosen[i] == places[i].directions.front();
+        const bool direct = directions[i] == places[i].directions.front();
         if (places[i].free && direct) continue;
-        if (places[i].free) key.looks_at = key.position + kLooksAhead_m * chosen[i];
+        if (places[i].free) key.looks_at = key.position + kLooksAhead_m * directions[i];
+        if (spreads) {
+            key.slowdown = std::clamp(kSlowdownAtMean * shown_since / mean, 1.0, kMostSlowdown);
+        }
         made.keys.push_back(key);
+        steps = 0;
+        shown_since = 0.0;
     }
     return made;
 }

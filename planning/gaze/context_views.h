@@ -16,8 +16,9 @@ struct TimingParams;
 /// stay unchanged; `pose_at` gives the poses of keys. Dynamic programming chooses one direction for
 /// each position, maximizing the visible objects relative to the mean of the direct turns, minus
 /// turning time. It runs in three passes; between them an object's weight falls with how often it
-/// is shown. Returns the path unchanged if view_mix is 0, the heading is restricted, or the budget
-/// of frames leaves none for context.
+/// is shown. Under a budget of frames Key::slowdown grows with what is shown on the way to the key,
+/// so that frames go where many objects are in view. Returns the path unchanged if view_mix is 0,
+/// the heading is restricted, or the budget of frames leaves none for context.
 [[nodiscard]] SmoothPath withContextViews(
     const SmoothPath& path, const std::function<Pose(const SmoothPath::Key&)>& pose_at,
     const Surroundings& around, const GazeParams& params, const TimingParams& timing);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace dollytrack::planning {
 namespace {
@@ -109,8 +110,21 @@ Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
         const double distance2 = std::max(1e-2, towards.squaredNorm());
         sighting.pixels =
             kSilhouetteOfBox * silhouette(box, towards.normalized()) * pixels_at_1m / distance2;
+        boundDirections(sighting);
         sightings_.push_back(std::move(sighting));
     }
+}
+
+void Panorama::boundDirections(Sighting& sighting) const {
+    sighting.axis = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& way : sighting.visible) sighting.axis += way.normalized();
+    sighting.axis.normalize();
+    double radius = 0.0;
+    for (const Eigen::Vector3d& way : sighting.visible) {
+        radius = std::max(radius, angleBetween(sighting.axis, way));
+    }
+    const double farthest = std::atan(half_size_.norm()) + radius;
+    if (farthest < std::numbers::pi) sighting.least_cosine = std::cos(farthest) - 1e-9;
 }
 
 double Panorama::shownShare(const Eigen::Matrix3d& camera_from_world,

@@ -14,7 +14,7 @@ namespace dollytrack::planning {
 /// Sample points on each target's surface; rays to them estimate its visible share.
 class TargetSamples {
   public:
-    static constexpr int kPerObject = 6;
+    static constexpr int kPerObject = 4;
 
     explicit TargetSamples(const ViewEstimator& views);
 
@@ -28,8 +28,8 @@ class TargetSamples {
     std::vector<Target> targets_;
 };
 
-/// The targets visible from one position, and how well each viewing direction shows them. Six rays
-/// per target: enough to rank directions, not to decide what is captured.
+/// The targets visible from one position, and how well each viewing direction shows them. Four
+/// rays per target: enough to rank directions, not to decide what is captured.
 class Panorama {
   public:
     Panorama(const ViewEstimator& views, const TargetSamples& samples,
@@ -42,6 +42,7 @@ class Panorama {
         const Eigen::Matrix3d camera_from_world =
             lookAlong(direction).conjugate().toRotationMatrix();
         for (const Sighting& sighting : sightings_) {
+            if (direction.dot(sighting.axis) < sighting.least_cosine) continue;
             const double share = shownShare(camera_from_world, sighting);
             if (share > 0.0) visit(sighting.target, share);
         }
@@ -51,8 +52,11 @@ class Panorama {
     struct Sighting {
         std::size_t target = 0;
         double pixels = 0.0;  // of the whole silhouette in the middle of a 640 x 480 image
-        std::vector<Eigen::Vector3d> visible;  // from the place to visible sample points
+        std::vector<Eigen::Vector3d> visible;             // from the place to visible sample points
+        Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // to their middle
+        double least_cosine = -1.0;  // between axis and view; farther aside the image shows none
     };
+    void boundDirections(Sighting& sighting) const;
     [[nodiscard]] double shownShare(const Eigen::Matrix3d& camera_from_world,
                                     const Sighting& sighting) const;
 

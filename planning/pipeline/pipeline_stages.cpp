@@ -5,6 +5,7 @@
 #include "planning/coverage/region_weights.h"
 #include "planning/gaze/context_views.h"
 #include "planning/gaze/image_motion.h"
+#include "planning/gaze/room_views.h"
 #include "planning/linking/link_groups.h"
 #include "planning/path/frame_budget.h"
 #include "planning/path/path_search.h"
@@ -136,9 +137,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         return timeTrajectory(smooth, points().viewpoints.position_points,
                               points().viewpoints.observation_points, with, pitch, heading);
     };
-    // Turns on the spot need frames of their own: there the rate cannot get lower.
+    // Each key, glances and turns on the spot too, needs a frame of its own.
     const auto leastOf = [&](const std::vector<SmoothPath>& smooth) {
-        if (!heading.restricts()) return 0;
         return static_cast<int>(leastFrames(smooth, points().viewpoints.position_points,
                                             points().viewpoints.observation_points, pitch,
                                             heading));
@@ -253,18 +253,20 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         })
         .and_then([&]() -> Status {
             const std::vector<Region> must_see = mustSeeAmong(edits.regions);
-            asks = asksForRooms(params.constraints) || !must_see.empty();
+            const bool room_views = asksForRoomViews(params);
+            asks = asksForRooms(params.constraints) || !must_see.empty() || room_views;
             if (!asks) return {};
             const JobContext part = job.stage(0.69, 0.7, "constraints");
-            return run("constraints", asked,
-                       std::tuple(placed.version(), rooms.version(), must_see,
-                                  params.constraints.anchors, params.constraints.rooms),
-                       part, [&] {
-                           return addAskedPoints(
-                               *placed, must_see, params.constraints,
-                               asksForRooms(params.constraints) ? &*rooms : nullptr, around,
-                               &memory.shown, part);
-                       });
+            return run(
+                "constraints", asked,
+                std::tuple(placed.version(), rooms.version(), must_see, params.constraints.anchors,
+                           params.constraints.rooms, room_views ? params.gaze : GazeParams{},
+                           room_views ? params.timing.max_frames : 0, room_views ? params.seed : 0),
+                part, [&] {
+                    return addAskedPoints(*placed, must_see, params,
+                                          asksForRooms(params.constraints) ? &*rooms : nullptr,
+                                          around, &memory.shown, part);
+                });
         })
         .and_then([&] {
             const std::vector<double> weights = objectWeights(*scene, edits.regions);

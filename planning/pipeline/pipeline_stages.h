@@ -55,7 +55,9 @@ struct Pipeline::Stages {
           PlacedPoints>
         placed;
     Stage<std::tuple<V, std::vector<int>>, RoomPlan> rooms;
-    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours>, AskedPoints> asked;
+    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours, GazeParams, int, int>,
+          AskedPoints>
+        asked;
     Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;

@@ -215,9 +215,14 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     const double motion_rps =
         limitsImageMotion(params) ? params.max_image_motion_dps * std::numbers::pi / 180.0 : 0.0;
     for (std::size_t i = 0; i < begins.size(); ++i) {
+        const SmoothPath::Key& to = *stretches[i].to;
         double least_s = stretches[i].pace.time();
+        if (to.slowdown > 1.0) {
+            const double travel_s = (to.arc_m - stretches[i].from->arc_m) / limits.speed_mps;
+            least_s = to.slowdown * std::max(least_s, travel_s);
+        }
         if (motion_rps > 0.0)
-            least_s = std::max(least_s, stretches[i].to->image_motion_rad / motion_rps);
+            least_s = std::max(least_s, to.image_motion_rad / motion_rps);
         motions[begins[i].first].least_times_s.push_back(least_s);
     }
     Trajectory trajectory;

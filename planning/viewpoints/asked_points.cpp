@@ -2,6 +2,7 @@
 
 #include "engine/core/field_list.h"
 #include "planning/free_space/free_space.h"
+#include "planning/gaze/room_views.h"
 #include "planning/plan_params.h"
 #include "planning/rooms/anchors.h"
 #include "planning/rooms/room_plan.h"
@@ -66,9 +67,10 @@ bool asksForRooms(const ConstraintParams& constraints) {
 }
 
 Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
-                                   const ConstraintParams& constraints, const RoomPlan* rooms,
+                                   const PlanParams& params, const RoomPlan* rooms,
                                    const Surroundings& around, ShownMemo* memo,
                                    const JobContext& job) {
+    const ConstraintParams& constraints = params.constraints;
     AskedPoints asked;
     asked.placed = placed;
     Viewpoints& viewpoints = asked.placed.viewpoints;
@@ -97,14 +99,16 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
         }
         for (const Pose& view : region.views) addFixedPoint(view, around, viewpoints);
     }
+    const std::size_t asked_for = points.size();
+    if (asksForRoomViews(params)) addRoomViews(params, around, viewpoints);
     if (constraints.rooms == RoomTours::Each) {
         for (const PlanRoom& room : rooms->rooms()) {
             asked.tour_rooms.push_back({room.name, room.box});
         }
         for (PositionPoint& point : points) point.room = rooms->roomAt(point.pose.position);
     }
-    if (points.size() > before) findCaptured(around.views, points, memo);
-    for (std::size_t i = before; i < points.size(); ++i) {
+    if (asked_for > before) findCaptured(around.views, points, memo);
+    for (std::size_t i = before; i < asked_for; ++i) {
         // As a point placed by hand, it stands for what it captures.
         const auto target = static_cast<std::size_t>(points[i].observation_point);
         viewpoints.observation_points[target].objects = points[i].captured;

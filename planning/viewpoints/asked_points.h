@@ -36,11 +36,11 @@ std::vector<AnchorTally> countAnchors(const AskedPoints& asked,
 /// Whether the plan of rooms is needed.
 bool asksForRooms(const ConstraintParams& constraints);
 
-/// Adds the views of must-see regions and of anchors as fixed points, completes what they capture,
-/// and numbers the rooms when each has a trajectory of its own. `rooms` is given when
-/// asksForRooms(). Error: Cancelled.
+/// Adds the views of must-see regions and of anchors as fixed points and completes what they
+/// capture, adds room views as far as the budget allows, and numbers the rooms when each has a
+/// trajectory of its own. `rooms` is given when asksForRooms(). Error: Cancelled.
 Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
-                                   const ConstraintParams& constraints, const RoomPlan* rooms,
+                                   const PlanParams& params, const RoomPlan* rooms,
                                    const Surroundings& around, ShownMemo* memo,
                                    const JobContext& job);
 

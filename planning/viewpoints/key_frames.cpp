@@ -149,6 +149,9 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
         if (best < 0) break;
         choose(static_cast<std::size_t>(best));
     }
+    for (std::size_t i = 0; i < position_points.size(); ++i) {
+        if (position_points[i].room_view) choose(i);
+    }
     return chosen;
 }
 

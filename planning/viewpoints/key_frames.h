@@ -38,7 +38,7 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
 
 /// A small choice of position points that together capture all that all of them capture (greedy
 /// set cover; well captured counts first), in order of what each adds. Fixed ones come first, all
-/// of them. An object counts by its weight, of index id - 1; without weights all count alike.
+/// of them; room views come last, in their own order. An object counts by its weight, of index id - 1; without weights all count alike.
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights = {});
 

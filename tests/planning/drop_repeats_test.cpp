@@ -54,6 +54,7 @@ TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
 // No more are dropped than need be: with half as many again too many repeat.
 TEST(DropRepeats, KeepsAsManyFramesAsTheLimitAllows) {
     PlanParams params;
+    params.gaze.view_mix = 0.0;  // room views are key frames, which stay
     params.timing.max_frames = 300;
     params.timing.frame_rate = 30.0;
     const double all = planned(params, 1.0)->trajectory_metrics.repeat_rate;

@@ -402,6 +402,7 @@ TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {
         EXPECT_FALSE(has(point.objects, sofa));
     }
     for (const PositionPoint& point : after->position_points) {
+        if (point.room_view) continue;  // chosen for all objects together
         const auto o = static_cast<std::size_t>(point.observation_point);
         const PositionPoint* same = pointFor(*before, after->observation_points[o].objects);
         ASSERT_NE(same, nullptr);

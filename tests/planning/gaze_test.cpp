@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace dollytrack::planning {
 namespace {
@@ -61,8 +63,11 @@ double largestTurn(const Trajectory& trajectory) {
 
 TEST(ContextViews, ShowMoreObjectsAFrameAndLeaveKeyFramesAsTheyAre) {
     const Scene scene = furnishedHall();
-    const auto close = planOf(scene, withContext(0.0));
-    const auto mixed = planOf(scene, withContext(0.7));
+    PlanParams params = withContext(0.0);
+    params.path.max_length_m = 1000.0;  // no room views
+    const auto close = planOf(scene, params);
+    params.gaze.view_mix = 0.7;
+    const auto mixed = planOf(scene, params);
     EXPECT_GT(targetsAFrame(*mixed), 1.2 * targetsAFrame(*close));
     EXPECT_EQ(keyFramePoses(*mixed), keyFramePoses(*close));
     EXPECT_EQ(mixed->capture_metrics.well_captured_rate, close->capture_metrics.well_captured_rate);
@@ -107,6 +112,108 @@ TEST(ContextViews, AreNoneForACameraThatLooksAlongItsMotion) {
     ASSERT_EQ(with->trajectory.frames.size(), without->trajectory.frames.size());
     for (std::size_t i = 0; i < with->trajectory.frames.size(); ++i) {
         EXPECT_EQ(with->trajectory.frames[i].pose, without->trajectory.frames[i].pose);
+    }
+}
+
+TEST(RoomViews, ShowManyObjectsFromEyeLevelBesideTheCloseViews) {
+    const Scene scene = furnishedHall();
+    const auto close = planOf(scene, withContext(0.0));
+    const auto mixed = planOf(scene, withContext(0.9));
+    std::map<int, std::size_t> targets;  // by frame
+    for (std::size_t i = 0; i < mixed->frame_views.size(); ++i) {
+        const int point = mixed->trajectory.frames[i].position_point;
+        if (point >= 0) targets[point] = mixed->frame_views[i].size();
+    }
+    double at_close = 0.0, at_room = 0.0;
+    int close_views = 0, room_views = 0;
+    for (const auto& [index, count] : targets) {
+        const PositionPoint& point = mixed->position_points[static_cast<std::size_t>(index)];
+        (point.room_view ? at_room : at_close) += static_cast<double>(count);
+        ++(point.room_view ? room_views : close_views);
+        if (!point.room_view) continue;
+        EXPECT_GT(point.pose.position.z(), 0.7);
+        EXPECT_LT(point.pose.position.z(), 2.2);
+    }
+    EXPECT_EQ(close_views, static_cast<int>(close->key_frames.size()));
+    ASSERT_GT(room_views, 3);
+    EXPECT_GT(at_room / room_views, 2.0 * at_close / close_views);
+    // Whatever shows an object well without room views does so with them.
+    EXPECT_GE(mixed->capture_metrics.well_captured, close->capture_metrics.well_captured);
+    EXPECT_EQ(mixed->trajectory_metrics.frame_collision_rate, 0.0);
+}
+
+TEST(RoomViews, AreTheFirstToGoUnderABudgetOfFrames) {
+    const Scene scene = furnishedHall();
+    const auto close = planOf(scene, withContext(0.0));
+    const auto roomViewsWithin = [&](int max_frames) {
+        PlanParams params = withContext(0.9);
+        params.timing.max_frames = max_frames;
+        const auto plan = planOf(scene, params);
+        EXPECT_LE(plan->trajectory.frames.size(), static_cast<std::size_t>(max_frames));
+        EXPECT_EQ(plan->capture_metrics.well_captured, close->capture_metrics.well_captured);
+        return std::ranges::count_if(plan->key_frames, [&](int key) {
+            return plan->position_points[static_cast<std::size_t>(key)].room_view;
+        });
+    };
+    const auto keys = static_cast<int>(close->key_frames.size());
+    EXPECT_EQ(roomViewsWithin(keys + 2), 0);
+    EXPECT_GT(roomViewsWithin(10 * keys), roomViewsWithin(4 * keys));
+}
+
+TEST(RoomViews, SeeNoObjectThroughAWall) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {8, 4, 2.6});
+    builder.object("wall", {kNyuWall, Role::Structure}).box({4, 2, 1.3}, {0.1, 4, 2.6});
+    builder.object("left").box({0.5, 2, 0.4}, {0.6, 0.6, 0.8});
+    for (int i = 0; i < 6; ++i) {
+        builder.object("right " + std::to_string(i))
+            .box({7.5, 0.5 + 0.6 * i, 0.3}, {0.4, 0.3, 0.6});
+    }
+    const auto plan = planOf(builder.build(), withContext(0.9));
+    for (const PositionPoint& point : plan->position_points) {
+        if (!point.room_view || point.pose.position.x() > 4.0) continue;
+        // From the left room the objects of the right one are no reason to look that way.
+        EXPECT_LT(
+            angleBetween(point.pose.forward(), Eigen::Vector3d(0.5, 2, 0.4) - point.pose.position),
+            0.7);
+    }
+}
+
+TEST(Panorama, BoundsDirectionsWithoutLosingASighting) {
+    const Scene scene = furnishedHall();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, CameraParams{});
+    const TargetSamples samples(views);
+    const Eigen::Vector3d place(4.5, 2.5, 1.4);
+    const Panorama panorama(views, samples, place);
+    const Intrinsics& lens = views.intrinsics();
+    for (int h = 0; h < 72; ++h) {
+        const double heading = 2.0 * 3.14159265 * h / 72;
+        const Eigen::Vector3d direction =
+            Eigen::Vector3d(std::cos(heading), std::sin(heading), -0.3).normalized();
+        const Pose pose{place, lookAlong(direction)};
+        std::set<std::size_t> shown;
+        panorama.visitShown(direction, [&](std::size_t target, double) { shown.insert(target); });
+        for (std::size_t t = 0; t < samples.targets().size(); ++t) {
+            const int id = samples.targets()[t].object_id;
+            int inside = 0;
+            int seen = 0;
+            for (const Eigen::Vector3d& point : samples.targets()[t].points) {
+                const Eigen::Vector3d p = pose.toCamera(point);
+                const Eigen::Vector2d px = lens.project(p);
+                if (p.z() <= 0.0 || px.x() <= 0.0 || px.y() <= 0.0 || px.x() >= lens.width ||
+                    px.y() >= lens.height) {
+                    continue;
+                }
+                ++inside;
+                seen += rays.cast(place, (point - place).normalized()).object_id == id ? 1 : 0;
+            }
+            if (inside == 0) {
+                EXPECT_FALSE(shown.contains(t)) << h << ' ' << t;
+            } else if (2 * seen >= TargetSamples::kPerObject) {
+                EXPECT_TRUE(shown.contains(t)) << h << ' ' << t;
+            }
+        }
     }
 }
 

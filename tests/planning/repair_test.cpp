@@ -41,6 +41,7 @@ PlanParams repaired(int rounds) {
     PlanParams params;
     params.repair.repair_rounds = rounds;
     params.repair.score_threshold = 0.9;
+    params.gaze.view_mix = 0.0;  // context views change with the path, beside the repaired stretch
     return params;
 }
 

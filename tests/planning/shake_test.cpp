@@ -69,6 +69,7 @@ TEST(Shake, FewFramesOfAFastCameraHideNoCollision) {
                 params.seed = seed;
                 params.camera.camera_radius_m = 0.04;
                 params.camera.near_m = 0.03;
+                params.gaze.view_mix = 0.0;  // few frames, far apart
                 const auto plan = planOf(scene, params);
                 const double radius = params.camera.camera_radius_m;
                 const auto found = checker.check(*plan, radius, true);

@@ -126,7 +126,10 @@ Result<planning::Flight> Sweeper::fly(const planning::Planner& planner,
                                       const planning::PlanParams& params,
                                       std::vector<StageTime>& stages, const JobContext& job) {
     const bool ours = planner.plan == planning::planOurs;
-    if (!ours && planner.plan != planning::planPaperSmoothing) {
+    // The paper's path is ours where ours has no room views.
+    const bool same_path =
+        planner.plan == planning::planPaperSmoothing && params.gaze.view_mix <= 0.0;
+    if (!ours && !same_path) {
         const auto begin = std::chrono::steady_clock::now();
         return planner.plan(*mapped_, params, params.seed, job).map([&](planning::Flight&& flight) {
             const std::chrono::duration<double, std::milli> spent =

@@ -81,7 +81,8 @@ json planForm() {
                                  {"fill", "number"},
                                  {"well_captured", {"text"}},
                                  {"captured", {"text"}},
-                                 {"pin", "integer"}};
+                                 {"pin", "integer"},
+                                 {"room_view", "flag"}};
     return {{"metrics", std::move(metrics)},
             {"rooms", {{{"low!", "point"}, {"high!", "point"}}}},
             {"trajectory", {{"frame_interval_s!", "number"}, {"frames!", {frame}}}},

@@ -200,6 +200,7 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
     ImGui::TextColored(handle.pin != nullptr ? palette().accent : palette().text_dim, "%s",
                        handle.pin != nullptr ? "\u25a0 pinned"
                        : point.fixed         ? "kept as it is: a region or an anchor asks for it"
+                       : point.room_view     ? "a room view: many objects at once (view_mix)"
                                              : "found by the search");
     if (beginForm("pose")) {
         drawPose(view, handle, actions.edit);

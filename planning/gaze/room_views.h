@@ -1,0 +1,22 @@
+#pragma once
+
+#include "planning/viewpoints/viewpoint_search.h"
+
+namespace dollytrack::planning {
+
+struct PlanParams;
+
+/// Whether room views are asked for (view_mix) and can be visited: by a tour that may turn freely
+/// and whose length only a budget of frames limits.
+[[nodiscard]] bool asksForRoomViews(const PlanParams& params);
+
+/// Adds views that show many objects at once from the middle of the rooms, at eye level, as
+/// position points marked room_view, each with an observation point where it looks. Their number is
+/// the share view_mix of what the budget of frames leaves beside the key frames; fewer where
+/// further views would add little. Greedy maximum coverage with diminishing returns: an object
+/// counts less the more views show it, above all from the same side; the gain is weighed against
+/// the distance from the other key frames. Each view lies in a component of free space that holds
+/// key frames.
+void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoints& viewpoints);
+
+}  // namespace dollytrack::planning
