@@ -103,7 +103,7 @@ TEST(Repair, KeepsKeyFramesToTheLastBitButAtTheEndsOfOtherWays) {
         }
         return poses;
     };
-    const auto before = keyPoses(*planOf(scene));
+    const auto before = keyPoses(*planOf(scene, repaired(0)));
     for (const int rounds : {1, 4}) {
         const auto plan = planOf(scene, repaired(rounds));
         const auto after = keyPoses(*plan);
@@ -157,7 +157,7 @@ TEST(Repair, KeepsTheSphereOutOfAllTriangles) {
 
 TEST(Repair, LeavesOutLowFramesButNoneThatIsNeeded) {
     const Scene scene = longHall();
-    const auto before = planOf(scene);
+    const auto before = planOf(scene, repaired(0));
     PlanParams params = repaired(0);
     params.repair.drop_low_frames = true;
     const auto after = planOf(scene, params);
