@@ -92,14 +92,83 @@ def gltf():
     return json.dumps(document).encode()
 
 
-def glb():
-    document, data = gltf_json()
+def container(document, data):
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
     data += b"\0" * (-len(data) % 4)
     size = 12 + 8 + len(text) + 8 + len(data)
     return (struct.pack("<4sII", b"glTF", 2, size) + struct.pack("<I4s", len(text), b"JSON") +
             text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
+def glb():
+    return container(*gltf_json())
+
+
+# The room as the encoders of Draco 1.5.5 and meshoptimizer 0.18 pack it.
+DRACO = bytes.fromhex(
+    "445241434f02020101000000080c000b0000035f4b1501011001ff000001000903000002010101000c0301101f011"
+    "00120040048ee830000c09903981900006806000034433304103334030000403300000000ff070000000000000000"
+    "0000000000000000a0400b")
+DRACO_SEQUENTIAL = bytes.fromhex(
+    "445241434f0202010000000c080100010300030204060704070500040500050102030702070600020600060401050"
+    "701070301010009030000000000000000000000000000000000a04000000000000000000000000000008040000000"
+    "000000a04000008040000000000000000000000000000040400000a0400000000000004040000000000000804000"
+    "0040400000a0400000804000004040")
+MESHOPT_CORNERS = bytes.fromhex(  # in thousandths, as four 16-bit integers
+    "a0013fff0000eff0eff0eff0ef013fff000026252625262526010ccc0000bfc0bf010ccc00001e1d1e0100c000008"
+    "f0100c000001600000000000000000000000000000000000000000000000000000000000000000000")
+MESHOPT_TRIANGLES = bytes.fromhex(
+    "e0fe00ff0f0716a102071391050f06ff02040203007687566778a9866589689801690000")
+
+
+def draco(packed=DRACO):
+    document, _ = gltf_json()
+    document["accessors"] = [{"componentType": 5126, "count": 8, "type": "VEC3"},
+                             {"componentType": 5125, "count": 36, "type": "SCALAR"}]
+    document["bufferViews"] = [{"buffer": 0, "byteLength": len(packed)}]
+    document["buffers"][0]["byteLength"] = len(packed)
+    for unused in ("materials", "textures", "images"):
+        del document[unused]
+    document["meshes"][0]["primitives"] = [
+        {"attributes": {"POSITION": 0}, "indices": 1, "extensions": {
+            "KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]
+    document["extensionsRequired"] = ["KHR_draco_mesh_compression"]
+    return container(document, packed)
+
+
+def meshopt(corners=8):
+    """Packed, quantised, and in one instance."""
+    place = struct.pack("<3f", 1, 2, 3)
+    data = b""
+    views = []
+    for packed, count, stride, mode in ((MESHOPT_CORNERS, corners, 8, "ATTRIBUTES"),
+                                        (MESHOPT_TRIANGLES, 36, 2, "TRIANGLES")):
+        views.append({"buffer": 1, "byteLength": count * stride, "extensions": {
+            "EXT_meshopt_compression": {
+                "buffer": 0, "byteOffset": len(data), "byteLength": len(packed), "count": count,
+                "byteStride": stride, "mode": mode}}})
+        data += packed + b"\0" * (-len(packed) % 4)
+    views[0]["byteStride"] = 8
+    views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(place)})
+    data += place
+    document, _ = gltf_json()
+    document.update({
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(data)}, {"byteLength": 136}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5122, "count": 8, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"},
+            {"bufferView": 2, "componentType": 5126, "count": 1, "type": "VEC3"}],
+        "nodes": [{"name": "room", "children": [1]},
+                  {"name": "box", "mesh": 0, "scale": [0.001, 0.001, 0.001], "extensions": {
+                      "EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}}],
+        "extensionsRequired": ["EXT_meshopt_compression", "KHR_mesh_quantization",
+                               "EXT_mesh_gpu_instancing"]})
+    for unused in ("materials", "textures", "images"):
+        del document[unused]
+    document["meshes"][0]["primitives"] = [{"attributes": {"POSITION": 0}, "indices": 1}]
+    return container(document, data)
 
 
 def dae():
@@ -168,8 +237,9 @@ def fbx():
 
 SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_little_endian"),
          "big.ply": lambda: ply("binary_big_endian"), "room.stl": stl,
-         "text.stl": lambda: stl(True), "room.gltf": gltf, "room.glb": glb, "room.dae": dae,
-         "room.fbx": fbx}
+         "text.stl": lambda: stl(True), "room.gltf": gltf, "room.glb": glb, "draco.glb": draco,
+         "sequential.glb": lambda: draco(DRACO_SEQUENTIAL), "meshopt.glb": meshopt,
+         "room.dae": dae, "room.fbx": fbx}
 
 
 def front3d():

@@ -76,8 +76,12 @@ TEST(BadInput, GltfWithoutItsBuffer) {
     expectRefused(
         folder.write(
             "room.gltf",
-            R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"gone.bin"}]})"),
-        "cannot be read");
+            R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+                "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+                "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
+                "bufferViews":[{"buffer":0,"byteLength":36}],
+                "buffers":[{"byteLength":36,"uri":"gone.bin"}]})"),
+        "gone.bin");
 }
 
 TEST(BadInput, OptionsOutOfRange) {

@@ -37,6 +37,8 @@ for name, text in texts.items():
     for kind in range(FORMATS):
         write("trajectory", f"{name}{kind}", bytes([kind]) + text)
 write("front3d", "small", small_models.front3d())
+for name in ("room.gltf", "room.glb", "draco.glb", "sequential.glb", "meshopt.glb"):
+    write("gltf", name, small_models.SEEDS[name]())
 write("scenenet", "small", small_models.scenenet())
 write("home", "xml", small_models.home_xml())
 write("home", "archive", small_models.sh3d())

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/model_library.h"
 
-#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/model_reader.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
 
@@ -77,7 +77,7 @@ Status ModelLibrary::read(const JobContext& job) {
     reasons_.resize(paths_.size());
     parallelFor(paths_.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        Result<RawScene> read = readWithAssimp(paths_[i], job);
+        Result<RawScene> read = readModel(paths_[i], job);
         if (!read) {
             reasons_[i] = read.error().message;
             return;

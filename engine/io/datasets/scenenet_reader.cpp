@@ -4,7 +4,7 @@
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/datasets/scenenet_description.h"
-#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/model_reader.h"
 #include "engine/io/import/import_labels.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/object_parts/object_grouping.h"
@@ -108,7 +108,7 @@ class SceneNetImport {
         }
         RawScene scene;
         if (layout_) {
-            Result<RawScene> layout = readWithAssimp(*layout_, job);
+            Result<RawScene> layout = readModel(*layout_, job);
             if (!layout) return layout;
             scene = std::move(*layout);
             for (TextureRequest& texture : scene.textures) texture.folder = layout_->parent_path();

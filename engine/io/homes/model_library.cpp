@@ -1,7 +1,7 @@
 #include "engine/io/homes/model_library.h"
 
 #include "engine/io/homes/standard_colors.h"
-#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/model_reader.h"
 #include "engine/io/import/scene_format.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ ModelLibrary::Entry ModelLibrary::read(const std::string& name, const JobContext
             }
             readable += ".obj";
         }
-        Result<RawScene> raw = readWithAssimp(NamedFiles(*place, readable, name), readable, job);
+        Result<RawScene> raw = readModel(NamedFiles(*place, readable, name), readable, job);
         if (!raw) {
             entry.why = raw.error().message;
             continue;

@@ -9,7 +9,6 @@
 #include "engine/scene/srgb.h"
 
 #include <assimp/BaseImporter.h>
-#include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <map>
 #include <memory>
@@ -38,12 +36,9 @@ std::string extensionOf(const Path& path) {
     return ext;
 }
 
-/// assimp tries every reader it has on a file it does not know; ours are six.
+/// assimp tries every reader it has on a file it does not know; ours are five.
 void keepOurReaders(Assimp::Importer& importer) {
-    const auto isOurs = [](std::string_view extensions, std::string_view name) {
-        if (name.find("glTF") != std::string_view::npos) {
-            return name.find("glTF2") != std::string_view::npos;
-        }
+    const auto isOurs = [](std::string_view extensions) {
         for (const std::string_view ours : {"obj", "fbx", "dae", "ply", "stl"}) {
             for (std::size_t at = extensions.find(ours); at != std::string_view::npos;
                  at = extensions.find(ours, at + 1)) {
@@ -56,7 +51,7 @@ void keepOurReaders(Assimp::Importer& importer) {
     };
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const aiImporterDesc* info = importer.GetImporterInfo(i);
-        if (info && isOurs(info->mFileExtensions, info->mName)) continue;
+        if (info && isOurs(info->mFileExtensions)) continue;
         const std::unique_ptr<Assimp::BaseImporter> not_ours(importer.GetImporter(i));
         importer.UnregisterLoader(not_ours.get());  // hands it back to us
     }
@@ -189,72 +184,54 @@ int mapOf(const aiMaterial& source, aiTextureType type, TextureList& textures) {
 }
 
 Material readMaterial(const aiMaterial& source, const std::string& format, TextureList& textures) {
-    const bool is_gltf = format == ".gltf" || format == ".glb";
     Material material;
     aiString name;
     if (source.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = cleanText(name.C_Str());
 
-    aiString alpha_mode("OPAQUE");
-    if (!is_gltf) alpha_mode.Set("BLEND");
-    source.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha_mode);
-    const bool opaque = std::strcmp(alpha_mode.C_Str(), "OPAQUE") == 0;
-
     aiColor4D color(0.8F, 0.8F, 0.8F, 1.0F);
     if (source.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) {
         source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
-        if (!is_gltf)
-            color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b),
-                     color.a};
+        color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b),
+                 color.a};
     }
     aiString file;
     if (source.GetTexture(aiTextureType_BASE_COLOR, 0, &file) == AI_SUCCESS ||
         source.GetTexture(aiTextureType_DIFFUSE, 0, &file) == AI_SUCCESS) {
-        material.texture = textures.request(file.C_Str(), opaque);
-        // Outside glTF the picture replaces the colour: exporters write anything beside it.
-        if (!is_gltf) color = {1.0F, 1.0F, 1.0F, color.a};
+        material.texture = textures.request(file.C_Str(), false);
+        // The picture replaces the colour: exporters write anything beside it.
+        color = {1.0F, 1.0F, 1.0F, color.a};
     }
     const auto clean = [](float value) {
         return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.8F;
     };
     material.base_color = {clean(color.r), clean(color.g), clean(color.b)};
 
-    float opacity = is_gltf ? color.a : 1.0F;
-    if (!is_gltf) source.Get(AI_MATKEY_OPACITY, opacity);
+    float opacity = 1.0F;
+    source.Get(AI_MATKEY_OPACITY, opacity);
     // Some exporters write 0 for "opaque"; nobody models what cannot be seen.
-    material.opacity = opaque || !(opacity > 0.0F) ? 1.0F : std::min(opacity, 1.0F);
+    material.opacity = !(opacity > 0.0F) ? 1.0F : std::min(opacity, 1.0F);
 
-    // Ke in MTL files is more often a default than a lamp: without a map only that of glTF counts.
+    // Ke in MTL files is more often a default than a lamp: without a map it does not count.
     aiColor3D emission;
     material.emission_map = mapOf(source, aiTextureType_EMISSIVE, textures);
     const bool says = source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == AI_SUCCESS;
-    if (says && (is_gltf || material.emission_map >= 0)) {
+    if (says && material.emission_map >= 0) {
         material.emission = {clean(emission.r), clean(emission.g), clean(emission.b)};
     }
-    // Other formats' exporters write black beside the picture.
+    // Exporters write black beside the picture.
     const bool black = material.emission.isZero(0.0F);
-    if (!is_gltf && material.emission_map >= 0 && black) material.emission.setOnes();
+    if (material.emission_map >= 0 && black) material.emission.setOnes();
 
     // What Collada calls a bump and assimp a normal map is a picture of heights.
     if (format != ".dae") material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
-    if (float scale = 1.0F;
-        source.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale) == AI_SUCCESS &&
-        std::isfinite(scale)) {
-        material.normal_scale = std::clamp(scale, 0.0F, 10.0F);
-    }
-    if (is_gltf) {  // one picture for both
-        material.roughness_map = mapOf(source, aiTextureType_UNKNOWN, textures);
-        material.metallic_map = material.roughness_map;
-    } else {
-        material.roughness_map = mapOf(source, aiTextureType_DIFFUSE_ROUGHNESS, textures);
-        material.metallic_map = mapOf(source, aiTextureType_METALNESS, textures);
-        if (material.roughness_map >= 0) material.roughness = 1.0F;
-        if (material.metallic_map >= 0) material.metallic = 1.0F;
-    }
+    material.roughness_map = mapOf(source, aiTextureType_DIFFUSE_ROUGHNESS, textures);
+    material.metallic_map = mapOf(source, aiTextureType_METALNESS, textures);
+    if (material.roughness_map >= 0) material.roughness = 1.0F;
+    if (material.metallic_map >= 0) material.metallic = 1.0F;
     source.Get(AI_MATKEY_METALLIC_FACTOR, material.metallic);
     source.Get(AI_MATKEY_ROUGHNESS_FACTOR, material.roughness);
     float shininess = 0.0F;
-    if (!is_gltf && material.roughness_map < 0 &&
-        source.Get(AI_MATKEY_SHININESS, shininess) == AI_SUCCESS) {
+    if (material.roughness_map < 0 && source.Get(AI_MATKEY_SHININESS, shininess) == AI_SUCCESS) {
         // Blinn exponent to roughness, the usual approximation.
         material.roughness = std::sqrt(2.0F / (std::max(shininess, 0.0F) + 2.0F));
         material.roughness = std::clamp(material.roughness, 0.2F, 0.9F);
@@ -355,12 +332,8 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
                          const JobContext& job) {
     RawScene raw;
     const std::string ext = extensionOf(path);
-    const bool is_gltf = ext == ".gltf" || ext == ".glb";
     Eigen::Affine3d root = Eigen::Affine3d::Identity();
-    if (is_gltf) {
-        raw.file_unit_m = 1.0;
-        raw.file_up_axis = 'y';
-    } else if (ext == ".fbx") {
+    if (ext == ".fbx") {
         readFbxFrame(scene, raw);
     } else if (ext == ".dae") {
         const ColladaAsset asset = readColladaAsset(files, path);
@@ -430,17 +403,7 @@ Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name
                                 const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
     importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
-    Result<RawScene> raw = read(std::move(importer), name, job);
-    if (!raw) return raw;
-    const Path folder = Path(name).parent_path();
-    for (TextureRequest& request : raw->textures) {
-        if (!request.embedded.empty()) continue;
-        std::string relative = request.name;
-        std::replace(relative.begin(), relative.end(), '\\', '/');
-        const auto bytes = files.read((folder / relative).generic_string());
-        if (bytes && *bytes) request.embedded = **bytes;
-    }
-    return raw;
+    return read(std::move(importer), name, job);
 }
 
 }  // namespace dollytrack

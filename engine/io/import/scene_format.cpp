@@ -5,7 +5,7 @@
 #include "engine/io/datasets/scenenet_reader.h"
 #include "engine/io/files/hdf5_functions.h"
 #include "engine/io/homes/home_reader.h"
-#include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/model_reader.h"
 #include "engine/io/pointcloud/cloud_scene.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
@@ -35,14 +35,14 @@ Result<std::filesystem::path> annotationsFor(const std::filesystem::path& path,
                 options.annotations->string());
 }
 
-Result<RawScene> readModel(const std::filesystem::path& path, const ImportOptions& options,
-                           const JobContext& job) {
+Result<RawScene> readAnyModel(const std::filesystem::path& path, const ImportOptions& options,
+                              const JobContext& job) {
     const Result<std::filesystem::path> folder = annotationsFor(path, options);
     if (!folder) return tl::unexpected(folder.error());
-    if (folder->empty()) return readWithAssimp(path, job);
+    if (folder->empty()) return readModel(path, job);
     const Result<io::HypersimAnnotations> annotations = io::readHypersimAnnotations(*folder);
     if (!annotations) return tl::unexpected(annotations.error());
-    Result<RawScene> scene = readWithAssimp(path, job);
+    Result<RawScene> scene = readModel(path, job);
     if (scene) io::applyHypersim(*annotations, *scene);
     return scene;
 }
@@ -101,11 +101,11 @@ bool likeZip(std::string_view head) {
 
 const std::vector<SceneFormat>& sceneFormats() {
     static const std::vector<SceneFormat> formats = {
-        {"an OBJ file", {".obj"}, anything, readModel, modelInputs},
-        {"an FBX file", {".fbx"}, anything, readModel, modelInputs},
-        {"a glTF file", {".gltf"}, likeGltf, readModel, modelInputs},
-        {"a GLB file", {".glb"}, likeGlb, readModel, modelInputs},
-        {"a Collada file", {".dae"}, likeCollada, readModel, modelInputs},
+        {"an OBJ file", {".obj"}, anything, readAnyModel, modelInputs},
+        {"an FBX file", {".fbx"}, anything, readAnyModel, modelInputs},
+        {"a glTF file", {".gltf"}, likeGltf, readAnyModel, modelInputs},
+        {"a GLB file", {".glb"}, likeGlb, readAnyModel, modelInputs},
+        {"a Collada file", {".dae"}, likeCollada, readAnyModel, modelInputs},
         {"a PLY file of points",
          {".ply"},
          io::isPlyOfPoints,
@@ -113,8 +113,8 @@ const std::vector<SceneFormat>& sceneFormats() {
          nullptr,
          false,
          kCloudWork},
-        {"a PLY file", {".ply"}, likePly, readModel, modelInputs},
-        {"an STL file", {".stl"}, anything, readModel, modelInputs},
+        {"a PLY file", {".ply"}, likePly, readAnyModel, modelInputs},
+        {"an STL file", {".stl"}, anything, readAnyModel, modelInputs},
         {"a 3D-FRONT scene",
          {".json"},
          io::likeFront3d,

@@ -1,6 +1,7 @@
 #include "engine/io/import/texture_loader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/files/percent_text.h"
 #include "engine/io/pictures/picture_decoder.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
@@ -29,22 +30,6 @@ std::string lowerName(std::string text) {
 std::string baseName(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
     return slash == std::string::npos ? name : name.substr(slash + 1);
-}
-
-/// "%20" is a space in glTF and Collada references.
-std::string percentDecoded(const std::string& name) {
-    std::string text;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        if (name[i] == '%' && i + 2 < name.size() &&
-            std::isxdigit(static_cast<unsigned char>(name[i + 1])) &&
-            std::isxdigit(static_cast<unsigned char>(name[i + 2]))) {
-            text += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-        } else {
-            text += name[i];
-        }
-    }
-    return text;
 }
 
 /// A folder that pictures are looked up in.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace dollytrack::gltf {
+
+/// Why a glTF file cannot be read: one sentence that says what to do. Thrown within this folder
+/// only; readGltf() makes an Error of it.
+class Fault : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The fault of a file that contradicts itself or the specification: "accessors[3] has no data".
+[[nodiscard]] inline Fault damaged(const std::string& what) {
+    return Fault("the file cannot be read as glTF (" + what +
+                 "); it is damaged or was cut off, export it again");
+}
+
+}  // namespace dollytrack::gltf

@@ -1,0 +1,263 @@
+#include "engine/io/gltf/gltf_nodes.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/gltf/accessor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace dollytrack::gltf {
+namespace {
+
+constexpr int kDeepest = 1000;
+/// Of a whole file. A node takes some bytes of the file, an instance may take none.
+constexpr std::size_t kMostInstances = std::size_t{1} << 16U;
+
+/// Of a quaternion x, y, z, w. One that is clearly not of length 1 is brought to it.
+Eigen::Matrix3f rotationOf(Eigen::Vector4f q) {
+    constexpr float kRounding = 1e-3F;
+    const float length = q.norm();
+    if (!(length > 0.0F)) return Eigen::Matrix3f::Identity();
+    if (std::abs(length - 1.0F) > kRounding) q /= length;
+    const float x = q.x();
+    const float y = q.y();
+    const float z = q.z();
+    const float w = q.w();
+    Eigen::Matrix3f rotation;
+    rotation << 1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),  //
+        2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),          //
+        2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y);
+    return rotation;
+}
+
+/// In single precision, as the numbers of the format are: equal scenes stay equal to the last bit.
+Eigen::Affine3d placed(const Eigen::Vector3f& translation, const Eigen::Vector4f& rotation,
+                       const Eigen::Vector3f& scale) {
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+    const Eigen::Matrix3f linear = rotationOf(rotation) * scale.asDiagonal();
+    transform.linear() = linear.cast<double>();
+    transform.translation() = translation.cast<double>();
+    return transform;
+}
+
+Eigen::Affine3d transformOf(const Json& node) {
+    if (node.contains("matrix")) {
+        Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+        readNumbers(node, "matrix", matrix);  // both are column after column
+        Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+        transform.matrix().topRows<3>() = matrix.topRows<3>().cast<double>();
+        return transform;
+    }
+    Eigen::Vector3f translation = Eigen::Vector3f::Zero();
+    Eigen::Vector4f rotation = Eigen::Vector4f::UnitW();
+    Eigen::Vector3f scale = Eigen::Vector3f::Ones();
+    readNumbers(node, "translation", translation);
+    readNumbers(node, "rotation", rotation);
+    readNumbers(node, "scale", scale);
+    return placed(translation, rotation, scale);
+}
+
+void checkInstances(std::size_t count) {
+    if (count <= kMostInstances) return;
+    throw Fault(fmt::format(
+        "it holds more than {} instances of meshes; split it into several files", kMostInstances));
+}
+
+/// The transforms of a node's instances.
+std::vector<Eigen::Affine3d> instancesOf(const Document& document, const Json& instancing) {
+    const Json& attributes = objectAt(instancing, "attributes");
+    std::optional<std::size_t> count;
+    const auto read = [&](const char* name, std::size_t components) {
+        const auto accessor = findCount(attributes, name);
+        if (!accessor) return Elements{};
+        Elements elements = readElements(document, *accessor);
+        if (elements.components != components || (count && *count != elements.count)) {
+            throw damaged(std::string(name) + " does not fit the other instances");
+        }
+        count = elements.count;
+        return elements;
+    };
+    const Elements translations = read("TRANSLATION", 3);
+    const Elements rotations = read("ROTATION", 4);
+    const Elements scales = read("SCALE", 3);
+    checkInstances(count.value_or(0));
+    std::vector<Eigen::Affine3d> instances;
+    instances.reserve(count.value_or(0));
+    for (std::size_t i = 0; i < count.value_or(0); ++i) {
+        Eigen::Vector3f translation = Eigen::Vector3f::Zero();
+        Eigen::Vector4f rotation = Eigen::Vector4f::UnitW();
+        Eigen::Vector3f scale = Eigen::Vector3f::Ones();
+        if (translations.count > 0) {
+            translation = Eigen::Map<const Eigen::Vector3f>(translations.values.data() + 3 * i);
+        }
+        if (rotations.count > 0) {
+            rotation = Eigen::Map<const Eigen::Vector4f>(rotations.values.data() + 4 * i);
+        }
+        if (scales.count > 0) {
+            scale = Eigen::Map<const Eigen::Vector3f>(scales.values.data() + 3 * i);
+        }
+        instances.push_back(placed(translation, rotation, scale));
+    }
+    return instances;
+}
+
+/// Where to begin: the nodes of the default scene, or all that no other node holds.
+std::vector<std::size_t> rootsOf(const Document& document) {
+    std::vector<std::size_t> roots;
+    const auto add = [&](const Json::array_t& list) {
+        for (const Json& node : list) {
+            if (!node.is_number_unsigned()) throw damaged("a list of nodes holds no numbers");
+            roots.push_back(node.get<std::size_t>());
+        }
+    };
+    if (document.size("scenes") > 0) {
+        add(listAt(document.entry("scenes", countOr(document.json(), "scene", 0)), "nodes"));
+        return roots;
+    }
+    for (std::size_t i = 0; i < document.size("nodes"); ++i) {
+        add(listAt(document.entry("nodes", i), "children"));
+    }
+    std::vector<bool> held(document.size("nodes"), false);
+    for (const std::size_t child : roots) {
+        if (child < held.size()) held[child] = true;
+    }
+    roots.clear();
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        if (!held[i]) roots.push_back(i);
+    }
+    return roots;
+}
+
+class NodeWalk {
+  public:
+    NodeWalk(const Document& document, RawScene& raw)
+        : document_(document),
+          raw_(raw),
+          seen_(document.size("nodes"), false),
+          quantized_(usesQuantization(document)) {}
+
+    std::vector<MeshPlacement> walk() {
+        const std::vector<std::size_t> roots = rootsOf(document_);
+        int parent = -1;
+        if (roots.size() != 1) parent = addNode("ROOT", -1);
+        push(roots, parent, Eigen::Affine3d::Identity(), 0);
+        while (!stack_.empty()) {
+            const Visit visit = stack_.back();
+            stack_.pop_back();
+            enter(visit);
+        }
+        if (placements_.empty()) {
+            throw Fault(
+                "no node of its scene has a mesh; export the scene together with its "
+                "meshes");
+        }
+        return std::move(placements_);
+    }
+
+  private:
+    struct Visit {
+        std::size_t node;
+        int parent;
+        Eigen::Affine3d source_from_parent;
+        int depth;
+    };
+
+    static bool usesQuantization(const Document& document) {
+        const auto& used = listAt(document.json(), "extensionsUsed");
+        return std::ranges::find(used, Json("KHR_mesh_quantization")) != used.end();
+    }
+
+    template <class List>
+    void push(const List& children, int parent, const Eigen::Affine3d& here, int depth) {
+        if (depth > kDeepest) throw damaged("its nodes nest too deep");
+        for (auto child = children.rbegin(); child != children.rend(); ++child) {
+            stack_.push_back({numberOf(*child), parent, here, depth});
+        }
+    }
+
+    static std::size_t numberOf(std::size_t node) { return node; }
+    static std::size_t numberOf(const Json& node) {
+        if (!node.is_number_unsigned()) throw damaged("a list of nodes holds no numbers");
+        return node.get<std::size_t>();
+    }
+
+    int addNode(std::string name, int parent) {
+        raw_.nodes.push_back({std::move(name), parent, 0});
+        holds_quantized_.push_back(false);
+        if (parent >= 0) ++raw_.nodes[static_cast<std::size_t>(parent)].children;
+        return static_cast<int>(raw_.nodes.size()) - 1;
+    }
+
+    void enter(const Visit& visit) {
+        const Json& node = document_.entry("nodes", visit.node);
+        if (seen_[visit.node]) {
+            throw damaged(fmt::format("nodes[{}] is in the scene twice", visit.node));
+        }
+        seen_[visit.node] = true;
+        const Eigen::Affine3d here = visit.source_from_parent * transformOf(node);
+        const auto& children = listAt(node, "children");
+        const auto mesh = findCount(node, "mesh");
+        std::string name = cleanText(textOr(node, "name"));
+        // Quantisers put a node of their own between an object's node and its mesh, to undo the
+        // scaling of its integers.
+        if (mesh && name.empty() && children.empty() && visit.parent >= 0 &&
+            holds_quantized_[static_cast<std::size_t>(visit.parent)]) {
+            return place(*mesh, visit.parent, here);
+        }
+        const bool is_named = !name.empty();
+        if (!is_named) name = fmt::format("nodes[{}]", visit.node);
+        const int index = addNode(name, visit.parent);
+        holds_quantized_.back() = quantized_ && is_named && !mesh;
+        const Json& instancing = extensionOf(node, "EXT_mesh_gpu_instancing");
+        if (mesh && instancing.is_object()) {
+            placeInstances(*mesh, index, is_named ? name : meshName(*mesh, name),
+                           instancesOf(document_, instancing), here);
+        } else if (mesh) {
+            place(*mesh, index, here);
+        }
+        push(children, index, here, visit.depth + 1);
+    }
+
+    [[nodiscard]] std::string meshName(std::size_t mesh, const std::string& otherwise) const {
+        const std::string name = cleanText(textOr(document_.entry("meshes", mesh), "name"));
+        return name.empty() ? otherwise : name;
+    }
+
+    /// Beside the node rather than within it, as parts of one object would be.
+    void placeInstances(std::size_t mesh, int node, const std::string& name,
+                        const std::vector<Eigen::Affine3d>& instances,
+                        const Eigen::Affine3d& here) {
+        instances_ += instances.size();
+        checkInstances(instances_);
+        const int parent = std::max(raw_.nodes[static_cast<std::size_t>(node)].parent, 0);
+        for (std::size_t i = 0; i < instances.size(); ++i) {
+            place(mesh, addNode(fmt::format("{}_{}", name, i + 1), parent), here * instances[i]);
+        }
+    }
+
+    void place(std::size_t mesh, int node, const Eigen::Affine3d& here) {
+        placements_.push_back({mesh, node, here});
+    }
+
+    const Document& document_;
+    RawScene& raw_;
+    std::vector<bool> seen_;
+    bool quantized_;
+    std::vector<bool> holds_quantized_;  // by raw node: takes the meshes of nameless children
+    std::size_t instances_ = 0;
+    std::vector<Visit> stack_;
+    std::vector<MeshPlacement> placements_;
+};
+
+}  // namespace
+
+std::vector<MeshPlacement> placeMeshes(const Document& document, RawScene& raw) {
+    return NodeWalk(document, raw).walk();
+}
+
+}  // namespace dollytrack::gltf
