@@ -43,13 +43,18 @@ TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
 // A chain of nodes deeper than the reader's stack.
 TEST(ImporterProcess, ItsCrashIsAnError) {
     const TempFolder folder;
-    std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
-    for (int i = 1; i < 30'000; ++i) text += R"({"children":[)" + std::to_string(i) + "]},";
-    text += "{}]}";
-    const auto back = io::runImporterProcess(folder.write("chain.gltf", text), {}, {});
+    std::string text =
+        R"(<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset/>)"
+        R"(<library_visual_scenes><visual_scene id="s">)";
+    for (int i = 0; i < 30'000; ++i) text += "<node>";
+    for (int i = 0; i < 30'000; ++i) text += "</node>";
+    text +=
+        R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene>)"
+        R"(</COLLADA>)";
+    const auto back = io::runImporterProcess(folder.write("chain.dae", text), {}, {});
     ASSERT_FALSE(back);
     EXPECT_EQ(back.error().code, ErrorCode::BadInput);
-    EXPECT_NE(back.error().message.find("crashed (signal 11) on chain.gltf"), std::string::npos)
+    EXPECT_NE(back.error().message.find("crashed (signal 11) on chain.dae"), std::string::npos)
         << back.error().message;
 }
 
