@@ -9,7 +9,8 @@ std::string nameOf(const Scene& scene, const Plan& plan, int position_point) {
     if (position_point < 0 || p >= plan.position_points.size()) return "nothing";
     const auto o = static_cast<std::size_t>(plan.position_points[p].observation_point);
     const std::vector<int>& objects = plan.observation_points[o].objects;
-    if (objects.empty()) return "nothing";
+    if (objects.empty())
+        return plan.position_points[p].room_view ? "a room view" : "a view asked for";
     const std::string& first = scene.object(objects.front()).name;
     return objects.size() == 1 ? first : fmt::format("{} and {} more", first, objects.size() - 1);
 }

@@ -77,7 +77,8 @@ class ByHand(Task):
         self.editor.key("del")
         state = self.editor.idle()
         self.assertEqual(len(state["edits"]["removed"]), 1)
-        self.assertEqual(len(state["points"]), len(before["points"]) - 1)
+        # Room views are chosen anew for the points that remain, so more than one may go.
+        self.assertLess(len(state["points"]), len(before["points"]))
         self.editor.key("ctrl+z")
         self.assertEqual(len(self.editor.idle()["points"]), len(before["points"]))
 
