@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/class_table.h"
+#include "engine/scene/import_proposal.h"
 #include "engine/scene/material.h"
 #include "engine/scene/object.h"
 
@@ -27,6 +28,7 @@ struct ImportReport {
     std::string unit_source;  // "file", "door height 2.05", "given"
     std::string up_axis;      // "y" | "z" | "x", in the source
     std::string up_source;
+    ImportProposal proposal;  // how the file should likely be read instead
 };
 
 /// A loaded room in the world's frame: right-handed, z up, metres. Never recentred.

@@ -35,6 +35,17 @@ bool isAt(int descriptor, const fs::path& path) {
            held.st_ino == named.st_ino && held.st_dev == named.st_dev;
 }
 
+/// Those of a folder and the folders around it that do not exist, the innermost first.
+std::vector<fs::path> missingFolders(const fs::path& folder) {
+    std::vector<fs::path> missing;
+    std::error_code error;
+    fs::path at = folder.has_filename() ? folder : folder.parent_path();
+    for (; !at.empty() && !fs::exists(fs::symlink_status(at, error)); at = at.parent_path()) {
+        missing.push_back(at);
+    }
+    return missing;
+}
+
 /// Whether another export holds the lock, and keeps it. One that was just killed may hold it until
 /// the system has taken its memory back.
 bool isTaken(int lock) {
@@ -76,20 +87,28 @@ Status listAll(const io::GuardedFolder& folder, const std::string& within, int l
 }  // namespace
 
 DatasetFolder::~DatasetFolder() {
-    if (!lock_.valid()) return;
-    // Before the lock goes: another export may mark it as its own at once.
-    if (marked_) (void)folder_.remove(kJournalFile);
-    if (made_) ::rmdir(path().c_str());
+    if (isBegun()) return;
+    if (lock_.valid() && marked_) {
+        for (const std::string& folder : made_within_) unfinished().removeEmpty(folder);
+        if (made_staged_) folder_.removeEmpty(kNewFolder);
+        // Before the lock goes: another export may mark it as its own at once.
+        (void)folder_.remove(kJournalFile);
+    }
+    for (const fs::path& folder : made_around_) ::rmdir(folder.c_str());
+}
+
+bool DatasetFolder::isBegun() const {
+    struct stat journal {};
+    return lock_.valid() && ::fstat(lock_.get(), &journal) == 0 && journal.st_size > 0;
 }
 
 Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrite,
                                            const fs::path& root) {
-    std::error_code ignored;
-    const bool made = !fs::exists(folder, ignored);
+    std::vector<fs::path> made_around = missingFolders(folder);
     Result<io::GuardedFolder> opened = io::GuardedFolder::makeBelow(folder, root);
     if (!opened) return tl::unexpected(opened.error());
     DatasetFolder claimed(std::move(*opened));
-    claimed.made_ = made;
+    claimed.made_around_ = std::move(made_around);
     const io::GuardedFolder& own = claimed.folder_;
     const bool was_marked = own.has(kJournalFile);
     const Result<bool> complete = hasOurCard(own);
@@ -194,8 +213,6 @@ Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string
 }
 
 Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::string>& keep) {
-    made_ = false;
-    marked_ = false;
     // Said now, not when all is drawn: where the new dataset has its place nothing must stand.
     std::set<std::string> wanted = names.folders;
     for (const std::string& file : names.files) wanted.insert(folderOf(file));
@@ -234,9 +251,11 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
         Result<io::GuardedFolder> staged = folder_.makeWithin(kNewFolder);
         if (!staged) return tl::unexpected(staged.error());
         staged_ = std::move(*staged);
+        made_staged_ = true;
     }
     for (const std::string& folder : names.folders) {
         if (folder == kFoldFolder) continue;  // made with the first list, where there are any
+        if (!unfinished().has(folder)) made_within_.push_back(folder);
         if (const auto made = unfinished().makeWithin(folder); !made) {
             return tl::unexpected(made.error());
         }
@@ -313,6 +332,7 @@ Status DatasetFolder::release() {
     }
     if (Status status = folder_.remove(kJournalFile); !status) return status;
     (void)lock_.close();
+    made_around_.clear();
     return folder_.syncAll();
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace dollytrack::render {
 
@@ -29,7 +30,8 @@ class DatasetFolder {
     [[nodiscard]] static Result<DatasetFolder> claim(const std::filesystem::path& folder,
                                                      bool overwrite,
                                                      const std::filesystem::path& root = {});
-    /// Gives the lock back, and takes the mark and an empty folder away if nothing was begun.
+    /// Gives the lock back. If no journal was begun, removes the mark and the folders that claim()
+    /// and begin() made, as far as they are empty.
     ~DatasetFolder();
     DatasetFolder(DatasetFolder&&) = default;
     DatasetFolder& operator=(DatasetFolder&&) = delete;
@@ -77,15 +79,20 @@ class DatasetFolder {
         const std::set<std::string>& keep) const;
     /// Whether the new dataset is the one that counts, but not all of it has moved.
     [[nodiscard]] bool isMoving() const;
+    /// Whether the journal has its first line: from then on the export can be continued.
+    [[nodiscard]] bool isBegun() const;
     [[nodiscard]] Status moveIntoPlace();
     [[nodiscard]] Status removeStaged();
 
     io::GuardedFolder folder_;
     std::optional<io::GuardedFolder> staged_;
     io::FileDescriptor lock_;  // the journal
-    // What claim() did, so that an early end can undo it.
-    bool made_ = false;
+    // What was made, so that an early end can remove it.
     bool marked_ = false;
+    std::vector<std::filesystem::path> made_around_;  // the folder itself and those around it,
+                                                      // the innermost first
+    bool made_staged_ = false;
+    std::vector<std::string> made_within_;  // in unfinished()
     bool complete_ = false;
 };
 

@@ -1,4 +1,3 @@
-#include "engine/io/import/import_proposal.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/io/orientation/frame_evidence.h"
 #include "engine/io/orientation/up_judgement.h"
@@ -233,7 +232,7 @@ TEST(FrameGuess, TakesAnyOfTheSixAxesAsGiven) {
                                      {.unit_m = 1.0, .up_axis = axis});
         EXPECT_NEAR(scene.room_bounds.min().z(), -0.1, 1e-5) << axis.text();
         EXPECT_NEAR(scene.room_bounds.max().z(), 2.7, 1e-5) << axis.text();
-        EXPECT_TRUE(proposeImport(scene).isEmpty());
+        EXPECT_TRUE(scene.report.proposal.isEmpty());
     }
 }
 
@@ -276,7 +275,7 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
         const Scene scene =
             imported(folder.write("room.gltf", asMergedGltf(livingRoom(true), axis, folder)));
         ASSERT_GE(scene.objects.size(), 4U);
-        const ImportProposal proposal = proposeImport(scene, true);
+        const ImportProposal& proposal = scene.report.proposal;
         if (axis == UpAxis('y')) {
             EXPECT_TRUE(proposal.isEmpty()) << joined(scene.report.warnings);
             continue;
@@ -286,6 +285,7 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
         EXPECT_NE(joined(scene.report.warnings).find("likelier is --up " + axis.text()),
                   std::string::npos)
             << axis.text();
+        EXPECT_EQ(settingsText(proposal), axis.text() + " up");
     }
 }
 
@@ -314,7 +314,7 @@ TEST(FrameGuess, MeasuresTheRoomFromFloorToCeiling) {
     boxes.pop_back();                                   // and the picture on one
     boxes.back().high.z() = 0.6;
     const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
-    EXPECT_TRUE(proposeImport(scene).isEmpty()) << joined(scene.report.warnings);
+    EXPECT_TRUE(scene.report.proposal.isEmpty()) << joined(scene.report.warnings);
     EXPECT_NEAR(collectEvidence(scene).core.sizes().z(), 2.8, 1e-4);
 }
 
@@ -337,7 +337,7 @@ TEST(FrameGuess, ProposesTheUnitOfAScaledRoom) {
             const Scene scene = imported(
                 gltf ? folder.write("room.gltf", asGltf(livingRoom(true), 'y', scale, folder))
                      : folder.write("room.obj", asObj(livingRoom(true), 'y', scale)));
-            const double found = proposeImport(scene).unit_m.value_or(scene.report.unit_m) * scale;
+            const double found = scene.report.proposal.unit_m.value_or(scene.report.unit_m) * scale;
             EXPECT_GT(found, 0.7) << scale << joined(scene.report.warnings);
             EXPECT_LT(found, 1.4) << scale << joined(scene.report.warnings);
             if (gltf && scale < 1.0) {
@@ -360,7 +360,7 @@ TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
         boxes.back().low.z() = boxes.back().high.z() - 0.4;
         const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
         EXPECT_EQ(scene.report.unit_m, 1.0);
-        EXPECT_TRUE(proposeImport(scene).isEmpty()) << joined(scene.report.warnings);
+        EXPECT_TRUE(scene.report.proposal.isEmpty()) << joined(scene.report.warnings);
     }
 }
 

@@ -149,6 +149,51 @@ TEST(DatasetFolder, TakesAFolderItMadeForNothingAwayAgain) {
     const test::TempFolder folder;
     ASSERT_TRUE(DatasetFolder::claim(folder.path() / "new", false));
     EXPECT_FALSE(fs::exists(folder.path() / "new"));
+    ASSERT_TRUE(DatasetFolder::claim(folder.path() / "a/b/new/", false));
+    EXPECT_FALSE(fs::exists(folder.path() / "a"));
+}
+
+// A mark that is left would pass off a folder of other files as an unfinished dataset.
+TEST(DatasetFolder, LeavesNothingWhereBeginRefuses) {
+    const test::TempFolder folder;
+    (void)folder.write("thesis.txt", "mine");
+    (void)folder.write("pictures/1.png", "mine");
+    fs::create_directory_symlink("pictures", folder.path() / "rgb");
+    const std::set<std::string> before = treeOf(folder.path());
+    {
+        auto claimed = DatasetFolder::claim(folder.path(), true);
+        ASSERT_TRUE(claimed);
+        EXPECT_FALSE(claimed->begin(namesFor(), {}));
+    }
+    EXPECT_EQ(treeOf(folder.path()), before);
+    EXPECT_FALSE(DatasetFolder::claim(folder.path(), false));
+}
+
+TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
+    const test::TempFolder folder;
+    (void)folder.write("rgb/mine.png", "mine");
+    for (const bool complete : {false, true}) {
+        if (complete) {
+            (void)folder.write("dataset.json", kOurCard);
+            (void)folder.write("rgb/000007.png", "old");
+        }
+        const std::set<std::string> before = treeOf(folder.path());
+        {
+            auto claimed = DatasetFolder::claim(folder.path(), true);
+            ASSERT_TRUE(claimed);
+            ASSERT_TRUE(claimed->begin(namesFor(), {}));
+            EXPECT_NE(treeOf(folder.path()), before);
+        }
+        EXPECT_EQ(treeOf(folder.path()), before);
+    }
+    {
+        auto claimed = DatasetFolder::claim(folder.path(), true);
+        ASSERT_TRUE(claimed);
+        ASSERT_TRUE(claimed->begin(namesFor(), {}));
+        writeJournal(folder.path(), namesFor());
+    }
+    EXPECT_TRUE(fs::exists(folder.path() / kMark));
+    EXPECT_TRUE(fs::exists(folder.path() / ".dollytrack-new/rgb"));
 }
 
 // What a cut-off dataset holds is free for the new one; a complete one stays until the end.

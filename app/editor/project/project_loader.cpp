@@ -26,7 +26,6 @@ Result<OpenedProject> openProject(ProjectContent content, const JobContext& job)
             missing.front() + (missing.size() > 1 ? ", …" : "") +
             "; those surfaces show plain colour.");
     }
-    opened.proposal = proposeImport(*opened.imported);
     opened.project = std::move(content.project);
     opened.scene_file = std::move(content.scene_file);
     opened.state.parameters = toJson(planning::listFields(content.params));

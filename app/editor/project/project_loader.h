@@ -3,7 +3,6 @@
 #include "app/project/read_project.h"
 #include "engine/core/result.h"
 #include "engine/document/project_state.h"
-#include "engine/io/import/import_proposal.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 
@@ -25,7 +24,6 @@ struct OpenedProject {
     nlohmann::json others = nlohmann::json::object();        // kept when it is saved
     std::string file_sha256;                                 // of the project; empty: never saved
     bool file_has_plan = false;                              // of this scene file
-    ImportProposal proposal;                                 // how it should likely be read instead
     std::vector<std::string> warnings;                       // what the user should know
 };
 

@@ -71,7 +71,7 @@ void Workspace::readAgain(const nlohmann::json& import) {
 
 void Workspace::applyProposal() {
     nlohmann::json import = opened_->import;
-    const ImportProposal& proposal = opened_->proposal;
+    const ImportProposal& proposal = opened_->imported->report.proposal;
     if (proposal.unit_m) import["unit_m"] = *proposal.unit_m;
     if (proposal.up_axis) import["up_axis"] = proposal.up_axis->text();
     readAgain(import);

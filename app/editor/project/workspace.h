@@ -82,7 +82,7 @@ class Workspace {
     [[nodiscard]] std::string title() const;
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
     /// How the scene should likely be read instead, as the command line says it.
-    [[nodiscard]] const ImportProposal& proposal() const { return opened_->proposal; }
+    [[nodiscard]] const ImportProposal& proposal() const { return importReport().proposal; }
     /// The import settings before readAgain(); none where the scene was not read again.
     [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
         return import_before_;

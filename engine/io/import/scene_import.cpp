@@ -5,8 +5,8 @@
 #include "engine/io/import/annotated_objects.h"
 #include "engine/io/import/import_labels.h"
 #include "engine/io/import/import_notes.h"
-#include "engine/io/import/import_proposal.h"
 #include "engine/io/import/oddity_notes.h"
+#include "engine/io/import/propose_import.h"
 #include "engine/io/import/scene_assembly.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/import/size_doubts.h"
@@ -102,17 +102,6 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);
     noteMerges(merges, drafts, report);
-}
-
-/// Says what is doubtful about unit and axis, and what is likelier.
-void doubtFrame(const FrameChoice& frame, bool classes_by_shape, Scene& scene) {
-    ImportProposal proposal = proposeImport(scene, classes_by_shape);
-    if (frame.likelier_up && proposal.up_doubt.empty()) {
-        proposeUp(*frame.likelier_up, scene, proposal);
-    } else if (proposal.unit_doubt.empty()) {
-        proposal.unit_doubt = frame.unit_doubt;
-    }
-    for (std::string& line : describe(proposal)) scene.report.warnings.push_back(std::move(line));
 }
 
 /// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
@@ -240,7 +229,10 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
-    doubtFrame(frame, !knows_objects, scene);
+    scene.report.proposal = proposeImport(scene, frame, !knows_objects);
+    for (std::string& line : describe(scene.report.proposal)) {
+        scene.report.warnings.push_back(std::move(line));
+    }
     setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     noteSizeDoubts(scene, scene.report);

@@ -1,4 +1,4 @@
-#include "engine/io/import/import_proposal.h"
+#include "engine/io/import/propose_import.h"
 
 #include "engine/io/orientation/frame_evidence.h"
 #include "engine/io/orientation/unit_judgement.h"
@@ -50,45 +50,24 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 
 }  // namespace
 
-ImportProposal proposeImport(const Scene& scene, bool classes_by_shape) {
+ImportProposal proposeImport(const Scene& scene, const FrameChoice& frame, bool classes_by_shape) {
     ImportProposal proposal;
     const bool axis_given = scene.report.up_source == "given";
     const bool unit_given = scene.report.unit_source == "given";
-    if (axis_given && unit_given) return proposal;
-    const FrameEvidence evidence = collectEvidence(scene, classes_by_shape);
-    if (evidence.core.isEmpty()) return proposal;
-    if (!axis_given) doubtAxis(evidence, scene, proposal);
-    if (!unit_given) doubtUnit(evidence, scene, proposal);
+    if (!axis_given || !unit_given) {
+        const FrameEvidence evidence = collectEvidence(scene, classes_by_shape);
+        if (!axis_given && !evidence.core.isEmpty()) doubtAxis(evidence, scene, proposal);
+        if (!unit_given && !evidence.core.isEmpty()) doubtUnit(evidence, scene, proposal);
+    }
+    if (frame.likelier_up && proposal.up_doubt.empty()) {
+        // Heights that were measured along the wrong axis say nothing about the unit.
+        proposal = {};
+        proposal.up_axis = frame.likelier_up;
+        proposal.up_doubt = upDoubt(*frame.likelier_up, scene);
+    } else if (proposal.unit_doubt.empty()) {
+        proposal.unit_doubt = frame.unit_doubt;
+    }
     return proposal;
-}
-
-void proposeUp(UpAxis likelier, const Scene& scene, ImportProposal& proposal) {
-    proposal = {};
-    proposal.up_axis = likelier;
-    proposal.up_doubt = upDoubt(likelier, scene);
-}
-
-std::string settingsText(const ImportProposal& proposal) {
-    std::string text;
-    if (proposal.unit_m) text = fmt::format("1 unit = {:.4g} m", *proposal.unit_m);
-    if (proposal.unit_m && proposal.up_axis) text += ", ";
-    if (proposal.up_axis) text += proposal.up_axis->text() + " up";
-    return text;
-}
-
-std::vector<std::string> describe(const ImportProposal& proposal) {
-    std::vector<std::string> lines;
-    if (!proposal.up_doubt.empty()) {
-        lines.push_back(
-            fmt::format("{}; likelier is --up {}", proposal.up_doubt, proposal.up_axis->text()));
-    }
-    if (!proposal.unit_doubt.empty()) {
-        lines.push_back(proposal.unit_doubt +
-                        (proposal.unit_m
-                             ? fmt::format("; likelier is --unit {:.4g}", *proposal.unit_m)
-                             : "; give metres per unit if it is wrong"));
-    }
-    return lines;
 }
 
 }  // namespace dollytrack
