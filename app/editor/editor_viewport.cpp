@@ -397,12 +397,12 @@ void Editor::drawBars() {
     drawImportBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
-    const int pressed = ui::drawNoteBar(
-        "file_changed", file.filename().string() + " was changed by another program.",
-        {{"Reload", "Open it again as it is on the disk"},
-         {"Keep mine",
-          "Go on with what is open; saving asks before it overwrites "
-          "what the other program wrote"}});
+    const int pressed =
+        ui::drawNoteBar("file_changed", file.string() + " was changed by another program.",
+                        {{"Reload", "Open it again as it is on the disk"},
+                         {"Keep mine",
+                          "Go on with what is open; saving asks before it overwrites "
+                          "what the other program wrote"}});
     if (pressed == 1) workspace_.dismissFileChange();
     if (pressed != 0) return;
     if (!workspace_.unsaved()) return workspace_.open(file);

@@ -190,6 +190,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     }
     result["must_see_rate"] = least;  // 1 where nothing has to be
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
+    if (plan.scanned_share) result["scanned_share"] = *plan.scanned_share;
     return result;
 }
 

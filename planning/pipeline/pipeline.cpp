@@ -37,6 +37,7 @@ std::string leftOutFor(const PlanParams& params) {
 Plan Pipeline::Stages::collectMoves() const {
     Plan plan;
     for (const Room& room : free_space->rooms()) plan.rooms.push_back(room.box);
+    plan.scanned_share = free_space->scannedShare();
     plan.observation_points = points().viewpoints.observation_points;
     plan.searches = points().viewpoints.searches;
     plan.position_points = points().viewpoints.position_points;

@@ -6,6 +6,7 @@ Usage: command_line_test.py PROGRAM [unittest arguments]
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -40,6 +41,46 @@ def decode_rle(counts, height, width):
     return flat.reshape(width, height).T
 
 
+def write_partial_scan(path):
+    """A room of 8 x 4 x 2.5 m as the fine mesh of a scan: without its ceiling, and of its last 3 m,
+    behind an inner wall with a doorway, only the end is there."""
+    lines = []
+    count = 0
+
+    def surface(name, corner, edge_u, edge_v):
+        """A rectangle in squares of 0.125 m that faces along edge_u x edge_v."""
+        nonlocal count
+        steps = [round(8 * numpy.linalg.norm(edge)) for edge in (edge_u, edge_v)]
+        lines.append(f"o {name}")
+        for i in range(steps[0] + 1):
+            for k in range(steps[1] + 1):
+                at = (numpy.array(corner) + numpy.array(edge_u) * i / steps[0]
+                      + numpy.array(edge_v) * k / steps[1])
+                lines.append("v %g %g %g" % tuple(at))
+        for i in range(steps[0]):
+            for k in range(steps[1]):
+                a = count + i * (steps[1] + 1) + k + 1
+                b = a + steps[1] + 1
+                lines.append(f"f {a} {b} {b + 1} {a + 1}")
+        count += (steps[0] + 1) * (steps[1] + 1)
+
+    up = (0, 0, 2.5)
+    surface("floor", (0, 0, 0), (5, 0, 0), (0, 4, 0))
+    surface("wall_south", (5, 0, 0), (-5, 0, 0), up)
+    surface("wall_north", (0, 4, 0), (5, 0, 0), up)
+    surface("wall_west", (0, 0, 0), (0, 4, 0), up)
+    surface("wall_inner", (5, 4, 0), (0, -3, 0), up)
+    surface("wall_far", (8, 1, 0), (0, -1, 0), up)
+    for z in (0, 2):  # a strip of each wall of the rest
+        strip = (0, 0, 0.5)
+        surface(f"wall_a{z}", (8, 0, z), (-3, 0, 0), strip)
+        surface(f"wall_b{z}", (5, 4, z), (3, 0, 0), strip)
+        surface(f"wall_c{z}", (8, 4, z), (0, -3, 0), strip)
+    surface("cabinet_top", (1.75, 0.75, 0.5), (0.5, 0, 0), (0, 0.5, 0))
+    surface("picture", (4.97, 3, 1), (0, -0.5, 0), (0, 0, 0.5))
+    path.write_text("\n".join(lines) + "\n")
+
+
 class CommandLine(FolderCase):
     @classmethod
     def setUpClass(cls):
@@ -52,6 +93,30 @@ class CommandLine(FolderCase):
         cls.exported = run("export", cls.project, "--out", cls.dataset, "--json")
 
     # --- planning
+
+    def test_a_scan_says_everywhere_how_much_of_it_was_scanned(self):
+        scan = self.folder / "scan.obj"
+        write_partial_scan(scan)
+        frame = ("--up", "z", "--unit", 1)
+        info = run("info", scan, *frame)
+        self.assertEqual(info.returncode, 0, info.stderr)
+        text = re.search(r"scan: (\d+ % of the rooms' air was scanned.*)", info.stdout).group(1)
+        share = json.loads(run("info", scan, *frame, "--json").stdout)["scanned_share"]
+        self.assertTrue(0.3 < share < 0.9, share)
+        small = (*frame, "--max-frames", 8, "--set", "width_px=96", "--set", "height_px=72")
+        for planner in ("dollytrack", "uniform"):
+            asked = (*small, "--planner", planner)
+            self.assertIn(text, run("plan", scan, *asked).stdout)
+            planned = run("plan", scan, *asked, "--json", "--require", "scanned_share>0.99")
+            self.assertEqual(planned.returncode, 3, planned.stderr)
+            self.assertEqual(json.loads(planned.stdout)["scanned_share"], share)
+        # A project keeps it with its plan.
+        project = self.folder / "scan.dolly"
+        self.assertEqual(run("plan", scan, *small, "-o", project).returncode, 0)
+        self.assertIn(text, run("export", project, "--out", self.folder / "scanned").stdout)
+        again = run("export", project, "--out", self.folder / "scanned", "--resume", "--json")
+        self.assertEqual(json.loads(again.stdout)["planned"]["scanned_share"], share)
+        self.assertNotIn("scanned_share", json.loads(self.planned.stdout))
 
     def test_plan_prints_the_published_metrics(self):
         self.assertEqual(self.planned.returncode, 0, self.planned.stderr)

@@ -3,19 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace dollytrack {
 namespace {
 
 using test::TempFolder;
 
-/// One sentence with BadInput that holds `part`.
+/// One sentence with BadInput that holds `part`, and the path as it was given.
 void expectRefused(const std::filesystem::path& path, const std::string& part) {
     const Result<Scene> scene = importScene(path);
     ASSERT_FALSE(scene) << path;
     EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
     EXPECT_NE(scene.error().message.find(part), std::string::npos) << scene.error().message;
     EXPECT_EQ(scene.error().message.find('\n'), std::string::npos);
-    EXPECT_FALSE(scene.error().where.empty());
+    EXPECT_TRUE(scene.error().where.starts_with(path.string())) << scene.error().where;
 }
 
 TEST(BadInput, MissingFileFolderAndEmptyFile) {
@@ -35,6 +37,23 @@ TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.MAX", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.skp", "x"), "export FBX or glTF");
+}
+
+// Files of the same name lie in many folders.
+TEST(BadInput, FilesBesideTheSceneAreNamedWithTheirFolder) {
+    const TempFolder folder;
+    const std::filesystem::path room =
+        folder.write("room.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::filesystem::path words = folder.write("words.csv", "chair,nonsense\n");
+    const Result<Scene> refused = importScene(room, {.labels = words});
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().where.starts_with(words.string())) << refused.error().where;
+    const std::filesystem::path said = folder.write(
+        "room.obj.objects.json", R"({"format": "dollytrack-objects", "version": 1, "unit_m": 1})");
+    const Result<Scene> scene = importScene(room);
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_NE(std::ranges::find(scene->report.notes, "annotations: " + said.string()),
+              scene->report.notes.end());
 }
 
 TEST(BadInput, GitLfsPointerIsNamed) {

@@ -1,5 +1,6 @@
 #include "app/cli/compare/rival_plan.h"
 
+#include "app/cli/plan/metrics_table.h"
 #include "engine/plan/plan_json.h"
 #include "planning/baselines/judge.h"
 #include "planning/baselines/planner.h"
@@ -75,12 +76,20 @@ Result<PlannedScene> planAsRival(const std::string& name, const OpenedScene& ope
     planned.trajectory = std::move(flight->trajectory);
     for (const planning::Room& room : map->free_space->rooms()) planned.rooms.push_back(room.box);
     planned.metrics = judgedJson(*judgement, name);
+    if (const auto share = map->free_space->scannedShare()) {
+        planned.metrics["scanned_share"] = *share;
+    }
     return planned;
 }
 
 nlohmann::json metricsOf(const std::string& planner) {
-    if (planner == planning::planners().front().name) return metricsJson(Scene{}, Plan{});
+    if (planner == planning::planners().front().name) {
+        Plan plan;
+        plan.scanned_share = 1.0;
+        return metricsJson(Scene{}, plan);
+    }
     nlohmann::json metrics = judgedJson({}, planner);
+    metrics["scanned_share"] = nullptr;
     for (nlohmann::json& value : metrics) {
         if (value.is_null()) value = 0.0;
     }
@@ -89,6 +98,9 @@ nlohmann::json metricsOf(const std::string& planner) {
 
 std::string judgedTable(const nlohmann::json& metrics) {
     std::string text;
+    if (const std::string scanned = scannedText(metrics); !scanned.empty()) {
+        text += fmt::format("  {:<22} {}\n", "scan", scanned);
+    }
     for (const planning::MetricInfo& info : planning::judgedMetrics()) {
         const nlohmann::json& value = metrics.at(std::string(info.name));
         if (value.is_null()) continue;

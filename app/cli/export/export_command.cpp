@@ -77,6 +77,11 @@ void addTally(render::PictureTally& all, const render::PictureTally& one) {
     all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
 }
 
+void printScanned(const nlohmann::json& planned) {
+    const std::string scanned = scannedText(planned);
+    if (!scanned.empty()) fmt::print("\nscan: {}\n", scanned);
+}
+
 void printSummary(const render::DatasetSummary& summary, const std::string& folder,
                   const nlohmann::json& planned) {
     const CaptureMetrics& counted = summary.counted;
@@ -107,6 +112,7 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
         fmt::print("\nplanned: for all {} frames of the trajectory; counted: in the {} exported\n",
                    planned.value("frames", 0), summary.frames);
     }
+    printScanned(planned);
     if (!summary.contact_sheet.empty()) {
         fmt::print("\ncontact sheet: {}\n", summary.contact_sheet.string());
     }
@@ -371,7 +377,11 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         if (!arguments.as_json) printRoom(one.room, *summary, folder);
     }
     const nlohmann::json printed = roomsJson(arguments.out, std::move(rooms), pictures);
-    if (arguments.as_json) fmt::print("{}\n", jsonText(printed));
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(printed));
+    } else {
+        printScanned(planned->metrics);
+    }
     return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
 }
 

@@ -49,9 +49,8 @@ void printRooms(const planning::FreeSpace& map, double coverage) {
     }
     fmt::print("  surfaces were modelled or scanned in {:.0f} % of the directions from inside\n",
                100.0 * coverage);
-    if (map.scannedShare()) {
-        fmt::print("  scan: {:.0f} % of the rooms' air was scanned, the rest is unknown\n",
-                   100.0 * *map.scannedShare());
+    if (const std::string scanned = scannedText(map.scannedShare()); !scanned.empty()) {
+        fmt::print("  scan: {}\n", scanned);
     }
     for (const std::string& line : planning::describeAll(map.leaks())) {
         fmt::print("  note: {}\n", line);

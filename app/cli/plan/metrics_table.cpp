@@ -45,9 +45,22 @@ std::string jsonText(const nlohmann::json& json) {
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string scannedText(std::optional<double> share) {
+    if (!share) return {};
+    return fmt::format("{:.0f} % of the rooms' air was scanned, the rest is unknown",
+                       100.0 * *share);
+}
+
+std::string scannedText(const nlohmann::json& metrics) {
+    const auto share = metrics.find("scanned_share");
+    if (share == metrics.end() || !share->is_number()) return {};
+    return scannedText(std::optional(share->get<double>()));
+}
+
 std::string metricsTable(const nlohmann::json& m) {
-    const int objects = m.value("objects", 0);
-    std::string text = row("objects", fmt::format("{}", objects));
+    std::string text;
+    if (const std::string scanned = scannedText(m); !scanned.empty()) text += row("scan", scanned);
+    text += row("objects", fmt::format("{}", m.value("objects", 0)));
     text +=
         row("captured", fmt::format("{} ({})", percent(m, "capture_rate"), m.value("captured", 0)));
     text += row("well captured", fmt::format("{} ({})", percent(m, "well_captured_rate"),

@@ -33,7 +33,7 @@ std::vector<LostWork> findLost() {
         work.file = entry.path();
         nlohmann::json others = file->others;
         work.project = Autosave::takeOrigin(others).project;
-        work.scene = file->scene.filename().string();
+        work.scene = file->scene.string();
         std::error_code ignored;
         const auto written = std::filesystem::last_write_time(entry.path(), ignored);
         work.when = localTime(written);

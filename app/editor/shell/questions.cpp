@@ -149,8 +149,7 @@ void Questions::drawLostWork() {
     box.title = "Unsaved work was found";
     box.text = fmt::format(
         "The editor ended without saving {}.\nThe last copy is of {}.",
-        work.project.empty() ? "a project of " + work.scene : work.project.filename().string(),
-        work.when);
+        work.project.empty() ? "a project of " + work.scene : work.project.string(), work.when);
     box.buttons = {"Restore", "Delete the copy", "Later"};
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
@@ -166,7 +165,8 @@ void Questions::drawChangedFile() {
     ui::MessageBox box;
     box.title = changed_file_.filename().string() + " was changed by another program";
     box.text =
-        "It does not hold what was opened or saved here last. Reloading it loses what was changed "
+        changed_file_.string() +
+        " does not hold what was opened or saved here last. Reloading it loses what was changed "
         "here since, overwriting it what the other program wrote.";
     // Enter presses the first, which loses nothing.
     box.buttons = {"Save as…", "Reload", "Overwrite", "Cancel"};

@@ -156,7 +156,7 @@ void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene) {
     // Another scene's annotations: better the file as it is.
     if (matches.nodes == 0) {
         scene.warnings.push_back("none of the meshes that the annotations in " +
-                                 annotations.folder.filename().string() +
+                                 annotations.folder.string() +
                                  " name is in the file; they were left out");
         return;
     }

@@ -362,7 +362,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
 /// Reads `path` with an importer that is set up to find it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
                       const JobContext& job) {
-    const std::string where = path.filename().string();
+    const std::string where = path.string();
     try {
         keepOurReaders(*importer);
         importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);

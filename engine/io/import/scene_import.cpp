@@ -53,7 +53,7 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
 AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
                                     RawScene& raw, ImportReport& report) {
     if (said.file.empty()) return {};
-    const std::string file = cleanText(said.file.filename().string());
+    const std::string file = cleanText(said.file.string());
     report.notes.push_back("annotations: " + file);
     report.warnings.insert(report.warnings.end(), said.doubts.begin(), said.doubts.end());
     if (said.objects.empty()) return {};

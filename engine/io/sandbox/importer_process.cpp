@@ -109,15 +109,14 @@ tl::unexpected<Error> damagedHandBack(const std::string& reason, const std::stri
 /// Nothing when it ended well.
 std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs::path& scene) {
     const std::string where = scene.string();
-    const std::string name = scene.filename().string();
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         if (signal == SIGXCPU) return tookTooLong(clock, where).value();
         const std::string how = signal == SIGKILL ? "was killed" : "crashed";
-        return Error{ErrorCode::BadInput,
-                     "the importer " + how + " (signal " + std::to_string(signal) + ") on " + name +
-                         kExportAgain,
-                     where};
+        return Error{
+            ErrorCode::BadInput,
+            "the importer " + how + " (signal " + std::to_string(signal) + ")" + kExportAgain,
+            where};
     }
     if (WEXITSTATUS(status) == 0) return std::nullopt;
     if (WEXITSTATUS(status) == 2) {
@@ -128,7 +127,7 @@ std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs:
     }
     return Error{ErrorCode::BadInput,
                  "the importer ended with nothing (exit code " +
-                     std::to_string(WEXITSTATUS(status)) + ") on " + name + kExportAgain,
+                     std::to_string(WEXITSTATUS(status)) + ")" + kExportAgain,
                  where};
 }
 

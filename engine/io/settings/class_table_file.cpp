@@ -235,7 +235,7 @@ Result<LabelFile> readLabelFile(const std::filesystem::path& path) {
     Result<std::string> text = readNamedFile(path, kMostBytes);
     if (!text) return tl::unexpected<Error>(text.error());
     LabelFile file;
-    file.word_place = path.filename().string();
+    file.word_place = path.string();
     constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
     const std::size_t start = text->starts_with(kByteOrderMark) ? 3 : 0;
     const std::size_t first = text->find_first_not_of(" \t\r\n", start);

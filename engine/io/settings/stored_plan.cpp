@@ -58,10 +58,11 @@ json planForm() {
                              "straight_lines_that_hit"}) {
         metrics[name] = "count";
     }
-    for (const char* name : {"capture_rate", "well_captured_rate", "small_capture_rate",
-                             "area_share_box", "area_share_mask", "repeat_rate", "object_pixels",
-                             "corner_collision_rate", "frame_collision_rate", "min_clearance_m",
-                             "must_see_rate", "capturable_rate", "well_capturable_rate"}) {
+    for (const char* name :
+         {"capture_rate", "well_captured_rate", "small_capture_rate", "area_share_box",
+          "area_share_mask", "repeat_rate", "object_pixels", "corner_collision_rate",
+          "frame_collision_rate", "min_clearance_m", "must_see_rate", "capturable_rate",
+          "well_capturable_rate", "scanned_share"}) {
         metrics[name] = "number?";
     }
     for (const char* name : {"path_length_m", "frame_interval_s"}) metrics[name] = "number";
