@@ -1,4 +1,7 @@
 """A small furnished room as an OBJ file, for tests of the whole program."""
+import base64
+import json
+import struct
 
 
 def box(name, low, high, lines, count):
@@ -54,6 +57,37 @@ def write(path):
         ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
         ("picture", (1.5, 1.3, 0.0), (2.1, 1.7, 0.02)),
     ])
+
+
+def write_as_one_mesh(path):
+    """A furnished room as a glTF file of one mesh, turned so that z is up in place of y."""
+    boxes = [((0, 0, -0.1), (5, 4, 0)), ((0, 0, 2.6), (5, 4, 2.7)), ((-0.1, 0, 0), (0, 4, 2.6)),
+             ((5, 0, 0), (5.1, 4, 2.6)), ((0, -0.1, 0), (5, 0, 2.6)), ((0, 4, 0), (5, 4.1, 2.6)),
+             ((1.8, 1.5, 0), (3.2, 2.3, 0.74)), ((2.0, 1.7, 0.74), (2.09, 1.79, 0.84)),
+             ((2.5, 1.8, 0.74), (2.72, 1.96, 0.78)), ((1.2, 1.6, 0), (1.65, 2.05, 0.9)),
+             ((0.2, 3.0, 0), (2.2, 3.8, 0.8)), ((4.6, 0.5, 0), (4.9, 1.5, 2.0)),
+             ((1.5, 0.0, 1.3), (2.1, 0.02, 1.7))]
+    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 5, 7, 3)]
+    corners = [tuple((high if i >> axis & 1 else low)[axis] for axis in range(3))
+               for low, high in boxes for i in range(8)]
+    indices = [8 * box + face[i] for box in range(len(boxes)) for face in faces
+               for i in (0, 1, 2, 0, 2, 3)]
+    points = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    data = points + struct.pack(f"<{len(indices)}H", *indices)
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": "all", "mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64,"
+                     + base64.b64encode(data).decode()}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(points)},
+                        {"buffer": 0, "byteOffset": len(points),
+                         "byteLength": len(data) - len(points)}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(corners),
+                       "type": "VEC3", "min": [min(c[i] for c in corners) for i in range(3)],
+                       "max": [max(c[i] for c in corners) for i in range(3)]},
+                      {"bufferView": 1, "componentType": 5123, "count": len(indices),
+                       "type": "SCALAR"}]}))
 
 
 def move_corners(path, move):

@@ -133,7 +133,8 @@ TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
                      "1 mesh may hold several objects, alike and apart from each other: Blorb"));
 }
 
-/// Six chairs whose seat, frame, back, legs and screws are meshes of a material each.
+/// Beside the furniture six chairs whose seat, frame, back, legs and screws are meshes of a
+/// material each.
 std::string splitByMaterial(bool apart) {
     ObjWriter obj = test::furnished();
     int number = 0;
@@ -152,12 +153,56 @@ std::string splitByMaterial(bool apart) {
     return obj.text();
 }
 
-TEST(MaterialMeshes, ThatSplitEachObjectAreDoubtful) {
+TEST(MaterialMeshes, ThatSplitEachObjectAreRegrouped) {
     const Scene split = importedWith(splitByMaterial(false), true);
-    EXPECT_TRUE(says(split.report.warnings, "the meshes look split by material: "));
-    EXPECT_TRUE(says(split.report.warnings, "export one mesh per object, or merge them"));
+    EXPECT_TRUE(says(split.report.warnings, "the meshes look split by material: 30 of 40"));
+    EXPECT_TRUE(says(split.report.warnings, "they were regrouped into 10 objects"));
+    ASSERT_EQ(test::countTargets(split), 10);
+    for (const char* furniture : {"sofa", "chair", "lamp", "coffee_table"}) {
+        EXPECT_NE(find(split, furniture), nullptr) << furniture;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const Object* whole = find(split, "Mat" + std::to_string(6 * i + 1));
+        ASSERT_NE(whole, nullptr) << i;
+        EXPECT_EQ(whole->triangle_count, 6U * 12U) << i;
+        EXPECT_NEAR(whole->box.center.x(), 0.625 + 0.75 * i, 1e-5) << i;
+    }
+    const Scene kept = importedWith(splitByMaterial(false), false);
+    EXPECT_EQ(test::countTargets(kept), 40);
+    EXPECT_TRUE(says(kept.report.warnings, "leave --keep-meshes out to regroup them"));
     const Scene apart = importedWith(splitByMaterial(true), true);
+    EXPECT_EQ(test::countTargets(apart), 40);
     EXPECT_FALSE(says(apart.report.warnings, "split by material"));
+}
+
+// What stands in or on another thing stays a thing of its own, as does what has a class of its own.
+TEST(MaterialMeshes, ThatSplitEachObjectKeepWhatStandsInIt) {
+    ObjWriter obj(1.0, false);
+    obj.room({6, 5, 2.6}, true);
+    int number = 0;
+    const auto part = [&](const std::string& name, const Vector3d& low, const Vector3d& size) {
+        obj.object(name).material("Mat" + std::to_string(++number)).box(low, low + size);
+    };
+    // Cases of five meshes, each with a jar and a book on its bottom board.
+    for (int i = 0; i < 6; ++i) {
+        const Vector3d at(0.3 + 0.9 * i, 0.3, 0.0);
+        const std::string mark = std::to_string(i);
+        part("Oak" + mark, at, {0.03, 0.3, 1.0});
+        part("Ash" + mark, at + Vector3d(0.57, 0, 0), {0.03, 0.3, 1.0});
+        part("Elm" + mark, at + Vector3d(0.03, 0.27, 0), {0.54, 0.03, 1.0});
+        part("Fir" + mark, at + Vector3d(0.03, 0, 0), {0.54, 0.27, 0.03});
+        part("bookshelf" + mark, at, {0.6, 0.3, 1.03});
+        part("Jar" + mark, at + Vector3d(0.2, 0.1, 0.03), {0.1, 0.1, 0.15});
+        part("book" + mark, at + Vector3d(0.4, 0.1, 0.03), {0.03, 0.15, 0.22});
+    }
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_TRUE(says(scene.report.warnings, "they were regrouped into 18 objects"));
+    EXPECT_EQ(test::countTargets(scene), 18);
+    for (int i = 0; i < 6; ++i) {
+        for (const char* name : {"bookshelf", "Jar", "book"}) {
+            EXPECT_NE(find(scene, name + std::to_string(i)), nullptr) << name << i;
+        }
+    }
 }
 
 // The smallest thing that its class does not have the size of, and one that is only unusual.

@@ -101,6 +101,24 @@ void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportRepor
     }
 }
 
+void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> objects,
+                       ImportReport& report) {
+    std::string text =
+        fmt::format("the meshes look split by material: {} of {} objects lie inside others; ",
+                    found.inside, found.drafts);
+    if (objects) {
+        text += fmt::format(
+            "they were regrouped into {}, look whether they are right "
+            "(--keep-meshes leaves them)",
+            counted(*objects, "object", "objects"));
+    } else {
+        text +=
+            "leave --keep-meshes out to regroup them, or export one mesh per object (or merge "
+            "them: dollytrack edit)";
+    }
+    report.warnings.push_back(std::move(text));
+}
+
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report) {
     if (!proxies.empty()) {
         std::string list;

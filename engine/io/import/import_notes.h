@@ -3,12 +3,14 @@
 #include "engine/core/result.h"
 #include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/material_meshes.h"
+#include "engine/io/object_parts/material_split.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/object_parts/piece_merge.h"
 #include "engine/scene/scene.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,11 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
 
 /// Says which meshes hold parts of several objects, and what came of it or is to be done.
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report);
+
+/// Says that the objects are split by material, and what came of it or is to be done. `objects` are
+/// left of them where they were regrouped.
+void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> objects,
+                       ImportReport& report);
 
 /// `proxies` are names of meshes for physics, `twice` counts meshes that are there again.
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report);

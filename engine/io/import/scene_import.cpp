@@ -13,6 +13,7 @@
 #include "engine/io/import/structure_finder.h"
 #include "engine/io/import/unseen_parts.h"
 #include "engine/io/object_parts/material_meshes.h"
+#include "engine/io/object_parts/material_split.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/object_parts/piece_merge.h"
 #include "engine/io/object_parts/piece_split.h"
@@ -32,6 +33,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 
 namespace dollytrack {
 namespace {
@@ -78,6 +80,32 @@ void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
     }
 }
 
+std::vector<bool> structureOf(const std::vector<ObjectDraft>& drafts) {
+    std::vector<bool> structure;
+    for (const ObjectDraft& draft : drafts) {
+        structure.push_back(draft.label.kind == LabelKind::Structure);
+    }
+    return structure;
+}
+
+/// Puts objects that are split by material together again, or says that they are.
+void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectDraft>& drafts,
+                          ImportReport& report) {
+    const std::vector<bool> structure = structureOf(drafts);
+    const auto found = findMaterialSplit(raw, structure, drafts);
+    if (!found) return;
+    std::optional<std::size_t> objects;
+    if (regroup) {
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+            // "mat_3" is a material here, not what lies before the door.
+            if (found->by_material[i] && drafts[i].label.pattern == "mat") drafts[i].label = {};
+        }
+        mergePieces(raw, structure, drafts, found->by_material);
+        objects = static_cast<std::size_t>(std::ranges::count(structureOf(drafts), false));
+    }
+    noteMaterialSplit(*found, objects, report);
+}
+
 /// From one draft a node to one draft an object.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
@@ -102,6 +130,7 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     const std::vector<MergedPiece> merges = mergePieces(raw, structure, drafts);
     nameObjects(drafts);
     noteMerges(merges, drafts, report);
+    regroupMaterialSplit(raw, regroup, drafts, report);
 }
 
 /// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
@@ -236,7 +265,6 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     setOutsideRoles(scene);
     noteOddities(scene, scene.report);
     noteSizeDoubts(scene, scene.report);
-    if (!knows_objects) noteMaterialSplit(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
     scene.class_table = said_labels->classes;

@@ -1,6 +1,7 @@
 #include "engine/io/object_parts/piece_merge.h"
 
 #include "engine/geometry/contact.h"
+#include "engine/io/object_parts/material_split.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 
@@ -23,9 +24,10 @@ struct Piece {
     Eigen::AlignedBox3f box;
     std::vector<SurfaceView> surfaces;
     bool structure = false;
-    bool loose = false;    // its name says nothing of its own
-    bool named = false;    // somebody named it
-    bool is_part = false;  // its name says that it is a part
+    bool loose = false;        // its name says nothing of its own
+    bool named = false;        // somebody named it
+    bool is_part = false;      // its name says that it is a part
+    bool by_material = false;  // a part of a thing that is split by material
     std::size_t triangles = 0;
 };
 
@@ -84,7 +86,10 @@ bool mayJoin(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
     if (!a.loose && !b.loose) return false;
     const bool both_named =
         draft_a.label.kind == LabelKind::Target && draft_b.label.kind == LabelKind::Target;
-    return !both_named || draft_a.label.nyu40 == draft_b.label.nyu40;
+    if (!both_named) return true;
+    if (draft_a.label.nyu40 != draft_b.label.nyu40) return false;
+    return !(a.by_material || b.by_material) || liesInside(a.box, b.box) ||
+           liesInside(b.box, a.box);
 }
 
 class Groups {
@@ -126,7 +131,8 @@ class Groups {
 };
 
 std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& structure,
-                                  const std::vector<ObjectDraft>& drafts) {
+                                  const std::vector<ObjectDraft>& drafts,
+                                  const std::vector<bool>& by_material) {
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         Piece piece;
@@ -139,7 +145,8 @@ std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& 
         piece.structure = structure[i];
         piece.is_part = drafts[i].label.kind == LabelKind::Part;
         piece.named = !drafts[i].loose && !isProgramName(drafts[i].name);
-        piece.loose = !piece.named || piece.is_part;
+        piece.by_material = !by_material.empty() && by_material[i];
+        piece.loose = !piece.named || piece.is_part || piece.by_material;
         pieces.push_back(std::move(piece));
     }
     return pieces;
@@ -178,6 +185,7 @@ void preferOwnSize(const std::vector<Piece>& pieces, std::vector<Candidate>& can
 /// Whether a piece that nothing holds may be a part of the other one. Between surfaces
 /// where it has a name: boxes know nothing of the air in a crate.
 bool floatsBeside(const Piece& piece, const Piece& other) {
+    if (piece.by_material && liesInside(piece.box, other.box)) return true;
     return !piece.named || !findContact(piece.surfaces, other.surfaces, kNearGap).empty();
 }
 
@@ -204,7 +212,10 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
         for (std::size_t j = 0; j < pieces.size(); ++j) {
             if (groups.find(j) == i || !mayJoin(piece, drafts[i], pieces[j], drafts[j])) continue;
             const auto distance = static_cast<float>(piece.box.exteriorDistance(pieces[j].box));
-            if (distance < best && floatsBeside(piece, pieces[j])) {
+            const bool closer_around = piece.by_material && distance == best &&
+                                       nearest < pieces.size() &&
+                                       pieces[j].box.volume() < pieces[nearest].box.volume();
+            if ((distance < best || closer_around) && floatsBeside(piece, pieces[j])) {
                 best = distance;
                 nearest = j;
             }
@@ -247,8 +258,9 @@ int nameRank(const ObjectDraft& draft, bool named) {
 }
 
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
-                                     std::vector<ObjectDraft>& drafts) {
-    const std::vector<Piece> pieces = describePieces(raw, structure, drafts);
+                                     std::vector<ObjectDraft>& drafts,
+                                     const std::vector<bool>& by_material) {
+    const std::vector<Piece> pieces = describePieces(raw, structure, drafts, by_material);
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {

@@ -24,8 +24,14 @@ struct MergedPiece {
 /// its name says that it is a part, and it touches another, or floats within 3 cm of its surface.
 /// Parts are in the world's frame. `structure` tells which drafts are walls, floor and the like;
 /// only pieces named as parts join those (a handle its door).
+///
+/// Names of drafts in `by_material` say nothing of their own either, where objects are split by
+/// material: these join what they are attached to unless the classes differ, and those that nothing
+/// holds the smallest draft around them. Two of one class are one thing only if the one lies inside
+/// the other.
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
-                                     std::vector<ObjectDraft>& drafts);
+                                     std::vector<ObjectDraft>& drafts,
+                                     const std::vector<bool>& by_material = {});
 
 /// The upper of two things merely stands on the lower one: it touches it with its underside only,
 /// is the smaller one in plan, and could stand by itself.

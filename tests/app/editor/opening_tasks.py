@@ -1,7 +1,8 @@
 """Opening scenes and projects, and being told what is wrong with them."""
 import json
+import subprocess
 
-from task import Task, plan
+from task import Programs, Task, plan
 import tiny_room
 
 
@@ -74,6 +75,19 @@ class Opening(Task):
         self.assertNotIn("unit_m", state["import"])
         self.editor.click("import_doubt.1")
         self.editor.wait(lambda state: "import_doubt" not in state["items"], "the bar to go")
+
+    def test_a_turned_room_of_one_mesh_is_read_as_the_command_line_proposes(self):
+        turned = self.folder / "turned.gltf"
+        tiny_room.write_as_one_mesh(turned)
+        said = subprocess.run([Programs.command_line, "info", turned], capture_output=True,
+                              text=True, check=True)
+        self.assertIn("likelier is --up z", said.stdout)
+        self.start(turned)
+        self.editor.click("import_doubt.0")
+        state = self.editor.wait(lambda state: "import_changed" in state["items"],
+                                 "the scene to be read again")
+        self.assertEqual(state["import"]["up_axis"], "z")
+        self.editor.idle()
 
     def test_a_broken_scene_leaves_the_open_project_as_it_was(self):
         before = self.start_room()

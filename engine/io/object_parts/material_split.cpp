@@ -1,0 +1,75 @@
+#include "engine/io/object_parts/material_split.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+
+namespace dollytrack {
+namespace {
+
+constexpr std::size_t kFewest = 30;          // drafts; fewer prove nothing
+constexpr std::size_t kMostCompared = 5000;  // drafts; each is compared with each
+constexpr double kOwnMaterials = 0.8;        // single materials, as a share of the drafts
+constexpr double kMostlyInside = 0.5;        // share of the drafts
+
+Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
+    Eigen::AlignedBox3f box;
+    for (const std::size_t part : draft.parts) box.extend(raw.parts[part].bounds);
+    return box;
+}
+
+/// The material of a draft that has one only.
+std::optional<std::uint32_t> singleMaterialOf(const RawScene& raw, const ObjectDraft& draft) {
+    std::optional<std::uint32_t> material;
+    for (const std::size_t part : draft.parts) {
+        if (raw.parts[part].triangles.empty()) continue;
+        if (material && *material != raw.parts[part].material) return std::nullopt;
+        material = raw.parts[part].material;
+    }
+    return material;
+}
+
+}  // namespace
+
+bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger) {
+    constexpr float kThin_m = 0.01F;
+    const Eigen::Vector3f size = smaller.sizes().cwiseMax(kThin_m);
+    if (size.prod() > larger.sizes().cwiseMax(kThin_m).prod()) return false;
+    const Eigen::Vector3f low = smaller.min().cwiseMax(larger.min());
+    const Eigen::Vector3f high = smaller.max().cwiseMin(larger.max());
+    if (((high - low).array() < 0.0F).any()) return false;
+    return (high - low).cwiseMax(kThin_m).prod() >= 0.5F * size.prod();
+}
+
+std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
+                                               const std::vector<bool>& structure,
+                                               const std::vector<ObjectDraft>& drafts) {
+    MaterialSplit split;
+    split.by_material.assign(drafts.size(), false);
+    std::vector<std::size_t> compared;
+    std::vector<Eigen::AlignedBox3f> boxes(drafts.size());
+    std::set<std::uint32_t> materials;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        if (structure[i]) continue;
+        compared.push_back(i);
+        boxes[i] = boundsOf(raw, drafts[i]);
+        const std::optional<std::uint32_t> material = singleMaterialOf(raw, drafts[i]);
+        split.by_material[i] = material.has_value();
+        if (material) materials.insert(*material);
+    }
+    split.drafts = compared.size();
+    const auto share = [&](double of_all) { return of_all * static_cast<double>(split.drafts); };
+    if (split.drafts < kFewest || split.drafts > kMostCompared ||
+        static_cast<double>(materials.size()) < share(kOwnMaterials)) {
+        return std::nullopt;
+    }
+    split.inside = static_cast<std::size_t>(std::ranges::count_if(compared, [&](std::size_t i) {
+        return split.by_material[i] && std::ranges::any_of(compared, [&](std::size_t k) {
+                   return k != i && liesInside(boxes[i], boxes[k]);
+               });
+    }));
+    if (static_cast<double>(split.inside) < share(kMostlyInside)) return std::nullopt;
+    return split;
+}
+
+}  // namespace dollytrack
