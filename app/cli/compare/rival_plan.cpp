@@ -85,14 +85,14 @@ Result<PlannedScene> planAsRival(const std::string& name, const OpenedScene& ope
 nlohmann::json metricsOf(const std::string& planner) {
     if (planner == planning::planners().front().name) {
         Plan plan;
-        plan.scanned_share = 1.0;
+        plan.scanned_share = 0.0;  // measured in scans alone
         return metricsJson(Scene{}, plan);
     }
     nlohmann::json metrics = judgedJson({}, planner);
-    metrics["scanned_share"] = nullptr;
     for (nlohmann::json& value : metrics) {
         if (value.is_null()) value = 0.0;
     }
+    metrics["scanned_share"] = 0.0;  // measured in scans alone
     return metrics;
 }
 

@@ -77,6 +77,7 @@ void addTally(render::PictureTally& all, const render::PictureTally& one) {
     all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
 }
 
+/// Counts of a scan are of its scanned part.
 void printScanned(const nlohmann::json& planned) {
     const std::string scanned = scannedText(planned);
     if (!scanned.empty()) fmt::print("\nscan: {}\n", scanned);
