@@ -143,7 +143,7 @@ std::string splitByMaterial(bool apart) {
         obj.object(name).material(name).box(low, high);
     };
     for (int i = 0; i < 6; ++i) {
-        const Vector3d at(0.4 + 0.75 * i, 2.2, 0.0);
+        const Vector3d at(0.4 + 0.75 * i, 2.4, 0.0);
         part(at, at + Vector3d(0.45, 0.45, 0.9));
         for (int k = 0; k < 5; ++k) {
             const Vector3d low = at + Vector3d(0.05 + 0.07 * k, 0.1, apart ? 1.0 : 0.45);
