@@ -309,8 +309,8 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->check(CLI::ExistingPath.description(""))
         ->type_name("FILE|DIR");
     command.add_flag("--keep-meshes", arguments.keep_meshes,
-                     "Leave meshes whole that hold parts of several objects; else their pieces are "
-                     "regrouped to objects");
+                     "Leave meshes as the file has them: do not take apart those that hold several "
+                     "objects, nor join objects that are split into a mesh per material");
     command
         .add_option(
             "--cloud", arguments.cloud,

@@ -398,7 +398,7 @@ void Editor::drawBars() {
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
     const int pressed =
-        ui::drawNoteBar("file_changed", file.string() + " was changed by another program.",
+        ui::drawNoteBar("file_changed", "Changed by another program: " + file.string(),
                         {{"Reload", "Open it again as it is on the disk"},
                          {"Keep mine",
                           "Go on with what is open; saving asks before it overwrites "

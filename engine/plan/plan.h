@@ -92,7 +92,7 @@ struct CaptureBound {
 /// Everything that planning found. Plain data, shared by export, project files and pictures.
 struct Plan {
     std::vector<Eigen::AlignedBox3d> rooms;  // by component of free space
-    std::optional<double> scanned_share;     // of a scan: of the rooms' air, 0..1
+    std::optional<double> scanned_share;     // of the rooms' air, 0..1; scans only
     std::vector<ObservationPoint> observation_points;
     std::vector<ViewpointSearch> searches;  // one an observation point
     std::vector<PositionPoint> position_points;

@@ -35,7 +35,7 @@ bool isAt(int descriptor, const fs::path& path) {
            held.st_ino == named.st_ino && held.st_dev == named.st_dev;
 }
 
-/// Those of a folder and the folders around it that do not exist, the innermost first.
+/// The folder and those around it that do not exist yet, innermost first.
 std::vector<fs::path> missingFolders(const fs::path& folder) {
     std::vector<fs::path> missing;
     std::error_code error;
@@ -106,17 +106,22 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
                                            const fs::path& root) {
     std::vector<fs::path> made_around = missingFolders(folder);
     Result<io::GuardedFolder> opened = io::GuardedFolder::makeBelow(folder, root);
+    // Another export that is refused may just remove a folder around both.
+    for (int i = 0; !opened && i < 3; ++i) opened = io::GuardedFolder::makeBelow(folder, root);
     if (!opened) return tl::unexpected(opened.error());
     DatasetFolder claimed(std::move(*opened));
     claimed.made_around_ = std::move(made_around);
     const io::GuardedFolder& own = claimed.folder_;
-    const bool was_marked = own.has(kJournalFile);
+    // An empty journal is what an export left that was killed before it began.
+    const auto journal = own.find(kJournalFile);
+    const bool was_marked = journal && journal->st_size > 0;
     const Result<bool> complete = hasOurCard(own);
     if (!complete) return tl::unexpected(complete.error());
     if (!overwrite && !was_marked && !*complete) {
         const Result<std::vector<std::string>> names = own.list("");
         if (!names) return tl::unexpected(names.error());
-        if (!names->empty()) {
+        if (std::ranges::any_of(*names,
+                                [](const std::string& name) { return name != kJournalFile; })) {
             return fail(ErrorCode::CannotWrite,
                         "the folder holds files that are not a Dollytrack dataset; choose an empty "
                         "folder, or give --overwrite",

@@ -89,8 +89,8 @@ class DatasetFolder {
     io::FileDescriptor lock_;  // the journal
     // What was made, so that an early end can remove it.
     bool marked_ = false;
-    std::vector<std::filesystem::path> made_around_;  // the folder itself and those around it,
-                                                      // the innermost first
+    // Folders that did not exist before claim(), innermost first.
+    std::vector<std::filesystem::path> made_around_;
     bool made_staged_ = false;
     std::vector<std::string> made_within_;  // in unfinished()
     bool complete_ = false;

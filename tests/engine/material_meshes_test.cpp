@@ -156,7 +156,7 @@ std::string splitByMaterial(bool apart) {
 TEST(MaterialMeshes, ThatSplitEachObjectAreRegrouped) {
     const Scene split = importedWith(splitByMaterial(false), true);
     EXPECT_TRUE(says(split.report.warnings, "the meshes look split by material: 30 of 40"));
-    EXPECT_TRUE(says(split.report.warnings, "they were regrouped into 10 objects"));
+    EXPECT_TRUE(says(split.report.warnings, "all 40 were regrouped into 10 objects"));
     ASSERT_EQ(test::countTargets(split), 10);
     for (const char* furniture : {"sofa", "chair", "lamp", "coffee_table"}) {
         EXPECT_NE(find(split, furniture), nullptr) << furniture;
@@ -169,7 +169,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectAreRegrouped) {
     }
     const Scene kept = importedWith(splitByMaterial(false), false);
     EXPECT_EQ(test::countTargets(kept), 40);
-    EXPECT_TRUE(says(kept.report.warnings, "leave --keep-meshes out to regroup them"));
+    EXPECT_TRUE(says(kept.report.warnings, "leave out --keep-meshes to regroup them"));
     const Scene apart = importedWith(splitByMaterial(true), true);
     EXPECT_EQ(test::countTargets(apart), 40);
     EXPECT_FALSE(says(apart.report.warnings, "split by material"));
@@ -188,7 +188,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectKeepWhatStandsInIt) {
         const Vector3d at(0.3 + 0.9 * i, 0.3, 0.0);
         const std::string mark = std::to_string(i);
         part("Oak" + mark, at, {0.03, 0.3, 1.0});
-        part("Ash" + mark, at + Vector3d(0.57, 0, 0), {0.03, 0.3, 1.0});
+        part("Yew" + mark, at + Vector3d(0.57, 0, 0), {0.03, 0.3, 1.0});
         part("Elm" + mark, at + Vector3d(0.03, 0.27, 0), {0.54, 0.03, 1.0});
         part("Fir" + mark, at + Vector3d(0.03, 0, 0), {0.54, 0.27, 0.03});
         part("bookshelf" + mark, at, {0.6, 0.3, 1.03});
@@ -196,13 +196,66 @@ TEST(MaterialMeshes, ThatSplitEachObjectKeepWhatStandsInIt) {
         part("book" + mark, at + Vector3d(0.4, 0.1, 0.03), {0.03, 0.15, 0.22});
     }
     const Scene scene = importedWith(obj.text(), true);
-    EXPECT_TRUE(says(scene.report.warnings, "they were regrouped into 18 objects"));
+    EXPECT_TRUE(says(scene.report.warnings, "all 42 were regrouped into 18 objects"));
     EXPECT_EQ(test::countTargets(scene), 18);
     for (int i = 0; i < 6; ++i) {
         for (const char* name : {"bookshelf", "Jar", "book"}) {
             EXPECT_NE(find(scene, name + std::to_string(i)), nullptr) << name << i;
         }
     }
+}
+
+// Books of a material each are no parts of the bookcase around them.
+TEST(MaterialMeshes, BooksInABookcaseStay) {
+    ObjWriter obj = test::furnished();
+    int number = 0;
+    for (int i = 0; i < 2; ++i) {
+        const Vector3d at(0.4 + 2.0 * i, 0.02, 0.0);
+        obj.object("bookcase_" + std::to_string(i)).material("Oak" + std::to_string(i));
+        obj.box(at, at + Vector3d(1.2, 0.02, 1.0));
+        for (const double x : {0.0, 1.17}) {
+            obj.box(at + Vector3d(x, 0.02, 0.0), at + Vector3d(x + 0.03, 0.3, 1.0));
+        }
+        for (const double z : {0.05, 0.5}) {
+            const Vector3d board = at + Vector3d(0.03, 0.02, z);
+            obj.box(board, board + Vector3d(1.14, 0.28, 0.02));
+            for (int k = 0; k < 10; ++k) {
+                const std::string name = "Red" + std::to_string(++number);
+                const Vector3d low = board + Vector3d(0.04 * k, 0.05, 0.02);
+                obj.object(name).material(name).box(low, low + Vector3d(0.038, 0.16, 0.25));
+            }
+            obj.object("bookcase_" + std::to_string(i)).material("Oak" + std::to_string(i));
+        }
+    }
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_FALSE(says(scene.report.warnings, "split by material"));
+    EXPECT_EQ(test::countTargets(scene), 4 + 2 + 40);
+}
+
+// A third mesh that touches both does not join a table to a chair.
+TEST(MaterialMeshes, ThatSplitEachObjectKeepClassesApart) {
+    ObjWriter obj(1.0, false);
+    obj.room({8, 5, 2.6}, true);
+    int number = 0;
+    const auto part = [&](const std::string& name, const Vector3d& low, const Vector3d& size) {
+        ++number;
+        obj.object(name + std::to_string(number)).material("Paint" + std::to_string(number));
+        obj.box(low, low + size);
+    };
+    for (int i = 0; i < 6; ++i) {
+        const Vector3d at(0.5 + 1.2 * i, 1.0, 0.0);
+        part("table_", at, {0.8, 0.6, 0.7});
+        part("chair_", at + Vector3d(0.1, 0.8, 0.0), {0.45, 0.45, 0.9});
+        part("Zinc", at + Vector3d(0.3, 0.5, 0.3), {0.04, 0.4, 0.04});  // from one into the other
+        for (int k = 0; k < 3; ++k) {
+            part("Bit", at + Vector3d(0.1 + 0.2 * k, 0.2, 0.3), {0.1, 0.1, 0.1});
+            part("Bit", at + Vector3d(0.15 + 0.12 * k, 0.95, 0.3), {0.05, 0.1, 0.1});
+        }
+    }
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_TRUE(says(scene.report.warnings, "split by material"));
+    EXPECT_EQ(targetsOf(scene, nyu40FromName("table")), 6);
+    EXPECT_EQ(targetsOf(scene, nyu40FromName("chair")), 6);
 }
 
 // The smallest thing that its class does not have the size of, and one that is only unusual.

@@ -93,12 +93,25 @@ TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneIsComplete) {
                                                             "rgb/000000.png", "rgb/000008.png"}));
 }
 
+// An export that is killed before it begins leaves an empty journal. It makes no dataset of a
+// folder that holds other files, and goes with the next export that is refused.
+TEST(DatasetFolder, AnEmptyJournalIsNoMark) {
+    const test::TempFolder folder;
+    (void)folder.write(kMark, "");
+    { ASSERT_TRUE(DatasetFolder::claim(folder.path(), false)); }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / kMark));
+    (void)folder.write(kMark, "");
+    (void)folder.write("thesis.txt", "x");
+    EXPECT_FALSE(DatasetFolder::claim(folder.path(), false));
+    EXPECT_EQ(treeOf(folder.path()), (std::set<std::string>{kMark, "thesis.txt"}));
+}
+
 // Cut off while the new dataset moves into its place, the next claim ends that.
 TEST(DatasetFolder, EndsAMoveThatWasCutOff) {
     const test::TempFolder folder;
     (void)folder.write("rgb/000007.png", "old");
     (void)folder.write("rgb/000000.png", "new");  // has moved already
-    (void)folder.write(kMark, "");
+    (void)folder.write(kMark, "{}\n");
     for (const auto& [name, text] :
          std::map<std::string, std::string>{{"replaced.json", kOurCard},
                                             {"depth/000000.png", "new"},

@@ -83,16 +83,16 @@ Result<PlannedScene> planAsRival(const std::string& name, const OpenedScene& ope
 }
 
 nlohmann::json metricsOf(const std::string& planner) {
+    nlohmann::json metrics;
     if (planner == planning::planners().front().name) {
-        Plan plan;
-        plan.scanned_share = 0.0;  // measured in scans alone
-        return metricsJson(Scene{}, plan);
+        metrics = metricsJson(Scene{}, Plan{});
+    } else {
+        metrics = judgedJson({}, planner);
+        for (nlohmann::json& value : metrics) {
+            if (value.is_null()) value = 0.0;
+        }
     }
-    nlohmann::json metrics = judgedJson({}, planner);
-    for (nlohmann::json& value : metrics) {
-        if (value.is_null()) value = 0.0;
-    }
-    metrics["scanned_share"] = 0.0;  // measured in scans alone
+    metrics["scanned_share"] = 0.0;  // only scans have it
     return metrics;
 }
 

@@ -213,10 +213,8 @@ void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& argument
                     "The scene or project it was made of; else looked for where it was and "
                     "beside the dataset")
         ->type_name("SCENE");
-    command.add_flag(
-        "--keep-meshes", arguments.keep_meshes,
-        "As 'plan --keep-meshes' had it: meshes with parts of several objects are left "
-        "whole");
+    command.add_flag("--keep-meshes", arguments.keep_meshes,
+                     "As 'plan --keep-meshes' had it: meshes are left as the file has them");
     command
         .add_option(
             "--labels", arguments.labels,

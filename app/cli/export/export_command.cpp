@@ -77,7 +77,7 @@ void addTally(render::PictureTally& all, const render::PictureTally& one) {
     all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
 }
 
-/// Counts of a scan are of its scanned part.
+/// Prints which share of a scan's rooms was scanned; nothing for a modelled scene.
 void printScanned(const nlohmann::json& planned) {
     const std::string scanned = scannedText(planned);
     if (!scanned.empty()) fmt::print("\nscan: {}\n", scanned);

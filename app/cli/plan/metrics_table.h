@@ -12,7 +12,7 @@ std::string metricsTable(const nlohmann::json& metrics);
 
 /// The share of a scan's rooms that was scanned, in words; empty for a modelled scene.
 std::string scannedText(std::optional<double> share);
-/// The same of a plan's metrics.
+/// The same, from the metrics of a plan.
 std::string scannedText(const nlohmann::json& metrics);
 
 /// JSON for stdout. Never throws: bytes that are no UTF-8 are replaced.

@@ -18,7 +18,7 @@ namespace dollytrack::editor {
 struct LostWork {
     std::filesystem::path file;     // the copy, itself a project
     std::filesystem::path project;  // where it was saved before; empty: never
-    std::string scene;              // name of its scene file
+    std::string scene;              // path of its scene file
     std::string when;               // local time, for people
 };
 

@@ -108,13 +108,10 @@ void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> ob
                     found.inside, found.drafts);
     if (objects) {
         text += fmt::format(
-            "they were regrouped into {}, look whether they are right "
-            "(--keep-meshes leaves them)",
-            counted(*objects, "object", "objects"));
+            "all {} were regrouped into {}; check them (--keep-meshes leaves them as they are)",
+            found.drafts, counted(*objects, "object", "objects"));
     } else {
-        text +=
-            "leave --keep-meshes out to regroup them, or export one mesh per object (or merge "
-            "them: dollytrack edit)";
+        text += "leave out --keep-meshes to regroup them, or export one mesh per object";
     }
     report.warnings.push_back(std::move(text));
 }

@@ -30,8 +30,8 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
 /// Says which meshes hold parts of several objects, and what came of it or is to be done.
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report);
 
-/// Says that the objects are split by material, and what came of it or is to be done. `objects` are
-/// left of them where they were regrouped.
+/// Warns that objects are split by material. `objects`: how many remain after regrouping; empty if
+/// they were not regrouped.
 void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> objects,
                        ImportReport& report);
 

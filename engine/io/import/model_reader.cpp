@@ -49,7 +49,7 @@ Result<RawScene> readModel(const fs::path& path, const JobContext& job) {
     const io::ConfinedFolder folder(path.parent_path());
     return gltf::readGltf(
         std::move(*bytes), [&](const std::string& uri) { return readBeside(folder, uri); },
-        path.filename().string(), job);
+        path.string(), job);
 }
 
 Result<RawScene> readModel(const FileSource& files, const std::string& name,
@@ -61,8 +61,7 @@ Result<RawScene> readModel(const FileSource& files, const std::string& name,
         if (!bytes) return tl::unexpected(bytes.error());
         raw = gltf::readGltf(
             std::move(*bytes),
-            [&](const std::string& uri) { return readBeside(files, folder, uri); },
-            fs::path(name).filename().string(), job);
+            [&](const std::string& uri) { return readBeside(files, folder, uri); }, name, job);
     } else {
         raw = readWithAssimp(files, name, job);
     }

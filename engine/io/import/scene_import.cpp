@@ -88,7 +88,7 @@ std::vector<bool> structureOf(const std::vector<ObjectDraft>& drafts) {
     return structure;
 }
 
-/// Puts objects that are split by material together again, or says that they are.
+/// Joins objects that are split by material, or warns of them.
 void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectDraft>& drafts,
                           ImportReport& report) {
     const std::vector<bool> structure = structureOf(drafts);
@@ -97,10 +97,13 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
     std::optional<std::size_t> objects;
     if (regroup) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-            // "mat_3" is a material here, not what lies before the door.
-            if (found->by_material[i] && drafts[i].label.pattern == "mat") drafts[i].label = {};
+            // "mat_3" is the name of a material here, not a door mat.
+            if (found->by_material[i] && isMaterialNumber(drafts[i].name)) drafts[i].label = {};
         }
-        mergePieces(raw, structure, drafts, found->by_material);
+        const std::vector<MergedPiece> merges =
+            mergePieces(raw, structure, drafts, found->by_material);
+        if (merges.empty()) return;
+        noteMerges(merges, drafts, report);
         objects = static_cast<std::size_t>(std::ranges::count(structureOf(drafts), false));
     }
     noteMaterialSplit(*found, objects, report);

@@ -24,7 +24,7 @@ struct ImportOptions {
     /// A folder that says which mesh is what: Hypersim's ai_VVV_NNN or its _detail.
     std::optional<std::filesystem::path> annotations = std::nullopt;
     CloudParams cloud = {};        // how a point cloud becomes a room
-    bool regroup = true;           // take meshes apart that hold parts of several objects
+    bool regroup = true;           // take apart meshes of several objects, join split objects
     bool read_textures = true;     // else they are named, but empty
     double small_volume_m3 = 0.1;  // smaller objects are small
     double size_ratio = 5.0;       // also small: this many times smaller than what carries it

@@ -27,17 +27,9 @@ struct Shape {
     double inside = 0.0;         // share of the other objects whose middle is inside its bounds
 };
 
-Eigen::AlignedBox3d boundsOf(const RawScene& raw, const ObjectDraft& draft) {
-    Eigen::AlignedBox3d box;
-    for (const std::size_t part : draft.parts) {
-        box.extend(raw.parts[part].bounds.cast<double>());
-    }
-    return box;
-}
-
 Shape measureShape(const RawScene& raw, const ObjectDraft& draft) {
     Shape shape;
-    shape.bounds = boundsOf(raw, draft);
+    shape.bounds = boundsOf(raw, draft).cast<double>();
     std::vector<Eigen::Vector3f> points;
     for (const std::size_t part : draft.parts) {
         const auto& more = raw.parts[part].positions;
@@ -178,7 +170,7 @@ void addCladding(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
 std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
     std::vector<Object> boxes(drafts.size());
     for (std::size_t i = 0; i < drafts.size(); ++i) {
-        const Eigen::AlignedBox3d bounds = boundsOf(raw, drafts[i]);
+        const Eigen::AlignedBox3d bounds = boundsOf(raw, drafts[i]).cast<double>();
         boxes[i].box.center = bounds.center();
         boxes[i].box.half_size = 0.5 * bounds.sizes();
     }

@@ -1,5 +1,9 @@
 #include "engine/io/object_parts/material_split.h"
 
+#include "engine/geometry/contact.h"
+#include "engine/io/object_parts/piece_merge.h"
+#include "engine/jobs/parallel.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <set>
@@ -11,11 +15,15 @@ constexpr std::size_t kFewest = 30;          // drafts; fewer prove nothing
 constexpr std::size_t kMostCompared = 5000;  // drafts; each is compared with each
 constexpr double kOwnMaterials = 0.8;        // single materials, as a share of the drafts
 constexpr double kMostlyInside = 0.5;        // share of the drafts
+constexpr std::size_t kMostAround = 8;       // drafts around one that are looked at
+constexpr float kContactGap_m = 0.003F;
 
-Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
-    Eigen::AlignedBox3f box;
-    for (const std::size_t part : draft.parts) box.extend(raw.parts[part].bounds);
-    return box;
+std::vector<SurfaceView> surfacesOf(const RawScene& raw, const ObjectDraft& draft) {
+    std::vector<SurfaceView> surfaces;
+    for (const std::size_t part : draft.parts) {
+        surfaces.push_back({raw.parts[part].positions, raw.parts[part].triangles});
+    }
+    return surfaces;
 }
 
 /// The material of a draft that has one only.
@@ -63,11 +71,22 @@ std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
         static_cast<double>(materials.size()) < share(kOwnMaterials)) {
         return std::nullopt;
     }
-    split.inside = static_cast<std::size_t>(std::ranges::count_if(compared, [&](std::size_t i) {
-        return split.by_material[i] && std::ranges::any_of(compared, [&](std::size_t k) {
-                   return k != i && liesInside(boxes[i], boxes[k]);
-               });
-    }));
+    std::vector<char> inside(compared.size(), 0);
+    parallelFor(compared.size(), [&](std::size_t c) {
+        const std::size_t i = compared[c];
+        if (!split.by_material[i]) return;
+        std::size_t around = 0;
+        bool stands = false;
+        for (const std::size_t k : compared) {
+            if (k == i || !liesInside(boxes[i], boxes[k])) continue;
+            if (++around > kMostAround) break;
+            const auto contact =
+                findContact(surfacesOf(raw, drafts[i]), surfacesOf(raw, drafts[k]), kContactGap_m);
+            stands = stands || (!contact.empty() && standsOn(boxes[i], boxes[k], contact));
+        }
+        inside[c] = around > 0 && !stands ? 1 : 0;
+    });
+    split.inside = static_cast<std::size_t>(std::ranges::count(inside, 1));
     if (static_cast<double>(split.inside) < share(kMostlyInside)) return std::nullopt;
     return split;
 }

@@ -9,22 +9,23 @@
 
 namespace dollytrack {
 
-/// A scene whose objects are split by material: the frame, the seat and the screws of each chair
-/// are drafts.
+/// A scene in which each object is split into one draft per material: a chair's frame, seat and
+/// screws are separate drafts.
 struct MaterialSplit {
-    std::size_t inside = 0;         // drafts of one material that lie inside others
-    std::size_t drafts = 0;         // all but structure
-    std::vector<bool> by_material;  // by draft: has one material only, and is no structure
+    std::size_t inside = 0;         // drafts of one material that lie inside another one's box
+    std::size_t drafts = 0;         // compared: all but structure
+    std::vector<bool> by_material;  // for each draft: one material, no structure
 };
 
-/// Tells by two signs that must both be there: nearly every draft has a material of its own, and
-/// half of the drafts lie inside others. None in other scenes. Parts are in the world's frame;
-/// `structure` tells which drafts are walls, floor and the like.
+/// Detects such a scene: nearly every draft has a material of its own, and half of the drafts lie
+/// inside others, without just standing in them as books stand in a bookcase. Nothing for other
+/// scenes, nor for more than 5000 drafts. Parts are in the world's frame; `structure` tells which
+/// drafts are walls, floor and the like.
 std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
                                                const std::vector<bool>& structure,
                                                const std::vector<ObjectDraft>& drafts);
 
-/// Whether half of the smaller box or more is inside the larger one.
+/// Whether `smaller` has the smaller volume and at least half of it lies inside `larger`.
 bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger);
 
 }  // namespace dollytrack

@@ -114,4 +114,18 @@ std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& lab
     return result;
 }
 
+Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
+    Eigen::AlignedBox3f box;
+    for (const std::size_t part : draft.parts) box.extend(raw.parts[part].bounds);
+    return box;
+}
+
+bool isMaterialNumber(const std::string& name) {
+    const std::vector<std::string> words = splitWords(name);
+    return words.empty() ||
+           (words.size() == 1 && (words[0] == "mat" || words[0] == "material" ||
+                                  words[0] == "default" || words[0].size() < 2)) ||
+           name == "DefaultMaterial";
+}
+
 }  // namespace dollytrack

@@ -28,4 +28,10 @@ std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& l
 std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels,
                                       const std::vector<bool>& taken = {});
 
+/// The box around a draft's parts.
+Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft);
+
+/// "mat12", "Material.003", "default": a material's name that tells nothing.
+bool isMaterialNumber(const std::string& name);
+
 }  // namespace dollytrack

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -27,7 +29,7 @@ struct Piece {
     bool loose = false;        // its name says nothing of its own
     bool named = false;        // somebody named it
     bool is_part = false;      // its name says that it is a part
-    bool by_material = false;  // a part of a thing that is split by material
+    bool by_material = false;  // may be one material of an object
     std::size_t triangles = 0;
 };
 
@@ -94,9 +96,13 @@ bool mayJoin(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
 
 class Groups {
   public:
-    explicit Groups(const std::vector<Piece>& pieces) : root_(pieces.size()) {
+    Groups(const std::vector<Piece>& pieces, const std::vector<ObjectDraft>& drafts)
+        : pieces_(pieces), drafts_(drafts), root_(pieces.size()), classed_(pieces.size()) {
         std::iota(root_.begin(), root_.end(), std::size_t{0});
         for (const Piece& piece : pieces) boxes_.push_back(piece.box);
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+            if (drafts[i].label.kind == LabelKind::Target) classed_[i] = i;
+        }
     }
     std::size_t find(std::size_t i) {
         while (root_[i] != i) i = root_[i] = root_[root_[i]];
@@ -106,15 +112,33 @@ class Groups {
         a = find(a);
         b = find(b);
         if (a == b) return;
-        if (!certain && standSideBySide(boxes_[a], boxes_[b])) return;
+        if (!certain && (standSideBySide(boxes_[a], boxes_[b]) || areOfTwoObjects(a, b))) return;
         const Eigen::AlignedBox3f together = boxes_[a].merged(boxes_[b]);
         const float largest = std::max(boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm());
         if (together.diagonal().norm() > std::max(kLargestThing, 1.05F * largest)) return;
-        root_[std::max(a, b)] = std::min(a, b);
-        boxes_[std::min(a, b)] = together;
+        const auto [first, second] = std::minmax(a, b);
+        root_[second] = first;
+        boxes_[first] = together;
+        if (!classed_[first] ||
+            (classed_[second] && sizeOf(*classed_[second]) > sizeOf(*classed_[first]))) {
+            classed_[first] = classed_[second];
+        }
     }
 
   private:
+    [[nodiscard]] float sizeOf(std::size_t piece) const {
+        return pieces_[piece].box.diagonal().norm();
+    }
+
+    /// Where objects are split by material, a third piece must not join a table to a chair.
+    [[nodiscard]] bool areOfTwoObjects(std::size_t a, std::size_t b) const {
+        if (!classed_[a] || !classed_[b]) return false;
+        const Piece& one = pieces_[*classed_[a]];
+        const Piece& other = pieces_[*classed_[b]];
+        return (one.by_material || other.by_material) &&
+               !mayJoin(one, drafts_[*classed_[a]], other, drafts_[*classed_[b]]);
+    }
+
     /// Two large things that share little ground: a cupboard beside a fireplace, flush with it.
     static bool standSideBySide(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
         if (std::min(a.diagonal().norm(), b.diagonal().norm()) < kBothLarge) return false;
@@ -126,8 +150,11 @@ class Groups {
         return ground(common) < 0.5F * std::min(ground(a.sizes()), ground(b.sizes()));
     }
 
+    const std::vector<Piece>& pieces_;
+    const std::vector<ObjectDraft>& drafts_;
     std::vector<std::size_t> root_;
     std::vector<Eigen::AlignedBox3f> boxes_;
+    std::vector<std::optional<std::size_t>> classed_;  // each group's largest piece with a class
 };
 
 std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& structure,
@@ -157,8 +184,10 @@ struct Candidate {
     std::size_t b;
     bool touches = false;
     bool joins = false;
-    bool boards = false;  // of one shelf, by their names
-    float size = 0.0F;    // of the smaller: small pieces find their place first
+    bool boards = false;    // of one shelf, by their names
+    bool a_stands = false;  // on b
+    bool b_stands = false;  // on a
+    float size = 0.0F;      // of the smaller: small pieces find their place first
 };
 
 /// Leaves that reach into a cupboard are still the plant's: a part with neighbours of its own size
@@ -179,6 +208,21 @@ void preferOwnSize(const std::vector<Piece>& pieces, std::vector<Candidate>& can
         if ((has_own[c.a] && isFarLarger(c.b, c.a)) || (has_own[c.b] && isFarLarger(c.a, c.b))) {
             c.joins = false;
         }
+    }
+}
+
+/// Books that stand side by side on one board are things of their own, even if each is a mesh of
+/// one material.
+void separateNeighbours(const std::vector<Piece>& pieces, std::vector<Candidate>& candidates) {
+    std::vector<std::set<std::size_t>> supports(pieces.size());
+    for (const Candidate& c : candidates) {
+        if (c.a_stands && !pieces[c.b].structure) supports[c.a].insert(c.b);
+        if (c.b_stands && !pieces[c.a].structure) supports[c.b].insert(c.a);
+    }
+    for (Candidate& c : candidates) {
+        if (!c.joins || !pieces[c.a].by_material || !pieces[c.b].by_material) continue;
+        c.joins = std::ranges::none_of(supports[c.a],
+                                       [&](std::size_t s) { return supports[c.b].contains(s); });
     }
 }
 
@@ -214,6 +258,7 @@ void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraf
             const auto distance = static_cast<float>(piece.box.exteriorDistance(pieces[j].box));
             const bool closer_around = piece.by_material && distance == best &&
                                        nearest < pieces.size() &&
+                                       liesInside(piece.box, pieces[j].box) &&
                                        pieces[j].box.volume() < pieces[nearest].box.volume();
             if ((distance < best || closer_around) && floatsBeside(piece, pieces[j])) {
                 best = distance;
@@ -271,7 +316,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
                 continue;
             }
             candidates.push_back(
-                {i, j, false, false, false,
+                {i, j, false, false, false, false, false,
                  std::min(pieces[i].box.diagonal().norm(), pieces[j].box.diagonal().norm())});
         }
     }
@@ -282,6 +327,8 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         const auto contact = findContact(a.surfaces, b.surfaces, kGap);
         if (contact.empty()) return;
         candidate.touches = true;
+        candidate.a_stands = standsOn(a.box, b.box, contact);
+        candidate.b_stands = standsOn(b.box, a.box, contact);
         const ObjectDraft& draft_a = drafts[candidate.a];
         const ObjectDraft& draft_b = drafts[candidate.b];
         candidate.boards = areBoardsOfOneThing(a, draft_a, b, draft_b);
@@ -289,12 +336,13 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         const bool crumb = a.loose && b.loose &&
                            std::min(a.box.sizes().maxCoeff(), b.box.sizes().maxCoeff()) < kCrumb;
         candidate.joins = candidate.boards || crumb || a.is_part || b.is_part ||
-                          (!standsOn(a.box, b.box, contact) && !standsOn(b.box, a.box, contact));
+                          (!candidate.a_stands && !candidate.b_stands);
     });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.size < b.size; });
     preferOwnSize(pieces, candidates);
-    Groups groups(pieces);
+    separateNeighbours(pieces, candidates);
+    Groups groups(pieces, drafts);
     for (const Candidate& candidate : candidates) {
         if (candidate.joins) groups.join(candidate.a, candidate.b, candidate.boards);
     }

@@ -25,10 +25,10 @@ struct MergedPiece {
 /// Parts are in the world's frame. `structure` tells which drafts are walls, floor and the like;
 /// only pieces named as parts join those (a handle its door).
 ///
-/// Names of drafts in `by_material` say nothing of their own either, where objects are split by
-/// material: these join what they are attached to unless the classes differ, and those that nothing
-/// holds the smallest draft around them. Two of one class are one thing only if the one lies inside
-/// the other.
+/// `by_material` marks drafts that may be one material of an object. Their names are ignored: such
+/// a draft joins what it is attached to unless the classes differ, and where nothing holds it, the
+/// smallest draft around it. Two drafts of one class join only if one lies inside the other, and
+/// two that stand side by side on a third one stay apart.
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
                                      std::vector<ObjectDraft>& drafts,
                                      const std::vector<bool>& by_material = {});

@@ -13,21 +13,6 @@ namespace {
 constexpr float kFarApart = 0.5F;      // m between things that are not one
 constexpr std::size_t kFewOthers = 5;  // with more objects beside it a shell is only a shell
 
-Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
-    Eigen::AlignedBox3f box;
-    for (const std::size_t part : draft.parts) box.extend(raw.parts[part].bounds);
-    return box;
-}
-
-/// "mat12", "Material.003", "default": a name that tells nothing.
-bool isMaterialNumber(const std::string& name) {
-    const std::vector<std::string> words = splitWords(name);
-    return words.empty() ||
-           (words.size() == 1 && (words[0] == "mat" || words[0] == "material" ||
-                                  words[0] == "default" || words[0].size() < 2)) ||
-           name == "DefaultMaterial";
-}
-
 std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
                                std::size_t least) {
     std::vector<DraftPiece> found = findDraftPieces(raw, draft, least);
