@@ -67,7 +67,7 @@ void takeFunctionsFrom(FunctionSource source) {
 
 }  // namespace dollytrack::gl
 
-// Visible to libGLEW, which finds them in the place of libGL's.
+// The libraries find these in place of libGL's.
 #pragma GCC visibility push(default)
 extern "C" {
 

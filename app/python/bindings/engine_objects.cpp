@@ -350,10 +350,10 @@ py::object imageOf(render::FrameRecord& frame, const std::string& name) {
     if (name == "rgb_right") return arrayOf(std::move(frame.rgb_right), colour);
     if (name == "depth_right") return arrayOf(std::move(frame.depth_right_m), plain);
     if (name != "normal_world" && name != "normal_camera") return py::none();
-    const bool in_camera = name == "normal_camera";
-    const Eigen::Matrix3f turn =
-        in_camera ? frame.pose.rotation.conjugate().toRotationMatrix().cast<float>().eval()
-                  : Eigen::Matrix3f::Identity();
+    Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
+    if (name == "normal_camera") {
+        turn = frame.pose.rotation.conjugate().toRotationMatrix().cast<float>();
+    }
     std::vector<float> normals;
     normals.reserve(3 * frame.normals_in_world.size());
     for (const Eigen::Vector3f& normal : frame.normals_in_world) {

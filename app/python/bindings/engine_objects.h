@@ -18,7 +18,7 @@
 namespace dollytrack::python {
 
 /// A scene or project that was opened. What Python sees of it never changes.
-class OpenScene : public std::enable_shared_from_this<OpenScene> {
+class OpenScene {
   public:
     explicit OpenScene(cli::OpenedScene opened) : opened_(std::move(opened)) {}
 
