@@ -23,35 +23,12 @@ else:
     _Images = Mapping
 
 
-def _plain(pixels: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    return pixels
-
-
-def _metres(pixels: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    return np.multiply(pixels, np.float32(0.001), dtype=np.float32)
-
-
-def _shares(pixels: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    return np.multiply(pixels, np.float32(1 / 65535), dtype=np.float32)
-
-
-def _normals(pixels: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    vectors = 2 * _shares(pixels) - 1
-    vectors[~pixels.any(axis=2)] = 0
-    return vectors
-
-
-def _disparities(pixels: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    return np.multiply(pixels, np.float32(1 / 256), dtype=np.float32)
-
-
-#: What becomes of the pixels of each kind of image that is read here.
-_READ: Dict[str, Callable[[npt.NDArray[Any]], npt.NDArray[Any]]] = {
-    "rgb": _plain, "albedo": _plain, "rgb_right": _plain, "rgb_sensor": _plain,
-    "instance": _plain, "semantic": _plain,
-    "depth": _metres, "depth_right": _metres, "depth_sensor": _metres,
-    "normal_camera": _normals, "normal_world": _normals, "object_coordinates": _shares,
-    "disparity": _disparities,
+#: The images that are read here, and what a step of their pixels' values stands for.
+_READ: Dict[str, Optional[float]] = {
+    "rgb": None, "albedo": None, "rgb_right": None, "rgb_sensor": None, "instance": None,
+    "semantic": None, "depth": 1e-3, "depth_right": 1e-3, "depth_sensor": 1e-3,
+    "normal_camera": 2 / 65535, "normal_world": 2 / 65535, "object_coordinates": 1 / 65535,
+    "disparity": 1 / 256,
 }
 
 
@@ -195,7 +172,7 @@ class Dataset(_Samples):
             raise KeyError(f"{name!r} is not in the dataset; it has {', '.join(self.modalities)}")
         file = self.folder / name / f"{index:06d}.png"
         try:
-            pixels = png.decode(file.read_bytes())
+            pixels = png.decode(file.read_bytes(), _READ[name])
         except OSError as error:
             if name == "rgb_sensor" and file.with_suffix(".jpg").exists():
                 return _read_jpeg(file.with_suffix(".jpg"))
@@ -205,7 +182,11 @@ class Dataset(_Samples):
                           str(file)) from None
         if pixels.shape[:2] != self.size[::-1]:
             raise failure(BadInput, "It has another size than the dataset's images.", str(file))
-        return _READ[name](pixels)
+        if name.startswith("normal"):
+            nothing = ~pixels.any(axis=2)
+            pixels -= 1
+            pixels[nothing] = 0
+        return pixels
 
     def _boxes(self) -> _Boxes:
         if "boxes" not in self._cache:

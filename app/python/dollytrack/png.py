@@ -1,31 +1,36 @@
 """Decodes PNG files with zlib and NumPy alone."""
 import struct
+import sys
 import zlib
-from typing import Any
+from typing import Any, Iterator, List, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}  # by colour type; palettes are not used in datasets
 _LARGEST_SIDE = 1 << 16
+_PIECE = 1 << 14  # bytes that are unpacked at a time
+_BLOCK = 1 << 16  # bytes that they may become at a time
 
 
 class Damaged(ValueError):
     """It is no PNG file that can be decoded here; says why."""
 
 
-def decode(data: bytes) -> npt.NDArray[Any]:
-    """The picture of a PNG file: (H, W) or (H, W, channels), uint8 or uint16."""
+def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
+    """The picture of a PNG file: (H, W) or (H, W, channels), uint8 or uint16; with a scale, float32
+    values times it. Some lines at a time, so that a picture is written to memory once."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise Damaged("it is no PNG file")
+    view = memoryview(data)
     at, packed, header = 8, [], b""
     while at + 8 <= len(data):
         length, kind = struct.unpack_from(">I4s", data, at)
-        chunk = data[at + 8:at + 8 + length]
         if kind == b"IHDR":
-            header = chunk
+            header = data[at + 8:at + 8 + length]
         elif kind == b"IDAT":
-            packed.append(chunk)
+            packed += [view[i:min(i + _PIECE, at + 8 + length)]
+                       for i in range(at + 8, at + 8 + length, _PIECE)]
         elif kind == b"IEND":
             break
         at += 12 + length
@@ -38,31 +43,50 @@ def decode(data: bytes) -> npt.NDArray[Any]:
     if not sides_fit or depth not in (8, 16) or colour not in _CHANNELS or interlaced:
         raise Damaged("it is of a kind that datasets do not have")
     channels = _CHANNELS[colour]
-    pixel = channels * depth // 8
-    size = height * (1 + width * pixel)
-    try:
-        unpacker = zlib.decompressobj()
-        raw = unpacker.decompress(b"".join(packed), size)
-    except zlib.error as error:
-        raise Damaged(str(error)) from None
-    if len(raw) != size:
+    stored: Any = np.uint8 if depth == 8 else np.uint16
+    whole = np.empty((height, width, channels), np.float32 if scale is not None else stored)
+    done, above = 0, np.zeros((width, channels * depth // 8), np.uint8)
+    for lines in _lines(packed, 1 + width * channels * depth // 8, height):
+        pixels = _unfiltered(lines[:, 0], lines[:, 1:].reshape(len(lines), *above.shape), above)
+        above = pixels[-1]
+        values = pixels.reshape(len(lines), -1).view(stored).reshape(len(lines), width, channels)
+        if depth == 16 and sys.byteorder == "little":
+            values = values.byteswap()
+        part = whole[done:done + len(lines)]
+        if scale is None:
+            part[:] = values
+        else:
+            np.multiply(values, np.float32(scale), out=part)
+        done += len(lines)
+    if done != height:
         raise Damaged("pixels are missing")
-    lines = np.frombuffer(raw, np.uint8).reshape(height, 1 + width * pixel)
-    pixels = _unfiltered(lines[:, 0], lines[:, 1:].reshape(height, width, pixel))
-    if depth == 16:
-        shape = (height, width, channels)
-        words = pixels.reshape(height, width * pixel).view(">u2").astype(np.uint16).reshape(shape)
-        return words[:, :, 0] if channels == 1 else words
-    return pixels[:, :, 0] if channels == 1 else pixels
+    return whole[:, :, 0] if channels == 1 else whole
 
 
-def _unfiltered(filters: npt.NDArray[np.uint8],
-                lines: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
-    """Undoes the filters, a run of lines of the same one at a time."""
-    height = len(lines)
-    starts = [0, *(np.flatnonzero(np.diff(filters)) + 1).tolist(), height]
-    pixels = np.empty_like(lines)
-    above = np.zeros_like(lines[0])
+def _lines(packed: List[memoryview], length: int, count: int) -> Iterator[npt.NDArray[np.uint8]]:
+    """The unpacked lines, `count` at the most: arrays of (n, length)."""
+    unpacker, left = zlib.decompressobj(), b""
+    block = max(_BLOCK, length)
+    for piece in packed:
+        source: Any = piece
+        while count > 0 and len(source):
+            try:
+                left += unpacker.decompress(source, block)
+            except zlib.error as error:
+                raise Damaged(str(error)) from None
+            source = unpacker.unconsumed_tail
+            whole = min(len(left) // length, count)
+            if whole:
+                yield np.frombuffer(left, np.uint8, whole * length).reshape(whole, length)
+                left = left[whole * length:]
+                count -= whole
+
+
+def _unfiltered(filters: npt.NDArray[np.uint8], lines: npt.NDArray[np.uint8],
+                above: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
+    """Undoes the filters of lines below the line `above`, a run of the same filter at a time."""
+    starts = [0, *(np.flatnonzero(np.diff(filters)) + 1).tolist(), len(lines)]
+    pixels = np.empty(lines.shape, np.uint8)
     for begin, end in zip(starts, starts[1:]):
         kind, run, out = int(filters[begin]), lines[begin:end], pixels[begin:end]
         if kind == 0:

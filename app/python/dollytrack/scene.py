@@ -52,6 +52,7 @@ class Scene:
                     object_ids: Optional[npt.ArrayLike] = None,
                     names: Optional[Sequence[str]] = None,
                     classes: Optional[Sequence[Optional[str]]] = None,
+                    structure: Optional[npt.ArrayLike] = None,
                     colors: Optional[npt.ArrayLike] = None, file: Optional[Path] = None,
                     progress: Progress = None) -> "Scene":
         """A scene made of triangles.
@@ -59,8 +60,10 @@ class Scene:
         vertices: (N, 3) metres, z up.
         faces: (F, 3) indices of vertices, counter-clockwise seen from outside.
         object_ids: (F,) which object each triangle is of, 0 .. K-1; None: connected by the engine.
-        names: K names; walls, floors and the like are known by theirs ("wall", "floor", "ceiling").
+        names: K names.
         classes: K words for classes (NYU40's or a common word for them), None where the name tells.
+        structure: (K,) truth values: part of the building, no target; None: what is called wall, floor,
+            ceiling, door, window, roof, ground or sky.
         colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
         file: a .glb file to keep the scene in, so that projects can refer to it; None: a temporary
             file, which is there until Python ends.
@@ -72,7 +75,8 @@ class Scene:
             file = folder / "scene.glb"
         elif FilePath(arguments.path(file, "file").decode("utf-8", "replace")).suffix != ".glb":
             raise failure(Usage, "The file's name must end in .glb.", str(file))
-        scene_file.write(FilePath(file), vertices, faces, object_ids, names, classes, colors)
+        scene_file.write(FilePath(file), vertices, faces, object_ids, names, classes, structure,
+                         colors)
         scene = load(file, unit_m=1.0, up_axis="y", progress=progress)
         scene._temporary = folder is not None
         return scene

@@ -1,5 +1,6 @@
 """Writes arrays of triangles as a scene file: GLB, with annotations that name its objects."""
 import json
+import re
 import struct
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence
@@ -11,11 +12,13 @@ from .errors import CannotWrite, Usage, failure
 
 _MOST = 50_000_000  # vertices, and triangles
 _GREY = (204, 204, 204)
+_STRUCTURE = ("wall", "floor", "ceiling", "door", "window", "doorway", "roof", "ground", "sky")
 
 
 def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
           object_ids: Optional[npt.ArrayLike], names: Optional[Sequence[str]],
-          classes: Optional[Sequence[Optional[str]]], colors: Optional[npt.ArrayLike]) -> None:
+          classes: Optional[Sequence[Optional[str]]], structure: Optional[npt.ArrayLike],
+          colors: Optional[npt.ArrayLike]) -> None:
     """See Scene.from_arrays()."""
     points = _array(vertices, "vertices", "iuf", (None, 3))
     if not np.isfinite(points).all() or (np.abs(points) > 1e6).any():
@@ -34,6 +37,11 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
     kinds = _titles(classes, count, "classes") if classes is not None else [None] * count
     if len(set(titles)) != count or None in titles:
         raise failure(Usage, "Each object needs a name of its own.", "names")
+    words = [kind or title for kind, title in zip(kinds, titles)]
+    if structure is None:
+        building = [re.sub(r"[\W\d_]+$", "", word).lower() in _STRUCTURE for word in words]
+    else:
+        building = _array(structure, "structure", "b", (count,)).tolist()
     colours = _colours(colors, ids, count)
 
     blob, gltf = bytearray(), _empty()
@@ -60,9 +68,8 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
                 "material": materials[colour]})
         gltf["nodes"].append({"name": titles[one], "mesh": len(gltf["meshes"])})
         gltf["meshes"].append({"name": titles[one], "primitives": primitives})
-        said: Dict[str, Any] = {"name": titles[one], "nodes": [titles[one]]}
-        said["class"] = kinds[one] or titles[one]
-        named.append(said)
+        named.append({"name": titles[one], "nodes": [titles[one]], "class": words[one],
+                      "structure": building[one]})
     gltf["scenes"][0]["nodes"] = list(range(len(gltf["nodes"])))
     gltf["buffers"] = [{"byteLength": len(blob)}]
     annotations = {"format": "dollytrack-objects", "version": 1, "objects": named}

@@ -23,7 +23,7 @@ ROOM = [("floor", (0, -0.1, 0), (4, 0, 3)), ("ceiling", (0, 2.6, 0), (4, 2.7, 3)
         ("wall_3", (0, 0, -0.1), (4, 2.6, 0)), ("wall_4", (0, 0, 3), (4, 2.6, 3.1)),
         ("table", (2.8, 0, 0.8), (3.6, 0.74, 2.2)), ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
         ("crate", (1.6, 0, 0.2), (2.2, 0.5, 0.8))]
-FACES = np.array([(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)])
+FACES = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
 
 
 def arrays():
@@ -86,7 +86,7 @@ class EngineTest(FolderCase):
         kinds = [None] * 8 + ["box"]
         colors = np.full((len(ROOM), 3), 200, np.uint8)
         colors[6] = (200, 30, 30)
-        scene = dt.Scene.from_arrays(vertices, faces, ids, names, kinds, colors)
+        scene = dt.Scene.from_arrays(vertices, faces, ids, names, kinds, colors=colors)
         self.assertEqual([o.name for o in scene.objects], names)
         self.assertEqual([o.name for o in scene.objects if o.role == "target"], names[6:])
         self.assertEqual([scene[name].class_name for name in ("table", "sofa", "crate", "floor")],

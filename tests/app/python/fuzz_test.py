@@ -61,7 +61,8 @@ pool = values()
 names = list(dt.PARAMETERS)
 calls = {
     dt.load: ["unit_m", "up_axis", "labels", "models", "annotations", "keep_meshes", "cloud", "progress"],
-    dt.Scene.from_arrays: ["object_ids", "names", "classes", "colors", "progress"],
+    dt.Scene.from_arrays: ["object_ids", "names", "classes", "structure",
+                            "colors", "progress"],
     scene.plan: ["ignore", "only", "start", "end", "time_s", "progress"],
     scene.__getitem__: [], plan.explain: ["progress"],
     plan.coverage: ["progress"], plan.render: ["range", "still", "gl", "progress"],
