@@ -6,6 +6,7 @@
 #include "app/process/child_process.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
+#include "engine/core/program_file.h"
 
 #include <fmt/format.h>
 
@@ -320,8 +321,8 @@ class Runner {
 
 Result<fs::path> ownProgram() {
     std::error_code error;
-    fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error && fs::exists(program, error)) return program;
+    fs::path program = ownFile();
+    if (fs::exists(program, error)) return program;
     return fail(ErrorCode::Failed, "the program's own file cannot be found; install it again",
                 program.string());
 }

@@ -3,6 +3,11 @@
 #include "app/cli/terminal/progress_bar.h"
 #include "app/cli/terminal/progress_lines.h"
 
+#include <new>
+#include <string>
+#include <string_view>
+#include <system_error>
+
 namespace dollytrack::cli {
 
 int exitCodeFor(ErrorCode code) {
@@ -20,6 +25,27 @@ int exitCodeFor(ErrorCode code) {
             break;
     }
     return kFailed;
+}
+
+Error errorOf(const std::exception& exception) {
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+        return {ErrorCode::Failed,
+                "out of memory; try a larger octree_resolution_m or a smaller image, or raise the "
+                "limit on memory.",
+                {}};
+    }
+    const auto* system = dynamic_cast<const std::system_error*>(&exception);
+    const bool no_thread = system != nullptr
+                               ? system->code() == std::errc::resource_unavailable_try_again
+                               // TBB's own way to say it.
+                               : std::string_view(exception.what()).starts_with("pthread_create");
+    if (no_thread) {
+        return {ErrorCode::Failed,
+                "no more threads can be started; give fewer with --threads, or raise the limits on "
+                "memory and processes.",
+                {}};
+    }
+    return {ErrorCode::Failed, std::string("unexpected failure: ") + exception.what(), {}};
 }
 
 JobContext Session::job() const {

@@ -4,6 +4,7 @@
 #include "engine/jobs/job.h"
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 
@@ -25,6 +26,9 @@ enum ExitCode : int {
 };
 
 int exitCodeFor(ErrorCode code);
+
+/// The error that is reported for an exception that nothing else caught.
+Error errorOf(const std::exception& exception);
 
 class ProgressLines;
 

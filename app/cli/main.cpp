@@ -13,11 +13,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace {
@@ -48,29 +45,6 @@ int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& er
         dollytrack::cli::printToStandardError("dollytrack: " + describe(error));
     }
     return code;
-}
-
-/// The error that is reported for an exception that nothing else caught.
-dollytrack::Error errorOf(const std::exception& exception) {
-    using dollytrack::ErrorCode;
-    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
-        return {ErrorCode::Failed,
-                "out of memory; try a larger octree_resolution_m or a smaller image, or raise the "
-                "limit on memory.",
-                {}};
-    }
-    const auto* system = dynamic_cast<const std::system_error*>(&exception);
-    const bool no_thread = system != nullptr
-                               ? system->code() == std::errc::resource_unavailable_try_again
-                               // TBB's own way to say it.
-                               : std::string_view(exception.what()).starts_with("pthread_create");
-    if (no_thread) {
-        return {ErrorCode::Failed,
-                "no more threads can be started; give fewer with --threads, or raise the limits on "
-                "memory and processes.",
-                {}};
-    }
-    return {ErrorCode::Failed, std::string("unexpected failure: ") + exception.what(), {}};
 }
 
 /// The action, after which nothing printed is left in a buffer.

@@ -11,6 +11,7 @@
 #include "engine/document/operation.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/labels.h"
+#include "engine/scene/object_size.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -253,6 +254,29 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
     opened.plan_edits = findObjects(opened.edits.plan, *opened.scene, lost);
     warnOfAll("edits", lost);
     return {};
+}
+
+Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& arguments) {
+    const planning::TargetParams before = opened.params.targets;
+    if (Status status = applyArguments(arguments, opened.params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const planning::TargetParams& targets = opened.params.targets;
+    if (targets.small_volume_m3 != before.small_volume_m3 ||
+        targets.size_ratio != before.size_ratio) {
+        Scene sorted = *opened.imported;
+        sortBySize(sorted.objects, targets.small_volume_m3, targets.size_ratio);
+        opened.imported = std::make_shared<const Scene>(std::move(sorted));
+    }
+    Result<Edits> edits = withArguments(opened.edits, arguments, *opened.imported);
+    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
+    if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
+    opened.stored_result = nullptr;
+    if (Status status = applyEdits(opened, std::move(*edits)); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    return opened;
 }
 
 io::ProjectFile projectOf(const OpenedScene& opened) {

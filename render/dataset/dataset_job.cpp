@@ -1,103 +1,26 @@
 #include "render/dataset/dataset_job.h"
 
 #include "engine/core/log.h"
-#include "engine/plan/frame_series.h"
-#include "engine/scene/varied_materials.h"
 #include "render/dataset/dataset_files.h"
 #include "render/dataset/dataset_identity.h"
 #include "render/dataset/dataset_resume.h"
+#include "render/dataset/frame_drawing.h"
 #include "render/dataset/size_estimate.h"
 #include "render/frames/frame_ledger.h"
-#include "render/frames/frame_pipeline.h"
 #include "render/frames/frame_writer.h"
-#include "render/rig/rig_clearance.h"
 #include "render/rig/rig_files.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cstdio>
 #include <optional>
 
 namespace dollytrack::render {
-namespace {
-
-unsigned needsOf(const ModalitySet& modalities, const FormatSet& formats) {
-    unsigned needs = 0;
-    for (const Modality* modality : modalities) needs |= modality->needs;
-    for (const Format* format : formats) needs |= format->needs;
-    return needs;
-}
-
-/// The plan kept clear of things as they were at one time.
-void warnOfTouching(const DatasetContents& contents) {
-    const double radius = contents.camera.camera_radius_m;
-    const auto first = std::ranges::find_if(
-        contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
-    if (first == contents.frames.end()) return;
-    const auto count = std::ranges::count_if(
-        contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
-    log::warn("export", "things that move come nearer to the camera than its radius in " +
-                            std::to_string(count) + " frames, first in frame " +
-                            std::to_string(first->source_frame) +
-                            "; plan with them elsewhere (--time), or export with --still");
-}
-
-/// Labels are those of the clean pictures.
-void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
-    std::string names;
-    for (const Format* format : formats) {
-        if (format->outlines_things)
-            names += (names.empty() ? "" : ", ") + std::string(format->name);
-    }
-    if (names.empty() || lens.largestShift_px() < 0.05) return;
-    log::warn(
-        "export",
-        fmt::format("boxes and masks of {} belong to the clean pictures (rgb): in rgb_sensor, "
-                    "whose lens bends them, things lie up to {:.1f} px beside",
-                    names, lens.largestShift_px()));
-}
-
-/// Paths are traced through things as they are at a frame's time.
-void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origin) {
-    const bool lasts = settings.sensor.shutter_s > 0.0 || settings.sensor.readout_s > 0.0;
-    if (settings.picture.render_mode != RenderMode::Reference || origin.motions.empty() || !lasts) {
-        return;
-    }
-    log::warn("export",
-              "path traced sensor pictures show things that move where they are at the frame's "
-              "time, blurred by the camera's motion alone; render_mode=fast blurs both");
-}
-
-}  // namespace
-
-struct DatasetJob::Impl {
-    DatasetSettings settings;
-    std::unique_ptr<const Scene> varied;  // where materials vary; `order` is of it then
-    DatasetOrder order;
+struct DatasetJob::Impl : FrameDrawing {
+    using FrameDrawing::FrameDrawing;
     std::optional<DatasetFolder> folder;
     std::optional<Counted> already_counted;  // the folder holds the complete dataset
-
-    // In this order, so that OpenGL's things go before the context they live in.
-    std::unique_ptr<gl::Context> context;
-    std::optional<MovingObjects> moving;
-    std::optional<ObjectPaths> object_paths;  // where the sensor's pictures are wanted
-    std::optional<SensorLens> sensor_lens;
-    std::optional<FrameContext> frame_context;
-    std::optional<FramePipeline> pipeline;
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
-
-    Impl(DatasetSettings set, std::unique_ptr<const Scene> changed, DatasetOrder wanted)
-        : settings(std::move(set)), varied(std::move(changed)), order(std::move(wanted)) {}
-    ~Impl() {
-        // Another context may be the current one by now, and would lose its own names.
-        if (context && !context->makeCurrent()) {
-            log::error("export", "the OpenGL context is gone");
-        }
-    }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
 
     [[nodiscard]] int frameCount() const { return static_cast<int>(order.contents.frames.size()); }
 
@@ -107,7 +30,7 @@ struct DatasetJob::Impl {
     /// Ends what is on its way, also after an error: it is in the journal then.
     Status drain() {
         Status status = context->makeCurrent();
-        if (status) status = pipeline->countLast(*ledger);
+        if (status) status = pipeline->countLast(&*ledger);
         Status written = writer->finish();
         return status ? written : status;
     }
@@ -132,8 +55,7 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
     if (!journal) return tl::unexpected(journal.error());
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
     writer.emplace(
-        FrameWriter::Settings{folder->unfinished(), contents.modalities, order.card.formats,
-                              needsOf(contents.modalities, order.card.formats)},
+        FrameWriter::Settings{folder->unfinished(), contents.modalities, order.card.formats, needs()},
         *frame_context, [this](WrittenFrame written) {
             return ledger->addWritten(written.index, std::move(written.sha256s),
                                       std::move(written.masks), std::move(written.instances));
@@ -201,11 +123,7 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
                                      const RayCaster& rays, const Trajectory& trajectory,
                                      const CameraParams& camera, DatasetSettings settings,
                                      DatasetOrigin origin, const JobContext& job) {
-    std::unique_ptr<Scene> varied;
-    if (settings.light.light_variation > 0.0) {
-        varied = std::make_unique<Scene>(given);
-        varyMaterials(*varied, settings.light);
-    }
+    std::unique_ptr<const Scene> varied = FrameDrawing::variedScene(given, settings.light);
     const Scene& scene = varied ? *varied : given;
     Result<DatasetOrder> order = describeOrder(scene, camera, trajectory, settings, origin);
     if (!order) return tl::unexpected(order.error());
@@ -233,33 +151,9 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
         impl->already_counted = earlier.complete;
         return DatasetJob(std::move(impl));
     }
-    DatasetContents& contents = impl->order.contents;
-    const MovingObjects& moving = impl->moving.emplace(contents.scene, rays, contents.motions);
-    impl->frame_context.emplace(FrameContext{contents, moving});
-    if (contains(contents.modalities, kRgbSensor)) {
-        impl->object_paths.emplace(scene, trajectory, origin.motions);
-        impl->frame_context->sensor_lens =
-            &impl->sensor_lens.emplace(contents.camera, contents.sensor);
-        warnOfBentOutlines(*impl->sensor_lens, impl->order.card.formats);
-        warnOfUnblurred(impl->settings, origin);
-    }
-    for (std::size_t i = 0; i < contents.frames.size(); ++i) {
-        DatasetFrame& frame = contents.frames[i];
-        frame.clearance_m =
-            clearanceAt(*moving.raysAt(static_cast<int>(i)), frame.camera.pose.position);
-    }
-    if (moving.any()) warnOfTouching(contents);
-    for (const std::string& warning : rigWarnings(*impl->frame_context))
-        log::warn("export", warning);
     std::map<int, std::vector<ObjectView>> restored;
     for (const auto& [index, entry] : earlier.journal.entries) restored[index] = entry.views;
-    FramePipeline& pipeline =
-        impl->pipeline.emplace(*impl->frame_context, impl->settings.rules,
-                               needsOf(contents.modalities, impl->order.card.formats),
-                               impl->settings.picture, std::move(restored));
-    Status status =
-        pipeline.prepare(rays, origin.rooms, impl->object_paths ? &*impl->object_paths : nullptr,
-                         job.stage(0.3, 1.0, "light"));
+    Status status = impl->prepare(rays, trajectory, origin, std::move(restored), job);
     if (status) status = impl->beginFolder(identity, std::move(earlier.journal));
     if (!status) return tl::unexpected(status.error());
     return DatasetJob(std::move(impl));
@@ -280,7 +174,11 @@ Result<bool> DatasetJob::step() {
                     impl_->settings.folder.string());
     }
     Status status = impl_->context->makeCurrent();
-    if (status) status = impl_->pipeline->drawNext(*impl_->writer, *impl_->ledger);
+    if (status) {
+        status = impl_->pipeline->drawNext(
+            [this](FrameRecord frame) { return impl_->writer->write(std::move(frame)); },
+            &*impl_->ledger);
+    }
     if (!status) return tl::unexpected(status.error());
     return true;
 }

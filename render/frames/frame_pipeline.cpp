@@ -163,10 +163,10 @@ Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view
 }
 
 Status FramePipeline::count(int index, std::span<const std::uint64_t> silhouettes_px,
-                            FrameLedger& ledger) {
+                            FrameLedger* ledger) {
     counter_.addSilhouettes(silhouettes_px, !quality_ || *quality_ == PictureQuality::Usable);
     const std::span<const ObjectView> views = counter_.lastViews();
-    return ledger.addCounted(index, {views.begin(), views.end()}, counter_.wellShown(), quality_);
+    return ledger->addCounted(index, {views.begin(), views.end()}, counter_.wellShown(), quality_);
 }
 
 View FramePipeline::viewOf(int index) const {
@@ -200,7 +200,7 @@ Status FramePipeline::startNext() {
     return renderer_->draw(view, *targets_[place], surfaces);
 }
 
-Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
+Status FramePipeline::drawNext(const TakeFrame& take, FrameLedger* ledger) {
     while (started_ < std::min(drawn_ + targets_.size(), missing_.size())) {
         if (Status status = startNext(); !status) return status;
     }
@@ -217,7 +217,8 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     // What silhouettes a frame needs depends on the frames before it, so these must be counted in
     // their order, wherever they come from.
     countRestored(record.index);
-    const std::vector<int> wanted = counter_.addFrame(record);
+    std::vector<int> wanted;
+    if (ledger != nullptr) wanted = counter_.addFrame(record);
     placeObjects(record.index);
     if (needs(kNeedsLater)) lightFrame(record.index);
     std::vector<std::uint64_t> silhouettes_px;
@@ -227,7 +228,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         silhouettes_px = std::move(*counts);
     } else {
         if (Status status = renderer_->startSilhouettes(view, wanted); !status) return status;
-        silhouettes_of_ = record.index;
+        if (ledger != nullptr) silhouettes_of_ = record.index;
     }
     if (needs(kNeedsRgb) && !reference_) target.readRgb(record.rgb);
     const bool focuses = needs(kNeedsSensorLight) && focusesByDepth(contents_.sensor);
@@ -241,7 +242,7 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
     }
     quality_.reset();
     if (!record.rgb.empty()) quality_ = pictureQuality(record.width, record.height, record.rgb);
-    if (needs(kNeedsWhole)) {
+    if (needs(kNeedsWhole) && ledger != nullptr) {
         if (Status status = count(record.index, silhouettes_px, ledger); !status) return status;
     }
     if (needs(kNeedsSensorLight)) {
@@ -252,10 +253,10 @@ Status FramePipeline::drawNext(FrameWriter& writer, FrameLedger& ledger) {
         placeObjects(record.index);
     }
     ++drawn_;
-    return writer.write(std::move(record));
+    return take(std::move(record));
 }
 
-Status FramePipeline::countLast(FrameLedger& ledger) {
+Status FramePipeline::countLast(FrameLedger* ledger) {
     if (silhouettes_of_ < 0) return {};
     return count(std::exchange(silhouettes_of_, -1), renderer_->finishSilhouettes(), ledger);
 }

@@ -10,7 +10,7 @@
 #include "render/frames/capture_counter.h"
 #include "render/frames/frame_context.h"
 #include "render/frames/frame_ledger.h"
-#include "render/frames/frame_writer.h"
+#include "render/frames/frame_record.h"
 #include "render/light/frame_lights.h"
 #include "render/light/frame_reflections.h"
 #include "render/pathtrace/reference_pictures.h"
@@ -18,6 +18,7 @@
 #include "render/sensors/sensor_pictures.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -25,7 +26,7 @@
 namespace dollytrack::render {
 
 /// Draws the frames of a dataset that are missing, one a call, counts what all frames show, and
-/// hands the images to the writer. Needs its OpenGL context current, to the end.
+/// hands the images on. Needs its OpenGL context current, to the end.
 class FramePipeline {
   public:
     /// `restored`: the views of the frames that need not be drawn. `needs`: bits of FrameNeeds.
@@ -46,11 +47,14 @@ class FramePipeline {
         return frameCount() - missingCount() + static_cast<int>(drawn_);
     }
 
-    /// Draws the next missing frame; there must be one.
-    [[nodiscard]] Status drawNext(FrameWriter& writer, FrameLedger& ledger);
+    /// Where the images of a frame go.
+    using TakeFrame = std::function<Status(FrameRecord)>;
+
+    /// Draws the next missing frame; there must be one. Without a ledger, nothing is counted.
+    [[nodiscard]] Status drawNext(const TakeFrame& take, FrameLedger* ledger);
 
     /// Counts the last frame drawn, whose silhouettes are still on their way.
-    [[nodiscard]] Status countLast(FrameLedger& ledger);
+    [[nodiscard]] Status countLast(FrameLedger* ledger);
 
     /// What decides about captures, from all frames; when all are drawn and counted.
     [[nodiscard]] const std::vector<ObjectView>& views();
@@ -72,7 +76,7 @@ class FramePipeline {
                                                                    const std::vector<int>& wanted);
     /// Counts what a frame captures, when its picture is there.
     [[nodiscard]] Status count(int index, std::span<const std::uint64_t> silhouettes_px,
-                               FrameLedger& ledger);
+                               FrameLedger* ledger);
     [[nodiscard]] Status drawRig(FrameRecord& record);
     [[nodiscard]] bool needs(unsigned what) const { return (needs_ & what) != 0; }
 

@@ -1,5 +1,6 @@
 #include "render/light/light_cache.h"
 
+#include "engine/core/program_file.h"
 #include "engine/io/files/cache_room.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"
@@ -154,7 +155,7 @@ void writeScene(Writer& write, const Scene& scene) {
 
 void writeProgram(Writer& write) {
     struct stat file {};
-    if (::stat("/proc/self/exe", &file) != 0) return;
+    if (::stat(ownFile().c_str(), &file) != 0) return;
     write(std::uint64_t{file.st_ino});
     write(std::int64_t{file.st_size});
     write(std::int64_t{file.st_mtim.tv_sec});

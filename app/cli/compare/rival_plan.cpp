@@ -82,6 +82,33 @@ Result<PlannedScene> planAsRival(const std::string& name, const OpenedScene& ope
     return planned;
 }
 
+Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
+                                       const JobContext& job) {
+    if (Status status = planning::validate(opened.params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    const auto map = planning::mapRivalScene(opened.scene, opened.plan_edits, opened.params,
+                                             job.stage(0.0, 0.4, "free space"));
+    if (!map) return tl::unexpected<Error>(map.error());
+    planning::Flight flight;
+    flight.trajectory = trajectory;
+    const auto judgement = planning::judge(*map, flight, job.stage(0.4, 1.0, "judging"));
+    if (!judgement) return tl::unexpected<Error>(judgement.error());
+    nlohmann::json metrics = judgedJson(*judgement, "given");
+    metrics.erase("planner");
+    nlohmann::json& ledger = metrics["ledger"] = nlohmann::json::array();
+    for (const ObjectCapture& one : judgement->objects) {
+        ledger.push_back({{"object", opened.scene->object(one.object_id).name},
+                          {"id", one.object_id},
+                          {"captured", one.captured},
+                          {"well_captured", one.well_captured},
+                          {"frame", one.best.frame},
+                          {"visible_fraction", one.best.visible_fraction},
+                          {"box_share", one.best.box_share}});
+    }
+    return metrics;
+}
+
 nlohmann::json metricsOf(const std::string& planner) {
     nlohmann::json metrics;
     if (planner == planning::planners().front().name) {

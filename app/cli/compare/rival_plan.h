@@ -25,6 +25,11 @@ Result<bool> namesRival(const std::string& planner);
 Result<PlannedScene> planAsRival(const std::string& planner, const OpenedScene& opened,
                                  const JobContext& job);
 
+/// The metrics of a trajectory of any origin in this scene, as planAsRival() has them, and under
+/// "ledger" for each target the frame that shows it best (-1: none). Errors: Usage, Cancelled.
+Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
+                                       const JobContext& job);
+
 /// All metrics that `plan --planner` gives, with values of no meaning: to check names before any
 /// work. The planner must be known.
 nlohmann::json metricsOf(const std::string& planner);

@@ -1,25 +1,15 @@
 #include "app/cli/command_line.h"
 #include "app/cli/compare/rival_plan.h"
 #include "app/cli/export/backend_option.h"
+#include "app/cli/export/dataset_export.h"
 #include "app/cli/export/export_metrics.h"
 #include "app/cli/export/export_warnings.h"
-#include "app/cli/export/room_exports.h"
 #include "app/cli/plan/metrics_table.h"
-#include "app/cli/plan/object_motions.h"
-#include "app/cli/plan/object_relations.h"
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/scene_arguments.h"
-#include "engine/document/edits_json.h"
-#include "engine/geometry/ray_caster.h"
-#include "engine/io/settings/annotation_file.h"
-#include "engine/io/settings/rig_file.h"
-#include "engine/plan/plan_json.h"
-#include "render/dataset/dataset_job.h"
 #include "render/dataset/modalities.h"
 #include "render/formats/formats.h"
-#include "render/formats/tables/dataset_card.h"
-#include "render/sensors/sensor_lens.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -49,33 +39,6 @@ struct ExportArguments {
     std::vector<std::string> requirements;
     bool as_json = false;
 };
-
-nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::string& folder,
-                           const nlohmann::json& planned) {
-    return {{"out", folder},
-            {"frames", summary.frames},
-            {"contact_sheet", summary.contact_sheet.empty()
-                                  ? nlohmann::json()
-                                  : nlohmann::json(summary.contact_sheet.string())},
-            {"planned", planned},
-            {"counted", captureMetricsJson(summary.counted)},
-            {"pictures", render::pictureTallyJson(summary.pictures)}};
-}
-
-/// Of datasets one a room: the rates over all of them; their lists of frames stay their own.
-nlohmann::json roomsJson(const std::string& folder, nlohmann::json rooms,
-                         const render::PictureTally& pictures) {
-    nlohmann::json rates = render::pictureTallyJson(pictures);
-    for (const char* list : {"dark", "white", "flat"}) rates.erase(list);
-    return {{"out", folder}, {"rooms", std::move(rooms)}, {"pictures", std::move(rates)}};
-}
-
-void addTally(render::PictureTally& all, const render::PictureTally& one) {
-    all.pictures += one.pictures;
-    all.dark.insert(all.dark.end(), one.dark.begin(), one.dark.end());
-    all.white.insert(all.white.end(), one.white.begin(), one.white.end());
-    all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
-}
 
 /// Prints which share of a scan's rooms was scanned; nothing for a modelled scene.
 void printScanned(const nlohmann::json& planned) {
@@ -160,60 +123,6 @@ std::string standardNames(std::span<const Row> rows) {
     return all;
 }
 
-/// What people say of the scene: the file that the project names, or that lies beside it.
-Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
-    std::optional<std::filesystem::path> given;
-    if (opened.import.contains("annotations")) {
-        given = opened.import["annotations"].get<std::string>();
-    }
-    return io::findAnnotations(opened.imported->source, given);
-}
-
-bool wants(const render::DatasetSettings& settings, std::string_view modality) {
-    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
-    return chosen && render::contains(*chosen, modality);
-}
-
-bool wantsSensor(const render::DatasetSettings& settings) {
-    return wants(settings, render::kRgbSensor) || wants(settings, "depth_sensor");
-}
-
-/// A sensor that was set just now and that nothing is taken with was meant for something else.
-Status checkSensor(const std::vector<std::string>& assignments,
-                   const render::DatasetSettings& settings) {
-    if (wantsSensor(settings)) return {};
-    SensorParams standard;
-    for (const Field& field : listSensorFields(standard)) {
-        for (const std::string& assignment : assignments) {
-            if (!assignment.starts_with(field.name + "=")) continue;
-            return fail(ErrorCode::Usage,
-                        "A sensor makes the modalities rgb_sensor and depth_sensor; name one of "
-                        "them in --modalities.",
-                        "--set " + assignment);
-        }
-    }
-    return {};
-}
-
-/// The cameras of --rig, then those of --camera.
-Result<Rig> rigOf(const ExportArguments& arguments) {
-    Rig rig;
-    if (!arguments.rig.empty()) {
-        Result<Rig> read = io::readRig(arguments.rig);
-        if (!read) return read;
-        rig = std::move(*read);
-    }
-    for (const std::string& text : arguments.cameras) {
-        Result<RigCamera> camera = io::parseRigCamera(text);
-        if (!camera) return tl::unexpected<Error>(std::move(camera.error()));
-        rig.push_back(std::move(*camera));
-    }
-    if (Status status = validate(rig); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
-    }
-    return rig;
-}
-
 /// What --camera can set.
 std::string cameraFields() {
     RigCamera standard;
@@ -224,42 +133,9 @@ std::string cameraFields() {
     return all;
 }
 
-/// Renders one trajectory into a folder.
-Result<render::DatasetSummary> renderTrajectory(
-    const Trajectory& trajectory, std::unique_ptr<gl::Context> context, const RayCaster& rays,
-    const std::string& folder, render::DatasetSettings settings, bool still,
-    const OpenedScene& opened, const PlannedScene& planned, const JobContext& job) {
-    settings.folder = folder;
-    settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
-    settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
-    settings.picture = planned.params.picture;
-    settings.sensor = planned.params.sensor;
-    settings.light = planned.params.light;
-    settings.score = planned.params.repair.score;
-    render::DatasetOrigin origin;
-    origin.product_version = DOLLYTRACK_VERSION;
-    origin.seed = static_cast<std::uint64_t>(planned.params.seed);
-    planning::PlanParams params = planned.params;
-    origin.edits_json = jsonText(editsJson(opened.edits));
-    nlohmann::json parameters = toJson(planning::listFields(params));
-    if (!wantsSensor(settings)) parameters.erase("sensor");
-    origin.parameters_json = parameters.dump();
-    origin.planned_metrics_json = jsonText(withoutTimes(planned.metrics));
-    origin.rooms = planned.rooms;
-    if (!still) {
-        origin.motions = objectMotions(*planned.scene, opened.edits.scene, trajectory);
-    }
-    origin.relations = relationsOf(*planned.scene, rays, planned.params.targets);
-    const Result<io::Annotations> said = annotationsOf(opened);
-    if (!said) return tl::unexpected<Error>(said.error());
-    overrideRelations(*planned.scene, said->relations, origin.relations);
-    return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
-                                 planned.params.camera, std::move(settings), std::move(origin),
-                                 job);
-}
-
 Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
-    render::DatasetSettings settings;
+    ExportOrder order;
+    render::DatasetSettings& settings = order.settings;
     const Result<render::FrameRange> range = render::parseFrameRange(arguments.range);
     if (!range) return tl::unexpected<Error>(range.error());
     settings.folder = arguments.out;
@@ -269,7 +145,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.formats = arguments.formats;
     settings.flow_distances = arguments.flow_distances;
     settings.folds = arguments.folds;
-    Result<Rig> rig = rigOf(arguments);
+    Result<Rig> rig = rigOf(arguments.rig, arguments.cameras);
     if (!rig) return tl::unexpected<Error>(std::move(rig.error()));
     settings.rig = std::move(*rig);
     if (Status status = checkSensor(arguments.scene.assignments, settings); !status) {
@@ -277,6 +153,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     }
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
+    order.still = arguments.still;
+    order.backend = arguments.backend;
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
     const auto requirements = parseRequirements(arguments.requirements);
@@ -291,95 +169,37 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         return tl::unexpected<Error>(std::move(status.error()));
     }
     // Said before the work, not after it.
-    render::DatasetSettings checked = settings;
-    // Datasets of rooms lie in folders of their own, each of which is asked about when it is begun.
-    checked.overwrite = checked.overwrite || holdsRooms(settings.folder);
-    if (Status status = render::checkSettings(checked); !status) {
+    if (Status status = checkFolder(settings); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    checked.overwrite = arguments.overwrite;
 
     const JobContext job = session.job();
     Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.03, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
-    opened->params.sensor = render::fitPresetLens(opened->params.camera, opened->params.sensor);
-    if (wants(settings, render::kRgbSensor)) {
-        Status status = render::validateLens(opened->params.camera, opened->params.sensor);
-        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    if (Status status = fitSensor(*opened, order.settings); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
     }
-    warnOfExport(opened->params, settings);
+    warnOfExport(opened->params, order.settings);
     // A context early: a machine that cannot draw should say so before minutes of planning.
-    Result<std::unique_ptr<gl::Context>> context = arguments.backend.createContext();
+    Result<std::unique_ptr<gl::Context>> context = order.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const JobContext planning = job.stage(0.03, 0.06, "planning");
     const Result<PlannedScene> planned =
         *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
-    if (const std::string why = whyEmpty(*planned); !why.empty()) {
-        return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
-                    arguments.scene.path);
-    }
-
-    Result<std::vector<RoomExport>> exports = roomExports(*planned);
-    if (!exports) return tl::unexpected<Error>(exports.error());
-    if (Status status = checkRooms(*exports, *range, arguments.folds); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
-    }
-    for (RoomExport& one : *exports) {  // what is written of the room, not what was planned
-        const int count = static_cast<int>(one.trajectory.frames.size());
-        one.about["frames"] = render::framesOf(*range, count).size();
-    }
-    const RayCaster rays(*planned->scene);
-    const auto render = [&](const Trajectory& trajectory, const std::string& folder,
-                            const JobContext& part) -> Result<render::DatasetSummary> {
-        if (!*context) context = arguments.backend.createContext();  // the dataset before took it
-        if (!context) return tl::unexpected<Error>(std::move(context.error()));
-        return renderTrajectory(trajectory, std::move(*context), rays, folder, settings,
-                                arguments.still, *opened, *planned, part);
+    const auto printIfRoom = [&](const ExportedDataset& one) {
+        if (one.room.empty() || arguments.as_json) return;
+        printRoom(one.room, one.summary, one.folder);
     };
-    const JobContext rendering = job.stage(0.06, 1.0, "");
-    if (exports->empty()) {
-        const auto summary = render(planned->trajectory, arguments.out, rendering);
-        if (!summary) return tl::unexpected<Error>(summary.error());
-        const nlohmann::json printed = summaryJson(*summary, arguments.out, planned->metrics);
-        if (arguments.as_json) {
-            fmt::print("{}\n", jsonText(printed));
-        } else {
-            printSummary(*summary, arguments.out, planned->metrics);
-        }
-        return areMet(*requirements, exportMetrics(printed)) ? kDone : kPartial;
-    }
-    if (settings.root.empty()) settings.root = settings.folder;
-    checked.root = settings.root;
-    for (const RoomExport& one : *exports) {
-        checked.folder = settings.folder / one.room;
-        if (!std::filesystem::exists(checked.folder)) continue;
-        if (Status status = render::checkSettings(checked); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
-        }
-    }
-    if (Status status = claimForRooms(arguments.out, settings.root, *exports); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
-    }
-    nlohmann::json rooms = nlohmann::json::array();
-    render::PictureTally pictures;
-    const int all = static_cast<int>(planned->trajectory.frames.size());
-    int before = 0;
-    for (const RoomExport& one : *exports) {
-        const std::string folder = (settings.folder / one.room).string();
-        const int count = static_cast<int>(one.trajectory.frames.size());
-        const auto summary = render(one.trajectory, folder,
-                                    countedOn(rendering, session.cancelled, before, count, all));
-        if (!summary) return tl::unexpected<Error>(summary.error());
-        before += count;
-        addTally(pictures, summary->pictures);
-        rooms.push_back(summaryJson(*summary, folder, planned->metrics));
-        rooms.back()["room"] = one.room;
-        if (!arguments.as_json) printRoom(one.room, *summary, folder);
-    }
-    const nlohmann::json printed = roomsJson(arguments.out, std::move(rooms), pictures);
+    const auto datasets =
+        exportPlanned(*opened, *planned, order, std::move(*context), printIfRoom, session.cancelled,
+                      job.stage(0.06, 1.0, ""));
+    if (!datasets) return tl::unexpected<Error>(datasets.error());
+    const nlohmann::json printed = exportJson(order, *datasets, planned->metrics);
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(printed));
+    } else if (datasets->front().room.empty()) {
+        printSummary(datasets->front().summary, arguments.out, planned->metrics);
     } else {
         printScanned(planned->metrics);
     }

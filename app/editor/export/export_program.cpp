@@ -1,6 +1,7 @@
 #include "app/editor/export/export_program.h"
 
 #include "app/editor/export/export_places.h"
+#include "engine/core/program_file.h"
 
 #include <unistd.h>
 
@@ -23,11 +24,7 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 Result<fs::path> findExportProgram() {
-    std::error_code error;
-    const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    if (!error && isProgram(self.parent_path() / "dollytrack")) {
-        return self.parent_path() / "dollytrack";
-    }
+    if (fs::path program = siblingProgram("dollytrack"); isProgram(program)) return program;
     if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
     return fail(ErrorCode::Failed,
                 "The program 'dollytrack', which does the exporting, is neither beside the editor "

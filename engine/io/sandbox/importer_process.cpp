@@ -1,6 +1,7 @@
 #include "engine/io/sandbox/importer_process.h"
 
 #include "engine/core/log.h"
+#include "engine/core/program_file.h"
 #include "engine/io/sandbox/input_list.h"
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/processor_wait.h"
@@ -150,8 +151,7 @@ Result<HandBack> takeHandBack(FrameMemory memory, const Heard& heard, const std:
 }  // namespace
 
 fs::path importerProgram() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / "dollytrack-import";
+    return siblingProgram("dollytrack-import");
 }
 
 Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& options,

@@ -21,7 +21,7 @@ struct HandBack {
     std::optional<std::vector<InputUse>> inputs;
 };
 
-/// The importer, beside the running program: `dollytrack-import`.
+/// The importer, `dollytrack-import`; see siblingProgram().
 [[nodiscard]] std::filesystem::path importerProgram();
 
 /// Reads a scene file in a process of its own, which can open what lies beneath the scene's folder

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+
+#include <pybind11/pybind11.h>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace dollytrack::python {
+
+/// A thread that does one thing after the other. What belongs to a thread (an OpenGL context) lives
+/// on one.
+class WorkThread {
+  public:
+    WorkThread();
+    /// Does what was posted, then ends. In a forked process, which has no such thread, it is left.
+    ~WorkThread();
+    WorkThread(const WorkThread&) = delete;
+    WorkThread& operator=(const WorkThread&) = delete;
+
+    void post(std::function<void()> task);
+
+  private:
+    struct State {
+        std::mutex mutex;
+        std::condition_variable changed;
+        std::deque<std::function<void()>> tasks;
+        bool ends = false;
+    };
+    static void work(const std::shared_ptr<State>& state);
+
+    std::shared_ptr<State> state_ = std::make_shared<State>();
+    int process_;
+    std::thread thread_;
+};
+
+/// What can be stopped: shared by the calls that belong to one piece of work.
+using CancelFlag = std::shared_ptr<std::atomic<bool>>;
+
+/// Does work on the thread, with the GIL released, and waits for it: Ctrl-C stops the work,
+/// `progress` (None, or called with a fraction and a stage) is called on the waiting thread, and so
+/// are Python's loggers with what the engine logs. Whatever Python raises meanwhile stops the work
+/// and is raised when it has ended. The work never sees Python. Raises the error of the work.
+void waitFor(const pybind11::object& progress,
+             const std::function<Status(const JobContext&)>& work, WorkThread& thread,
+             const CancelFlag& cancel_flag);
+
+/// The same on a thread of its own. The flag is set when the work is to stop.
+void waitFor(const pybind11::object& progress,
+             const std::function<Status(const JobContext&)>& work,
+             const CancelFlag& cancel_flag = std::make_shared<std::atomic<bool>>(false));
+
+/// Raises the error as an exception of dollytrack.errors.
+[[noreturn]] void raise(const Error& error);
+
+/// From now on the engine's log goes to Python's loggers "dollytrack.SUBSYSTEM".
+void logToPython();
+
+}  // namespace dollytrack::python

@@ -1,0 +1,314 @@
+"""Datasets that were exported, read with NumPy alone."""
+import json
+import operator
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Tuple, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import png
+from .errors import BadInput, Usage, failure
+
+if TYPE_CHECKING:
+    import os
+
+    from .torch_dataset import TorchDataset
+
+    _Samples = Sequence["Sample"]
+    _Images = Mapping[str, npt.NDArray[Any]]
+else:
+    _Samples = Sequence
+    _Images = Mapping
+
+
+#: The images that are read here, and what a step of their pixels' values stands for.
+_READ: Dict[str, Optional[float]] = {
+    "rgb": None, "albedo": None, "rgb_right": None, "rgb_sensor": None, "instance": None,
+    "semantic": None, "depth": 1e-3, "depth_right": 1e-3, "depth_sensor": 1e-3,
+    "normal_camera": 2 / 65535, "normal_world": 2 / 65535, "object_coordinates": 1 / 65535,
+    "disparity": 1 / 256,
+}
+
+
+class _Boxes:
+    """The boxes of annotations.json, as arrays ordered by frame."""
+
+    def __init__(self, file: Path, frames: int) -> None:
+        rows = _read_json(file)["annotations"]
+        frame = np.array([row["image_id"] - 1 for row in rows], np.int64)
+        if ((frame < 0) | (frame >= frames)).any():
+            raise ValueError("image_id")
+        order = np.argsort(frame, kind="stable")
+        chosen = [rows[i] for i in order]
+        self.boxes = np.array([row["bbox"] for row in chosen], np.float32).reshape(-1, 4)
+        self.labels = np.array([row["category_id"] for row in chosen], np.int64)
+        self.objects = np.array([row["object_id"] for row in chosen], np.int64)
+        self.areas = np.array([row["area"] for row in chosen], np.float32)
+        self.starts = np.searchsorted(frame[order], np.arange(frames + 1))
+
+
+class Sample(_Images):
+    """One frame of a dataset: its images by name, as in sample["rgb"], read when asked for.
+
+    rgb, albedo, rgb_right, rgb_sensor: (H, W, 3) uint8, sRGB. depth, depth_right, depth_sensor:
+    (H, W) float32, metres along the viewing axis, 0 where there is nothing. instance: (H, W) uint16,
+    semantic: (H, W) uint8 (uint16 where a class is above 255); 0: none. normal_world, normal_camera:
+    (H, W, 3) float32 unit vectors. object_coordinates: (H, W, 3) float32, 0 .. 1. disparity: (H, W)
+    float32, px.
+    """
+
+    def __init__(self, dataset: "Dataset", index: int) -> None:
+        self._dataset = dataset
+        self.index = index  #: in the folder: the number in its files' names
+        self._row = dataset._card["frames"][index]
+
+    @property
+    def time_s(self) -> float:
+        return float(self._row["time_s"])
+
+    @property
+    def pose(self) -> npt.NDArray[np.float64]:
+        """(4, 4) world_from_camera, m; the world has z up, a camera x right, y down, z forward."""
+        x, y, z, w = self._row["quaternion_xyzw"]
+        pose = np.eye(4)
+        pose[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+        pose[:3, 3] = self._row["position"]
+        return pose
+
+    @property
+    def boxes(self) -> npt.NDArray[np.float32]:
+        """(n, 4) x, y, width, height around what is seen of each target, px (COCO)."""
+        boxes: npt.NDArray[np.float32] = self._annotations("boxes")
+        return boxes
+
+    @property
+    def labels(self) -> npt.NDArray[np.int64]:
+        """(n,) class of each box, a key of Dataset.classes."""
+        labels: npt.NDArray[np.int64] = self._annotations("labels")
+        return labels
+
+    @property
+    def object_ids(self) -> npt.NDArray[np.int64]:
+        """(n,) object of each box, the value in the instance image."""
+        objects: npt.NDArray[np.int64] = self._annotations("objects")
+        return objects
+
+    @property
+    def areas(self) -> npt.NDArray[np.float32]:
+        """(n,) visible pixels of each box's object."""
+        areas: npt.NDArray[np.float32] = self._annotations("areas")
+        return areas
+
+    def _annotations(self, what: str) -> Any:
+        boxes = self._dataset._boxes()
+        return getattr(boxes, what)[boxes.starts[self.index]:boxes.starts[self.index + 1]]
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        return self._dataset._image(name, self.index)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._dataset.modalities)
+
+    def __len__(self) -> int:
+        return len(self._dataset.modalities)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._dataset.modalities
+
+    def __repr__(self) -> str:
+        return f"<Sample {self.index} of {self._dataset.folder}: {', '.join(self)}>"
+
+
+class Dataset(_Samples):
+    """A dataset in a folder, or some of its frames. Indexing gives a Sample; a slice or an array of
+    indices or truth values gives a Dataset of those frames. Reads files only when they are asked for,
+    and can be used in other processes.
+
+    Raises BadInput where the folder holds no complete dataset or a file of it is damaged.
+    """
+
+    def __init__(self, folder: Union[str, "os.PathLike[str]"]) -> None:
+        try:
+            self.folder = Path(folder)
+        except TypeError:
+            raise failure(Usage, "Name the folder of a dataset.", repr(folder)) from None
+        file = self.folder / "dataset.json"
+        if not self.folder.is_dir():
+            exists = self.folder.exists()
+            raise failure(BadInput, "This is a file; name the folder of a dataset." if exists
+                          else "There is no such folder.", str(folder))
+        if not file.exists():
+            raise failure(BadInput, "There is no dataset.json in it: it is no dataset, or its export "
+                          "has not ended; 'dollytrack export --resume' ends it.", str(folder))
+        self._card = _read_json(file)
+        if not isinstance(self._card, dict) or self._card.get("format") != "dollytrack dataset":
+            raise failure(BadInput, "It is not the card of a Dollytrack dataset.", str(file))
+        try:
+            self._indices = np.arange(len(self._card["frames"]))
+            #: Name and id of each class; ids are the values of semantic images and labels.
+            self.classes: Dict[int, str] = {row["id"]: row["name"]
+                                            for row in self._card["classes"][1:]}
+            #: The kinds of images in it that are read here.
+            self.modalities: List[str] = [m for m in self._card["modalities"] if m in _READ]
+            #: The scene's objects: id, name, nyu40, role, box, relations.
+            self.objects: List[Dict[str, Any]] = self._card["objects"]
+            camera = self._card["conventions"]["intrinsics"]
+            #: Width and height of the images, px.
+            self.size: Tuple[int, int] = (int(camera["width"]), int(camera["height"]))
+            #: (3, 3) of the pinhole camera, px; the first pixel's centre is at (0.5, 0.5).
+            self.intrinsics: npt.NDArray[np.float64] = np.array(
+                [[camera["fx"], 0, camera["cx"]], [0, camera["fy"], camera["cy"]], [0, 0, 1]], float)
+        except (KeyError, TypeError, ValueError):
+            raise failure(BadInput, "A field is missing or of the wrong type; export the dataset "
+                          "again.", str(file)) from None
+        self._cache: Dict[str, Any] = {}  # shared by the parts of this dataset
+
+    def _image(self, name: str, index: int) -> npt.NDArray[Any]:
+        if name not in self.modalities:
+            raise KeyError(f"{name!r} is not in the dataset; it has {', '.join(self.modalities)}")
+        file = self.folder / name / f"{index:06d}.png"
+        try:
+            pixels = png.decode(file.read_bytes(), _READ[name])
+        except OSError as error:
+            if name == "rgb_sensor" and file.with_suffix(".jpg").exists():
+                return _read_jpeg(file.with_suffix(".jpg"))
+            raise failure(BadInput, f"It cannot be read ({error.strerror}).", str(file)) from None
+        except png.Damaged as error:
+            raise failure(BadInput, f"It is damaged ({error}); export the dataset again.",
+                          str(file)) from None
+        if pixels.shape[:2] != self.size[::-1]:
+            raise failure(BadInput, "It has another size than the dataset's images.", str(file))
+        if name.startswith("normal"):
+            nothing = ~pixels.any(axis=2)
+            pixels -= 1
+            pixels[nothing] = 0
+        return pixels
+
+    def _boxes(self) -> _Boxes:
+        if "boxes" not in self._cache:
+            file = self.folder / "annotations.json"
+            if not file.exists():
+                raise failure(BadInput, "It is not there; export with the format coco.", str(file))
+            try:
+                self._cache["boxes"] = _Boxes(file, len(self._card["frames"]))
+            except (KeyError, TypeError, ValueError) as error:
+                if isinstance(error, BadInput):
+                    raise
+                raise failure(BadInput, "It is damaged; export the dataset again.",
+                              str(file)) from None
+        boxes: _Boxes = self._cache["boxes"]
+        return boxes
+
+    @property
+    def poses(self) -> npt.NDArray[np.float64]:
+        """(N, 4, 4) world_from_camera, m; a camera's axes are x right, y down, z forward."""
+        return np.array([sample.pose for sample in self]).reshape(-1, 4, 4)
+
+    @property
+    def times(self) -> npt.NDArray[np.float64]:
+        """(N,) s."""
+        return np.array([sample.time_s for sample in self], dtype=np.float64)
+
+    @property
+    def splits(self) -> Dict[str, "Dataset"]:
+        """The parts that the dataset says it has: "train" and "val" (the first of the folds, or
+        YOLO's), and "fold_0_train", "fold_0_val" and so on of export(folds=n). Empty without any."""
+        files = {file.stem: file for file in (self.folder / "folds").glob("fold_*.txt")}
+        for part in ("train", "val"):
+            listed = self.folder / f"{part}.txt"
+            file = files.get(f"fold_0_{part}", listed if listed.exists() else None)
+            if file is not None:
+                files[part] = file
+        kept = set(self._indices.tolist())
+        return {name: self._part([i for i in self._listed(file) if i in kept])
+                for name, file in sorted(files.items())}
+
+    def _listed(self, file: Path) -> List[int]:
+        try:
+            indices = [int(Path(line).stem) for line in file.read_text().split()]
+        except (OSError, ValueError):
+            indices = [-1]
+        if any(not 0 <= i < len(self._card["frames"]) for i in indices):
+            raise failure(BadInput, "It is damaged; export the dataset again.", str(file))
+        return indices
+
+    def _part(self, indices: Any) -> "Dataset":
+        part = object.__new__(Dataset)
+        part.__dict__.update(self.__dict__)
+        part._indices = np.asarray(indices, dtype=np.int64).reshape(-1)
+        return part
+
+    def torch(self, boxes: Optional[str] = "coco", images: Sequence[str] = (), pad: bool = True,
+              transform: Optional[Callable[[Any, Dict[str, Any]], Any]] = None) -> "TorchDataset":
+        """The same for torch.utils.data.DataLoader: pairs of a picture and a target. Needs PyTorch.
+
+        The picture is a (3, H, W) float32 tensor, 0 .. 1. The target is a dict of tensors: boxes (K, 4)
+        float32 px, labels (K,) int64, count (how many there are) and image_id (the sample's index).
+
+        boxes: "coco" (x, y, width, height), "xyxy" (two corners), "yolo" (centre and size as shares of
+            the image); None: no boxes and labels.
+        images: more of the dataset's images for the target, such as "depth" and "semantic".
+        pad: fills boxes with 0 and labels with -1 up to the most that a frame has, so that targets of
+            a batch have one shape. With False, give the loader collate_fn=TorchDataset.collate.
+        transform: called with picture and target; returns what is handed out.
+        """
+        from .torch_dataset import TorchDataset
+        return TorchDataset(self, boxes, images, pad, transform)
+
+    @overload
+    def __getitem__(self, index: int) -> Sample: ...
+
+    @overload
+    def __getitem__(self, index: Union[slice, Sequence[int], npt.NDArray[Any]]) -> "Dataset": ...
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice) or isinstance(index, (list, tuple, np.ndarray)):
+            chosen: Any = index if isinstance(index, slice) else np.asarray(index)
+            if isinstance(chosen, np.ndarray) and not chosen.size:
+                return self._part([])
+            if isinstance(chosen, np.ndarray) and (chosen.ndim != 1 or chosen.dtype.kind not in "iub"):
+                raise failure(Usage, "Indices are a list of whole numbers, or of truth values.",
+                              "index")
+            return self._part(self._indices[chosen])
+        try:
+            number = operator.index(index)
+        except TypeError:
+            raise failure(Usage, f"An index is a whole number, not {type(index).__name__}.",
+                          "index") from None
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"there are {len(self)} frames")
+        return Sample(self, int(self._indices[number]))
+
+    def __len__(self) -> int:
+        return len(self._indices)
+
+    def __repr__(self) -> str:
+        return f"<Dataset {str(self.folder)!r}: {len(self)} frames of {', '.join(self.modalities)}>"
+
+
+def _read_json(file: Path) -> Any:
+    try:
+        with open(file, encoding="utf-8") as opened:
+            return json.load(opened)
+    except OSError as error:
+        raise failure(BadInput, f"It cannot be read ({error.strerror}).", str(file)) from None
+    except (ValueError, RecursionError):
+        raise failure(BadInput, "It is no JSON; export the dataset again.", str(file)) from None
+
+
+def _read_jpeg(file: Path) -> npt.NDArray[np.uint8]:
+    """JPEG is more than NumPy can do."""
+    try:
+        import cv2  # type: ignore[import]
+    except ImportError:
+        raise failure(BadInput, "Reading JPEG pictures needs OpenCV; install python3-opencv.",
+                      str(file)) from None
+    picture = cv2.imread(str(file), cv2.IMREAD_COLOR)
+    if picture is None:
+        raise failure(BadInput, "It is damaged; export the dataset again.", str(file))
+    rgb: npt.NDArray[np.uint8] = np.ascontiguousarray(picture[:, :, ::-1])
+    return rgb

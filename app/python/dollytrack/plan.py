@@ -1,0 +1,228 @@
+"""Planned trajectories, their frames and datasets."""
+import csv
+import io
+import json
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, arguments
+from .arguments import PICTURE_SECTIONS, Path, Progress, Value
+from .errors import Usage, failure
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+
+class Frame(Mapping[str, npt.NDArray[Any]]):
+    """One rendered frame: its images by name, as in frame["rgb"], and its camera.
+
+    rgb, albedo, rgb_right: (H, W, 3) uint8, sRGB. depth, depth_right: (H, W) float32, metres along
+    the viewing axis, 0 where there is nothing. instance, semantic: (H, W) uint16, ids of objects and
+    classes, 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors.
+    """
+
+    def __init__(self, index: int, time_s: float, pose: npt.NDArray[np.float64],
+                 images: Dict[str, npt.NDArray[Any]]) -> None:
+        self.index = index  #: in the trajectory
+        self.time_s = time_s
+        self.pose = pose  #: (4, 4) world_from_camera; x right, y down, z forward
+        self._images = images
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        return self._images[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._images)
+
+    def __len__(self) -> int:
+        return len(self._images)
+
+    def __repr__(self) -> str:
+        return f"<Frame {self.index}: {', '.join(self._images)}>"
+
+
+class Frames(Iterator[Frame]):
+    """The frames of a plan, drawn when they are asked for. len() is how many there are in all."""
+
+    def __init__(self, core: "_core.Frames") -> None:
+        self._core = core
+
+    def __len__(self) -> int:
+        return self._core.count()
+
+    def __next__(self) -> Frame:
+        drawn = self._core.next()
+        if drawn is None:
+            raise StopIteration
+        return Frame(*drawn)
+
+    def close(self) -> None:
+        """Frees what was needed for drawing. There are no more frames then."""
+        self._core.close()
+
+    def __enter__(self) -> "Frames":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+class Plan:
+    """A planned trajectory. Scene.plan() makes one. It never changes."""
+
+    def __init__(self, core: "_core.Plan", scene: "Scene") -> None:
+        if not isinstance(core, _core.Plan):
+            raise failure(Usage, "Use Scene.plan().", "Plan")
+        self._core = core
+        self.scene = scene
+
+    @property
+    def metrics(self) -> Dict[str, Any]:
+        """What 'dollytrack plan --json' prints: counts, rates (0 .. 1), lengths, times."""
+        metrics: Dict[str, Any] = json.loads(self._core.metrics())
+        return metrics
+
+    @property
+    def parameters(self) -> Dict[str, Dict[str, Value]]:
+        """All parameters that it was made with, by section and name."""
+        parameters: Dict[str, Dict[str, Value]] = json.loads(self._core.parameters())
+        return parameters
+
+    @property
+    def poses(self) -> npt.NDArray[np.float64]:
+        """(N, 4, 4) world_from_camera, m; a camera's axes are x right, y down, z forward."""
+        return self._core.poses()
+
+    @property
+    def times(self) -> npt.NDArray[np.float64]:
+        """(N,) of the frames, s."""
+        return self._core.frames()["times"]
+
+    @property
+    def paths(self) -> npt.NDArray[np.int32]:
+        """(N,) the continuous motion that each frame is of; the camera is carried between them."""
+        return self._core.frames()["paths"]
+
+    @property
+    def key_frames(self) -> npt.NDArray[np.bool_]:
+        """(N,) whether the frame is one that an object was looked for from."""
+        return self._core.frames()["keys"].astype(np.bool_)
+
+    @property
+    def intrinsics(self) -> npt.NDArray[np.float64]:
+        """(3, 3) of the pinhole camera, px; the first pixel's centre is at (0.5, 0.5)."""
+        _, _, fx, fy, cx, cy = self._core.intrinsics()
+        return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]], dtype=np.float64)
+
+    @property
+    def ledger(self) -> List[Dict[str, Any]]:
+        """What became of each target: the frame that captures it, or the reason why none does."""
+        ledger: List[Dict[str, Any]] = self.metrics.get("ledger", [])
+        return ledger
+
+    def explain(self, target: Union[str, int], progress: Progress = None) -> Dict[str, Any]:
+        """The ledger's row of an object (name or id). Of one that is not captured well it has a
+        "remedy": what would help, tried by planning again, which takes seconds."""
+        one = self.scene[target]
+        rows = [row for row in self.ledger if row["id"] == one.id]
+        if not rows:
+            raise failure(Usage, "It is no target of this plan.", repr(target))
+        if rows[0].get("loss") is None:
+            return rows[0]
+        found = json.loads(self._core.explain(ids=[one.id], progress=arguments.reporter(progress)))
+        row: Dict[str, Any] = found[0]
+        return row
+
+    def coverage(self, *files: Path, progress: Progress = None) -> Dict[str, Dict[str, Any]]:
+        """What plans within rising budgets capture.
+
+        files: .csv, .svg or .png files to write it to as well.
+        The result has "frames" and "length", the two kinds of budget; each has arrays of equal length:
+        frames, path_length_m, captured, well_captured, capture_rate, well_captured_rate.
+        """
+        table = self._core.coverage(files=[arguments.path(one, "files") for one in files],
+                                    progress=arguments.reporter(progress))
+        rows = list(csv.DictReader(io.StringIO(table)))
+        names = ("frames", "path_length_m", "captured", "well_captured", "capture_rate",
+                 "well_captured_rate")
+        return {kind: {name: np.array([float(row[name]) for row in rows if row["budget"] == kind])
+                       for name in names} for kind in ("frames", "length")}
+
+    @arguments.takes_parameters(PICTURE_SECTIONS)
+    def render(self, *images: str, range: str = "::", still: bool = False, gl: str = "auto",
+               progress: Progress = None, **parameters: Value) -> Frames:
+        """Draws the frames one after the other; nothing is written.
+
+        images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
+            "rgb_right", "depth_right"; none named: the first four. See Frame for their arrays.
+        range: "a:b:s", frames a to b (b not included), every s-th.
+        still: objects that move stay where the plan has them.
+        gl: "auto", "egl" (the graphics card) or "osmesa" (the processor).
+        progress: of the light, which is computed before the first frame.
+
+        Raises NoOpenGl where nothing can draw.
+        """
+        named = arguments.words(images, "images") or ["rgb", "depth", "instance", "semantic"]
+        return Frames(self._core.render(
+            modalities=named, range=_text(range, "range"), still=bool(still), gl=_text(gl, "gl"),
+            assignments=arguments.assignments(parameters), progress=arguments.reporter(progress)))
+
+    def save(self, file: Path) -> None:
+        """Writes a .dolly project, which the command line, the editor and load() open. The scene of
+        Scene.from_arrays() has to be in a file of its own."""
+        if self.scene._temporary:
+            raise failure(Usage, "The scene is in a temporary file, which a project cannot refer to; "
+                                 "give from_arrays() a file.", str(file))
+        self._core.save(file=arguments.path(file, "file"))
+
+    @arguments.takes_parameters(PICTURE_SECTIONS)
+    def export(self, folder: Path, *, modalities: Union[None, str, Iterable[str]] = None,
+               formats: Union[None, str, Iterable[str]] = None, range: str = "::",
+               flow_distances: Sequence[int] = (1,), folds: int = 0, fold_seed: int = 1,
+               rig: Optional[Path] = None, cameras: Union[None, str, Iterable[str]] = None,
+               still: bool = False, overwrite: bool = False, resume: bool = False, gl: str = "auto",
+               progress: Progress = None, **parameters: Value) -> Dict[str, Any]:
+        """Writes the dataset that 'dollytrack export' writes, to the same bytes.
+
+        modalities, formats: as 'dollytrack export --list' has them, or "all"; None: the usual ones.
+        range: "a:b:s", frames a to b (b not included), every s-th.
+        flow_distances: optical flow to the frames this many later and earlier.
+        folds, fold_seed: lists for cross-validation with so many parts.
+        rig, cameras: a file of further cameras, and more of them as text, "left:yaw_deg=90".
+        still: objects that move stay where the plan has them.
+        overwrite: replace a complete dataset; resume: go on with one that was interrupted.
+        gl: "auto", "egl" (the graphics card) or "osmesa" (the processor).
+        progress: True for a bar, or a function of a fraction (0 .. 1) and a stage's name.
+
+        The result is what 'dollytrack export --json' prints. After Ctrl-C the finished frames are kept;
+        resume=True goes on after them.
+        """
+        text = self._core.export(
+            folder=arguments.path(folder, "folder"),
+            modalities=arguments.words(modalities, "modalities"),
+            formats=arguments.words(formats, "formats"), range=_text(range, "range"),
+            flow_distances=[arguments.whole(one, "flow_distances") for one in flow_distances],
+            folds=arguments.whole(folds, "folds", 0, 100),
+            fold_seed=arguments.whole(fold_seed, "fold_seed", 0, 2**64 - 1),
+            rig=b"" if rig is None else arguments.path(rig, "rig"),
+            cameras=arguments.words(cameras, "cameras"), still=bool(still),
+            overwrite=bool(overwrite), resume=bool(resume), gl=_text(gl, "gl"),
+            assignments=arguments.assignments(parameters), progress=arguments.reporter(progress))
+        summary: Dict[str, Any] = json.loads(text)
+        return summary
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __repr__(self) -> str:
+        metrics = self.metrics
+        return (f"<Plan of {self.scene.name!r}: {len(self)} frames, {metrics.get('captured')} of "
+                f"{metrics.get('objects')} targets captured>")
+
+
+def _text(value: Any, what: str) -> str:
+    if not isinstance(value, str):
+        raise failure(Usage, f"Give a text (str), not {type(value).__name__}.", what)
+    return value

@@ -1,0 +1,295 @@
+"""Scenes: read from files, or made of arrays."""
+import atexit
+import json
+import shutil
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, arguments, scene_file
+from .arguments import Path, Progress, Value
+from .errors import BadInput, Usage, failure
+from .plan import Plan
+
+#: The name of a pinned point of a project, or a position (x, y, z) and what it looks at (x, y, z), m.
+End = Union[None, str, Tuple[Sequence[float], Sequence[float]]]
+
+
+@dataclass(frozen=True)
+class SceneObject:
+    """One thing in a scene."""
+
+    id: int  #: 1 .. n, also the value in instance images
+    name: str
+    class_id: int  #: the value in semantic images
+    class_name: str
+    role: str  #: "target" (to be captured), "structure" (of the building) or "excluded"
+    large: bool
+    center: npt.NDArray[np.float64]  #: (3,) of its box, world, m
+    size: npt.NDArray[np.float64]  #: (3,) of its upright box, along its own axes, m
+    yaw: float  #: turns the world's x axis onto the box's first axis, radians
+    front: npt.NDArray[np.float64]  #: (3,) horizontal unit vector
+    corners: npt.NDArray[np.float64] = field(repr=False)  #: (8, 3) of its box, world, m
+    faces: slice = field(repr=False)  #: its rows in Scene.faces
+
+
+class Scene:
+    """A room or home that was read: objects, classes and boxes. load() and Scene.from_arrays() make
+    one. It never changes; its arrays show the engine's memory and cannot be written to."""
+
+    def __init__(self, core: "_core.Scene") -> None:
+        if not isinstance(core, _core.Scene):
+            raise failure(Usage, "Use load() or Scene.from_arrays().", "Scene")
+        self._core = core
+        self._objects: Optional[List[SceneObject]] = None
+
+    @classmethod
+    def from_arrays(cls, vertices: npt.ArrayLike, faces: npt.ArrayLike,
+                    object_ids: Optional[npt.ArrayLike] = None,
+                    names: Optional[Sequence[str]] = None,
+                    classes: Optional[Sequence[Optional[str]]] = None,
+                    structure: Optional[npt.ArrayLike] = None,
+                    colors: Optional[npt.ArrayLike] = None, file: Optional[Path] = None,
+                    progress: Progress = None) -> "Scene":
+        """A scene made of triangles.
+
+        vertices: (N, 3) metres, z up.
+        faces: (F, 3) indices of vertices, counter-clockwise seen from outside.
+        object_ids: (F,) which object each triangle is of, 0 .. K-1; None: connected by the engine.
+        names: K names.
+        classes: K words for classes (NYU40's or a common word for them), None where the name tells.
+        structure: (K,) truth values: part of the building, no target; None: what is called wall, floor,
+            ceiling, door, window, roof, ground or sky.
+        colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
+        file: a .glb file to keep the scene in, so that projects can refer to it; None: a temporary
+            file, which is there until Python ends.
+        """
+        folder = None
+        if file is None:
+            folder = FilePath(tempfile.mkdtemp(prefix="dollytrack-"))
+            atexit.register(shutil.rmtree, folder, ignore_errors=True)
+            file = folder / "scene.glb"
+        elif FilePath(arguments.path(file, "file").decode("utf-8", "replace")).suffix != ".glb":
+            raise failure(Usage, "The file's name must end in .glb.", str(file))
+        scene_file.write(FilePath(file), vertices, faces, object_ids, names, classes, structure,
+                         colors)
+        scene = load(file, unit_m=1.0, up_axis="y", progress=progress)
+        scene._temporary = folder is not None
+        return scene
+
+    _temporary = False
+
+    @property
+    def name(self) -> str:
+        """The name of its file, without the extension."""
+        return self._core.name.decode("utf-8", "replace")
+
+    @property
+    def source(self) -> FilePath:
+        """The scene file."""
+        return FilePath(self._core.source.decode("utf-8", "surrogateescape"))
+
+    @property
+    def objects(self) -> List[SceneObject]:
+        """All objects, walls and floors among them, by rising id."""
+        if self._objects is None:
+            self._objects = [SceneObject(**row) for row in self._core.objects()]
+        return list(self._objects)
+
+    def __getitem__(self, name: Union[str, int]) -> SceneObject:
+        """The object of this name or id."""
+        found = [o for o in self.objects if name in (o.name, o.id) and not isinstance(name, bool)]
+        if len(found) == 1:
+            return found[0]
+        problem = "Several objects are" if found else "No object is"
+        raise failure(Usage, f"{problem} called that; Scene.objects lists them.", repr(name))
+
+    def __len__(self) -> int:
+        return len(self.objects)
+
+    @property
+    def classes(self) -> Dict[int, str]:
+        """The classes that datasets of the scene have, by id: NYU40's, or those of `labels`."""
+        return self._core.classes()
+
+    @property
+    def boxes(self) -> npt.NDArray[np.float64]:
+        """(K, 7) upright boxes of all objects: centre x, y, z and size along their own axes, m; yaw."""
+        rows = [[*o.center, *o.size, o.yaw] for o in self.objects]
+        return np.array(rows, dtype=np.float64).reshape(-1, 7)
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float32]:
+        """(N, 3) m, world."""
+        return self._core.vertices()
+
+    @property
+    def normals(self) -> npt.NDArray[np.float32]:
+        """(N, 3) unit vectors, one a vertex."""
+        return self._core.normals()
+
+    @property
+    def faces(self) -> npt.NDArray[np.uint32]:
+        """(F, 3) indices of vertices, counter-clockwise seen from outside."""
+        return self._core.faces()
+
+    @property
+    def face_objects(self) -> npt.NDArray[np.uint16]:
+        """(F,) id of each triangle's object."""
+        return self._core.face_objects()
+
+    @property
+    def report(self) -> Dict[str, Any]:
+        """What 'dollytrack info --json' says of it: sizes, classes, notes and warnings of import."""
+        report: Dict[str, Any] = json.loads(self._core.report())
+        return report
+
+    @arguments.takes_parameters()
+    def plan(self, *, ignore: Union[None, str, Iterable[str]] = None,
+             only: Union[None, str, Iterable[str]] = None, start: End = None, end: End = None,
+             time_s: Optional[float] = None, progress: Progress = None,
+             **parameters: Value) -> Plan:
+        """Plans a camera trajectory that captures the scene's targets.
+
+        ignore, only: classes, or names with * and ?, that are no targets, or the only ones.
+        start, end: where the trajectory begins and ends.
+        time_s: plan with objects that move where they are then.
+        progress: True for a bar, or a function of a fraction (0 .. 1) and a stage's name.
+
+        A second plan of the scene repeats only what its parameters change. Raises Usage for unknown
+        parameters and for values out of range, BadInput where the camera fits nowhere.
+        """
+        core = self._core.plan(
+            assignments=arguments.assignments(parameters), ignore=arguments.words(ignore, "ignore"),
+            only=arguments.words(only, "only"), start=_end_text(start, "start"),
+            end=_end_text(end, "end"), time_s=None if time_s is None else float(time_s),
+            progress=arguments.reporter(progress))
+        return Plan(core, self)
+
+    def saved_plan(self, progress: Progress = None) -> Optional[Plan]:
+        """The plan that the opened project keeps; None where there is none, or it no longer holds."""
+        core = self._core.stored_plan(progress=arguments.reporter(progress))
+        return None if core is None else Plan(core, self)
+
+    def __repr__(self) -> str:
+        targets = sum(o.role == "target" for o in self.objects)
+        return f"<Scene {self.name!r}: {len(self)} objects, {targets} of them targets>"
+
+
+def _end_text(end: End, what: str) -> str:
+    if end is None or isinstance(end, str):
+        return end or ""
+    try:
+        position, target = end
+        numbers = [float(number) for number in (*position, *target)]
+    except (TypeError, ValueError):
+        numbers = []
+    if len(numbers) != 6 or not np.isfinite(numbers).all():
+        raise failure(Usage, "Give a pinned point's name, or a position and a target of three "
+                             "finite numbers each.", what)
+    return ",".join(map(repr, numbers))
+
+
+def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] = None,
+         labels: Optional[Path] = None, models: Union[None, Path, Iterable[Path]] = None,
+         annotations: Optional[Path] = None, keep_meshes: bool = False,
+         cloud: Optional[Dict[str, float]] = None, progress: Progress = None) -> Scene:
+    """Reads a scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL, point clouds, homes, 3D-FRONT, SceneNet
+    RGB-D) or a .dolly project.
+
+    unit_m: metres per unit of the scene; None: found out.
+    up_axis: the file's upward axis: "x", "y", "z", "-x", "-y" or "-z"; None: found out.
+    labels: words and their classes (CSV), or classes of one's own (JSON).
+    models: folders with the models of a scene made of models.
+    annotations: a file SCENE.objects.json, or the folder of a Hypersim scene.
+    keep_meshes: leave meshes whole that hold parts of several objects.
+    cloud: how a point cloud becomes a room: voxel_m, max_points, gap_m, hole_m, plane_m, object_m.
+
+    The file is read by a process of its own that may do nothing else, so that a hostile one does no
+    harm. What is doubtful goes to the logger "dollytrack.import". Raises BadInput where the file cannot
+    be used.
+    """
+    if up_axis is not None and up_axis not in ("x", "y", "z", "-x", "-y", "-z"):
+        raise failure(Usage, f"{up_axis!r} is no upward axis: give x, y, z, -x, -y or -z.", "up_axis")
+    if isinstance(models, (str, bytes)) or hasattr(models, "__fspath__"):
+        models = [models]  # type: ignore[list-item]
+    return Scene(_core.open_scene(
+        path=arguments.path(path, "path"), unit_m=None if unit_m is None else float(unit_m),
+        up_axis=up_axis, labels=None if labels is None else arguments.path(labels, "labels"),
+        models=[arguments.path(one, "models") for one in models or ()],
+        annotations=None if annotations is None else arguments.path(annotations, "annotations"),
+        keep_meshes=bool(keep_meshes), cloud=arguments.assignments(cloud or {}),
+        progress=arguments.reporter(progress)))
+
+
+@arguments.takes_parameters(("body", "camera", "free_space"))
+def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
+          paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
+          **parameters: Value) -> Dict[str, Any]:
+    """What a trajectory of any origin is worth in a scene, measured from the poses alone.
+
+    poses: (N, 4, 4) world_from_camera; a camera's axes are x right, y down, z forward.
+    times: (N,) seconds, rising; None: ten frames a second.
+    paths: (N,) whole numbers; between frames of different ones the camera was carried. None: one.
+
+    The result has the metrics of 'dollytrack compare', rates 0 .. 1, None where one does not apply,
+    and as "ledger" for each target the frame that shows it best (-1: none).
+    """
+    if not isinstance(scene, Scene):
+        raise failure(Usage, f"Give a Scene, not {type(scene).__name__}.", "scene")
+    checked = _poses(poses)
+    count = len(checked)
+    if times is None:
+        seconds = np.arange(count) * 0.1
+    else:
+        seconds = _numbers(times, np.float64, (count,), "times")
+        if (np.diff(seconds) <= 0).any():
+            raise failure(Usage, "Times must rise.", "times")
+    numbers = np.zeros(count, np.int32)
+    if paths is not None:
+        numbers = _numbers(paths, np.int32, (count,), "paths")
+    text = scene._core.judge(poses=checked, times_s=seconds, paths=numbers,
+                             assignments=arguments.assignments(parameters),
+                             progress=arguments.reporter(progress))
+    metrics: Dict[str, Any] = json.loads(text)
+    return metrics
+
+
+def _numbers(values: npt.ArrayLike, dtype: Any, shape: Tuple[int, ...], what: str) -> Any:
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "iuf":
+            raise TypeError
+        converted = np.ascontiguousarray(array, dtype)
+    except (TypeError, ValueError):
+        raise failure(Usage, "Give an array of numbers.", what) from None
+    if array.shape != shape:
+        raise failure(Usage, f"The shape is {array.shape}; it must be {shape}.", what)
+    if not np.isfinite(array).all() or (array.dtype.kind != "f" and (converted != array).any()):
+        raise failure(Usage, "A number is not finite, or too large.", what)
+    return converted
+
+
+def _poses(poses: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    shape = np.shape(poses)
+    if len(shape) != 3 or shape[1:] != (4, 4) or not 0 < shape[0] <= 1_000_000:
+        raise failure(Usage, f"The shape is {shape}; it must be (N, 4, 4), up to 1,000,000 poses.",
+                      "poses")
+    checked: npt.NDArray[np.float64] = _numbers(poses, np.float64, shape, "poses")
+    turns = checked[:, :3, :3]
+    off = np.abs(turns @ turns.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
+    bad = (off > 1e-4) | (np.linalg.det(turns) < 0) | (checked[:, 3] != (0, 0, 0, 1)).any(axis=1)
+    bad |= (np.abs(checked[:, :3, 3]) > 1e6).any(axis=1)
+    if bad.any():
+        raise failure(BadInput, "It is no rotation and translation (world_from_camera).",
+                      f"pose {int(np.argmax(bad))}")
+    return checked
+
+
+def set_threads(count: int) -> None:
+    """Limits the worker threads of the engine from now on; 0: one per core."""
+    _core.set_threads(arguments.whole(count, "count", 0, 1024))

@@ -1,0 +1,165 @@
+"""Writes arrays of triangles as a scene file: GLB, with annotations that name its objects."""
+import json
+import re
+import struct
+from pathlib import Path
+from typing import Any, Dict, List, Optional, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import CannotWrite, Usage, failure
+
+_MOST = 50_000_000  # vertices, and triangles
+_GREY = (204, 204, 204)
+_STRUCTURE = ("wall", "floor", "ceiling", "door", "window", "doorway", "roof", "ground", "sky")
+
+
+def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
+          object_ids: Optional[npt.ArrayLike], names: Optional[Sequence[str]],
+          classes: Optional[Sequence[Optional[str]]], structure: Optional[npt.ArrayLike],
+          colors: Optional[npt.ArrayLike]) -> None:
+    """See Scene.from_arrays()."""
+    points = _array(vertices, "vertices", "iuf", (None, 3))
+    if not np.isfinite(points).all() or (np.abs(points) > 1e6).any():
+        raise failure(Usage, "A coordinate is not finite, or beyond 1e6 m.", "vertices")
+    triangles = _array(faces, "faces", "iu", (None, 3)).astype(np.int64)
+    if triangles.min() < 0 or triangles.max() >= len(points):
+        raise failure(Usage, f"An index is not within 0 .. {len(points) - 1}.", "faces")
+    ids = np.zeros(len(triangles), np.int64)
+    if object_ids is not None:
+        ids = _array(object_ids, "object_ids", "iu", (len(triangles),)).astype(np.int64)
+    if ids.min() < 0 or ids.max() >= 65535:
+        raise failure(Usage, "An id is not within 0 .. 65534.", "object_ids")
+    count = int(ids.max()) + 1
+    titles = _titles(names, count, "names") if names is not None else [
+        f"object_{i}" for i in range(count)]
+    kinds = _titles(classes, count, "classes") if classes is not None else [None] * count
+    if len(set(titles)) != count or None in titles:
+        raise failure(Usage, "Each object needs a name of its own.", "names")
+    words = [kind or title for kind, title in zip(kinds, titles)]
+    if structure is None:
+        building = [re.sub(r"[\W\d_]+$", "", word).lower() in _STRUCTURE for word in words]
+    else:
+        building = _array(structure, "structure", "b", (count,)).tolist()
+    colours = _colours(colors, ids, count)
+
+    blob, gltf = bytearray(), _empty()
+    # glTF has y up.
+    points = np.ascontiguousarray(points[:, (0, 2, 1)] * (1, 1, -1), np.float32)
+    order = np.argsort(ids, kind="stable")
+    bounds = np.searchsorted(ids[order], np.arange(count + 1))
+    materials: Dict[int, int] = {}
+    named = []
+    for one in range(count):
+        mine = order[bounds[one]:bounds[one + 1]]
+        if not len(mine):
+            continue
+        primitives = []
+        for colour in np.unique(colours[mine]):
+            used, corners = np.unique(triangles[mine[colours[mine] == colour]], return_inverse=True)
+            if colour not in materials:
+                materials[colour] = len(materials)
+                gltf["materials"].append(_material(int(colour)))
+            primitives.append({
+                "attributes": {"POSITION": _add(gltf, blob, points[used], "VEC3", 5126, 34962)},
+                "indices": _add(gltf, blob, corners.astype(np.uint32).reshape(-1), "SCALAR", 5125,
+                                34963),
+                "material": materials[colour]})
+        gltf["nodes"].append({"name": titles[one], "mesh": len(gltf["meshes"])})
+        gltf["meshes"].append({"name": titles[one], "primitives": primitives})
+        named.append({"name": titles[one], "nodes": [titles[one]], "class": words[one],
+                      "structure": building[one]})
+    gltf["scenes"][0]["nodes"] = list(range(len(gltf["nodes"])))
+    gltf["buffers"] = [{"byteLength": len(blob)}]
+    annotations = {"format": "dollytrack-objects", "version": 1, "objects": named}
+    try:
+        file.write_bytes(_glb(gltf, bytes(blob)))
+        beside = file.with_name(file.name + ".objects.json")
+        if object_ids is not None:
+            beside.write_text(json.dumps(annotations))
+        else:
+            beside.unlink(missing_ok=True)
+    except OSError as error:
+        raise failure(CannotWrite, f"It cannot be written ({error.strerror}).", str(file)) from None
+
+
+def _array(values: npt.ArrayLike, what: str, kinds: str, shape: Any) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError):
+        raise failure(Usage, "Give an array of numbers.", what) from None
+    if array.dtype.kind not in kinds:
+        wanted = "numbers" if "f" in kinds else "whole numbers"
+        raise failure(Usage, f"The type is {array.dtype}; it must be {wanted}.", what)
+    fits = array.ndim == len(shape) and all(b in (None, a) for a, b in zip(array.shape, shape))
+    if not fits or not 0 < len(array) <= _MOST:
+        text = ", ".join("N" if side is None else str(side) for side in shape)
+        raise failure(Usage, f"The shape is {array.shape}; it must be ({text}), up to {_MOST}.", what)
+    return array
+
+
+def _titles(values: Any, count: int, what: str) -> List[Any]:
+    listed = [values] if isinstance(values, str) else list(values)
+    if len(listed) < count:
+        raise failure(Usage, f"There are {len(listed)} for {count} objects.", what)
+    for one in listed:
+        if not (one is None or (isinstance(one, str) and one.isprintable() and one)):
+            raise failure(Usage, "Give texts (str) of printable characters.", what)
+    return listed[:count]
+
+
+def _colours(colors: Optional[npt.ArrayLike], ids: npt.NDArray[np.int64],
+             count: int) -> npt.NDArray[np.int64]:
+    """One number a triangle: red, green and blue, a byte each."""
+    if colors is None:
+        rgb = np.tile(np.array(_GREY, np.int64), (len(ids), 1))
+    else:
+        given = _array(colors, "colors", "uif", (None, 3))
+        if len(given) not in (len(ids), count):
+            raise failure(Usage, f"There are {len(given)}; give one a triangle or one an object.",
+                          "colors")
+        if given.dtype.kind == "f":
+            given = np.rint(given * 255) if np.isfinite(given).all() else given
+        if not np.isfinite(given).all() or given.min() < 0 or given.max() > 255:
+            raise failure(Usage, "Give 0 .. 255, or floats 0 .. 1.", "colors")
+        rgb = given.astype(np.int64)
+        if len(given) != len(ids):
+            rgb = rgb[ids]
+    return (rgb[:, 0] << 16) | (rgb[:, 1] << 8) | rgb[:, 2]
+
+
+def _material(colour: int) -> Dict[str, Any]:
+    encoded = np.array([colour >> 16, colour >> 8 & 255, colour & 255]) / 255
+    linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    return {"name": f"{colour:06x}", "doubleSided": True,
+            "pbrMetallicRoughness": {"baseColorFactor": [*linear.tolist(), 1.0],
+                                     "metallicFactor": 0.0, "roughnessFactor": 0.8}}
+
+
+def _empty() -> Dict[str, Any]:
+    return {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": []}], "nodes": [],
+            "meshes": [], "materials": [], "accessors": [], "bufferViews": []}
+
+
+def _add(gltf: Dict[str, Any], blob: bytearray, values: npt.NDArray[Any], kind: str, component: int,
+         target: int) -> int:
+    gltf["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": values.nbytes,
+                                "target": target})
+    accessor = {"bufferView": len(gltf["bufferViews"]) - 1, "componentType": component,
+                "count": len(values), "type": kind}
+    if kind == "VEC3":
+        accessor["min"] = values.min(axis=0).tolist()
+        accessor["max"] = values.max(axis=0).tolist()
+    blob += values.tobytes()
+    gltf["accessors"].append(accessor)
+    return len(gltf["accessors"]) - 1
+
+
+def _glb(gltf: Dict[str, Any], blob: bytes) -> bytes:
+    text = json.dumps(gltf).encode()
+    text += b" " * (-len(text) % 4)
+    blob += b"\0" * (-len(blob) % 4)
+    return (struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(blob))
+            + struct.pack("<II", len(text), 0x4E4F534A) + text
+            + struct.pack("<II", len(blob), 0x004E4942) + blob)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace dollytrack {
+
+/// The file that holds this code: the running program, or the shared library it was loaded as (a
+/// Python module). Empty where the system does not say.
+[[nodiscard]] std::filesystem::path ownFile();
+
+/// One of our programs: beside ownFile(), else where programs are installed. The first of the two
+/// where it is in neither, for the message.
+[[nodiscard]] std::filesystem::path siblingProgram(const std::string& name);
+
+}  // namespace dollytrack

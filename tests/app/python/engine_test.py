@@ -1,0 +1,435 @@
+"""The Python module against the command line, against files that OpenCV reads, and against geometry
+that is known."""
+import gc
+import importlib.util
+import inspect
+import json
+import logging
+import os
+import subprocess
+import sys
+import threading
+import unittest
+
+import cv2
+import numpy as np
+
+from module import (FolderCase, MODULE, ROOT, SET, SIZE, dt, hashes, interrupt_when, run,
+                    start_python, tiny_room)
+
+HAS_TORCH = importlib.util.find_spec("torch") is not None
+ROOM = [("floor", (0, -0.1, 0), (4, 0, 3)), ("ceiling", (0, 2.6, 0), (4, 2.7, 3)),
+        ("wall_1", (-0.1, 0, 0), (0, 2.6, 3)), ("wall_2", (4, 0, 0), (4.1, 2.6, 3)),
+        ("wall_3", (0, 0, -0.1), (4, 2.6, 0)), ("wall_4", (0, 0, 3), (4, 2.6, 3.1)),
+        ("table", (2.8, 0, 0.8), (3.6, 0.74, 2.2)), ("sofa", (0.1, 0, 0.6), (0.9, 0.7, 2.4)),
+        ("crate", (1.6, 0, 0.2), (2.2, 0.5, 0.8))]
+FACES = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+
+
+def arrays():
+    """The boxes of ROOM as vertices (z up), faces and object ids."""
+    vertices, faces, ids = [], [], []
+    for number, (_, (x0, y0, z0), (x1, y1, z1)) in enumerate(ROOM):
+        first = len(vertices)
+        vertices += [(x, -z, y) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
+        for a, b, c, d in FACES + first:
+            faces += [(a, b, c), (a, c, d)]
+            ids += [number, number]
+    return np.array(vertices), np.array(faces), np.array(ids)
+
+
+class EngineTest(FolderCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.room = cls.folder / "room.obj"
+        tiny_room.write(cls.room)
+        cls.scene = dt.load(cls.room)
+        cls.plan = cls.scene.plan(max_frames=8, **SIZE)
+
+    def assertSameFiles(self, one, other):
+        ours, theirs = hashes(one), hashes(other)
+        self.assertGreater(len(ours), 10)
+        self.assertEqual(sorted(ours), sorted(theirs))
+        self.assertEqual([name for name in ours if ours[name] != theirs[name]], [])
+
+    # --- scenes
+
+    def test_a_scene_has_the_objects_of_its_file(self):
+        info = json.loads(run("info", self.room, "--json").stdout)
+        self.assertEqual(self.scene.report["objects"], info["objects"])
+        table = self.scene["table"]
+        self.assertEqual((table.class_name, table.role), ("table", "target"))
+        # The file has y up: x, y, z of the file are x, z, -y of the world.
+        low, high = (2.8, -2.2, 0.0), (3.6, -0.8, 0.74)
+        np.testing.assert_allclose(table.corners.min(axis=0), low, atol=1e-5)
+        np.testing.assert_allclose(table.corners.max(axis=0), high, atol=1e-5)
+        np.testing.assert_allclose(np.prod(table.size), 0.8 * 1.4 * 0.74, rtol=1e-5)
+        corners = self.scene.vertices[self.scene.faces[table.faces]].reshape(-1, 3)
+        np.testing.assert_allclose(corners.min(axis=0), low, atol=1e-5)
+        self.assertTrue((self.scene.face_objects[table.faces] == table.id).all())
+        self.assertEqual(self.scene.boxes.shape, (len(self.scene), 7))
+        self.assertEqual(self.scene.classes[table.class_id], "table")
+
+    def test_arrays_outlive_their_scene_and_cannot_be_written(self):
+        scene = dt.load(self.room)
+        before, vertices = scene.vertices.copy(), scene.vertices
+        del scene
+        gc.collect()
+        np.testing.assert_array_equal(vertices, before)
+        with self.assertRaises(ValueError):
+            vertices[0, 0] = 1.0
+
+    def test_a_scene_of_arrays_is_the_scene_of_a_file(self):
+        vertices, faces, ids = arrays()
+        names = [name for name, _, _ in ROOM]
+        kinds = [None] * 8 + ["box"]
+        colors = np.full((len(ROOM), 3), 200, np.uint8)
+        colors[6] = (200, 30, 30)
+        scene = dt.Scene.from_arrays(vertices, faces, ids, names, kinds, colors=colors)
+        self.assertEqual([o.name for o in scene.objects], names)
+        self.assertEqual([o.name for o in scene.objects if o.role == "target"], names[6:])
+        self.assertEqual([scene[name].class_name for name in ("table", "sofa", "crate", "floor")],
+                         ["table", "sofa", "box", "floor"])
+        tiny_room.write_boxes(self.folder / "same.obj", ROOM)
+        same = dt.load(self.folder / "same.obj", unit_m=1, up_axis="y")
+        for name in names:
+            np.testing.assert_allclose(scene[name].corners.min(axis=0),
+                                       same[name].corners.min(axis=0), atol=1e-6)
+        plan = scene.plan(max_frames=6, **SIZE)
+        self.assertEqual(plan.metrics["captured"], 3)
+        frame = next(iter(plan.render("albedo", "instance")))
+        red = (frame["albedo"].astype(int) - (200, 30, 30) == 0).all(axis=2)
+        np.testing.assert_array_equal(red, frame["instance"] == scene["table"].id)
+        with self.assertRaisesRegex(dt.Usage, "temporary file"):
+            plan.save(self.folder / "arrays.dolly")
+        kept = dt.Scene.from_arrays(vertices, faces, ids, names, file=self.folder / "kept.glb")
+        kept.plan(max_frames=4).save(self.folder / "kept.dolly")
+        self.assertEqual(len(dt.load(self.folder / "kept.dolly").saved_plan()), 4)
+
+    # --- plans
+
+    def test_a_plan_is_the_command_lines(self):
+        printed = json.loads(run("plan", self.room, "--max-frames", 8, *SET, "--json").stdout)
+        ours = self.plan.metrics
+        timeless = {name for name in printed if not name.endswith("_ms") and name != "stages"}
+        self.assertEqual({n: ours[n] for n in timeless}, {n: printed[n] for n in timeless})
+        self.assertEqual(self.plan.ledger, printed["ledger"])
+        ours, theirs = self.folder / "ours.dolly", self.folder / "theirs.dolly"
+        self.plan.save(ours)
+        self.assertEqual(run("plan", self.room, "--max-frames", 8, *SET, "-o", theirs).returncode, 0)
+        self.assertEqual(ours.read_bytes(), theirs.read_bytes())
+
+    def test_planning_again_gives_the_plan_from_scratch(self):
+        changed = self.scene.plan(fill=0.5, max_frames=8, ignore=["sofa"], **SIZE)
+        fresh = dt.load(self.room).plan(fill=0.5, max_frames=8, ignore=["sofa"], **SIZE)
+        np.testing.assert_array_equal(changed.poses, fresh.poses)
+        self.assertNotIn("sofa", [row["object"] for row in changed.ledger])
+        again = self.scene.plan(max_frames=8, **SIZE)
+        np.testing.assert_array_equal(again.poses, self.plan.poses)
+
+    def test_parameters_are_those_of_the_command_line(self):
+        sections = json.loads(run("params", "--json").stdout)
+        listed = {name: value for section in sections.values() for name, value in section.items()}
+        self.assertEqual({p.name: p.default for p in dt.PARAMETERS.values()}, listed)
+        self.assertEqual(self.plan.parameters["timing"]["max_frames"], 8)
+        self.assertIn("fill: float = 0.72", dt.Scene.plan.__doc__)
+        signature = inspect.signature(dt.Scene.plan)
+        self.assertEqual(signature.parameters["loop"].default, False)
+        self.assertIn("render_mode", inspect.signature(dt.Plan.export).parameters)
+        self.assertNotIn("fill", inspect.signature(dt.Plan.export).parameters)
+
+    def test_numpy_numbers_are_parameters(self):
+        plan = self.scene.plan(fill=np.float32(0.5), max_frames=np.int64(8), loop=np.bool_(True))
+        self.assertEqual(plan.parameters["viewpoints"]["fill"], 0.5)
+        self.assertEqual(plan.parameters["constraints"]["loop"], True)
+
+    def test_an_explanation_says_what_helps(self):
+        # As the command line has it with --explain.
+        settings = {"max_pitch_deg": 0.0, "min_pitch_deg": -5.0, "max_frames": 8}
+        plan = self.scene.plan(**settings)
+        printed = json.loads(run("plan", self.room, "--explain", "--json", *[
+            word for name, value in settings.items() for word in ("--set", f"{name}={value}")]).stdout)
+        lost = [row for row in printed["ledger"] if not row["well_captured"]]
+        self.assertTrue(lost)
+        for row in printed["ledger"]:
+            self.assertEqual(plan.explain(row["object"]), row)
+        with self.assertRaises(dt.Usage):
+            plan.explain("floor")
+
+    def test_coverage_is_what_the_command_line_writes(self):
+        file = self.folder / "coverage.csv"
+        self.assertEqual(run("plan", self.room, "--max-frames", 8, *SET, "--coverage", file).returncode,
+                         0)
+        ours = self.folder / "ours.csv"
+        curves = self.plan.coverage(ours)
+        self.assertEqual(ours.read_bytes(), file.read_bytes())
+        last = file.read_text().split("length")[0].strip().splitlines()[-1].split(",")
+        self.assertEqual(curves["frames"]["frames"][-1], float(last[3]))
+        self.assertEqual(len(curves["length"]["captured"]), len(curves["length"]["frames"]))
+
+    # --- frames
+
+    def test_frames_are_the_exported_images(self):
+        names = ["rgb", "depth", "instance", "semantic", "albedo", "normal_world", "normal_camera",
+                 "rgb_right", "depth_right"]
+        folder = self.folder / "images"
+        self.plan.export(folder, modalities=names, range="::2")
+        with self.plan.render(*names, range="::2") as frames:
+            self.assertEqual(len(frames), 4)
+            drawn = list(frames)
+        self.assertEqual([frame.index for frame in drawn], [0, 2, 4, 6])
+        for number, frame in enumerate(drawn):
+            np.testing.assert_allclose(frame.pose, self.plan.poses[frame.index], atol=1e-12)
+            read = {name: cv2.imread(str(folder / name / f"{number:06d}.png"), cv2.IMREAD_UNCHANGED)
+                    for name in names}
+            for name in ("rgb", "albedo", "rgb_right"):
+                np.testing.assert_array_equal(frame[name], read[name][:, :, ::-1])
+            for name in ("depth", "depth_right"):
+                self.assertEqual(frame[name].dtype, np.float32)
+                np.testing.assert_array_equal(np.floor(frame[name] * 1000 + 0.5), read[name])
+            for name in ("instance", "semantic"):
+                np.testing.assert_array_equal(frame[name], read[name])
+            seen = frame["depth"] > 0
+            for name in ("normal_world", "normal_camera"):
+                np.testing.assert_allclose(frame[name][seen],
+                                           read[name][:, :, ::-1][seen] / 65535 * 2 - 1, atol=2e-3)
+
+    def test_depth_pose_and_intrinsics_lead_to_the_objects_box(self):
+        table, found = self.scene["table"], 0
+        for frame in self.plan.render("depth", "instance"):
+            v, u = np.nonzero(frame["instance"] == table.id)
+            pixels = np.stack([u + 0.5, v + 0.5, np.ones(len(u))])
+            rays = np.linalg.inv(self.plan.intrinsics) @ pixels
+            points = frame.pose[:3, :3] @ (rays * frame["depth"][v, u]) + frame.pose[:3, 3:]
+            low, high = table.corners.min(axis=0), table.corners.max(axis=0)
+            self.assertTrue((points.T > low - 2e-3).all() and (points.T < high + 2e-3).all())
+            found += len(u)
+        self.assertGreater(found, 100)
+
+    def test_frames_end_when_they_are_closed(self):
+        frames = self.plan.render("instance")
+        first = next(frames)
+        kept = first["instance"].copy()
+        frames.close()
+        frames.close()
+        self.assertEqual(list(frames), [])
+        del frames
+        gc.collect()
+        np.testing.assert_array_equal(first["instance"], kept)
+
+    def test_drawings_in_threads_take_turns(self):
+        results = {}
+
+        def draw(number):
+            results[number] = [frame["rgb"] for frame in self.plan.render("rgb")]
+        threads = [threading.Thread(target=draw, args=(i,)) for i in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for number in (1, 2):
+            np.testing.assert_array_equal(results[0], results[number])
+
+    # --- datasets
+
+    def test_exports_have_the_command_lines_bytes(self):
+        ours, theirs, resaved = (self.folder / name for name in ("ours", "theirs", "resaved"))
+        options = ["--folds", 2, "--modalities", "all", "--formats", "all", "--set",
+                   "light_preset=day"]
+        done = run("export", self.room, "--out", theirs, "--max-frames", 8, *SET, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        asked = {"modalities": "all", "formats": "all", "folds": 2, "light_preset": "day"}
+        summary = self.plan.export(ours, **asked)
+        self.assertEqual(summary["frames"], 8)
+        self.assertSameFiles(ours, theirs)
+        project = self.folder / "saved.dolly"
+        self.plan.save(project)
+        self.assertEqual(run("export", project, "--out", resaved, *options).returncode, 0)
+        self.assertSameFiles(ours, resaved)
+        again = self.folder / "again"
+        dt.load(project).saved_plan().export(again, **asked)
+        self.assertSameFiles(ours, again)
+
+    def test_rooms_become_datasets_of_their_own(self):
+        two = self.folder / "two.obj"
+        tiny_room.write_two(two)
+        done = run("export", two, "--out", self.folder / "two_a", "--max-frames", 8, *SET, "--set",
+                   "rooms=each")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = dt.load(two).plan(max_frames=8, rooms="each", **SIZE).export(self.folder / "two_b")
+        self.assertEqual([room["room"] for room in summary["rooms"]], ["room_1", "room_2"])
+        self.assertSameFiles(self.folder / "two_a", self.folder / "two_b")
+
+    def test_other_files_are_left_alone(self):
+        folder = self.folder / "mine"
+        folder.mkdir()
+        (folder / "notes.txt").write_text("mine")
+        with self.assertRaises(dt.CannotWrite) as caught:
+            self.plan.export(folder)
+        refused = run("export", self.room, "--out", folder, "--max-frames", 8, *SET)
+        self.assertEqual(refused.returncode, caught.exception.exit_code)
+        self.assertEqual(f"dollytrack: {caught.exception}", refused.stderr.strip().splitlines()[-1])
+
+    # --- judging
+
+    def test_a_judged_trajectory_has_its_planners_figures(self):
+        judged = dt.judge(self.scene, self.plan.poses, self.plan.times, self.plan.paths, **SIZE)
+        self.assertEqual(judged["frames"], len(self.plan))
+        self.assertEqual(judged["captured"], self.plan.metrics["captured"])
+        self.assertEqual(judged["well_captured"], self.plan.metrics["well_captured"])
+        steps = np.linalg.norm(np.diff(self.plan.poses[:, :3, 3], axis=0), axis=1)
+        self.assertAlmostEqual(judged["path_length_m"], steps.sum(), places=6)
+        outside = np.repeat(np.eye(4)[None], 5, axis=0)
+        outside[:, :3, 3] = (50, 50, 1)
+        far = dt.judge(self.scene, outside, **SIZE)
+        self.assertEqual((far["captured"], far["outside_rate"]), (0, 1.0))
+
+    # --- errors, progress, interrupts
+
+    def test_errors_have_the_command_lines_sentences_and_codes(self):
+        damaged = self.folder / "damaged.glb"
+        damaged.write_bytes(b"glTF nonsense")
+        for arguments, call in (
+                (["info", self.folder / "missing.obj"], lambda: dt.load(self.folder / "missing.obj")),
+                (["info", damaged], lambda: dt.load(damaged)),
+                (["plan", self.room, "--set", "fil=0.5"], lambda: self.scene.plan(fil=0.5)),
+                (["plan", self.room, "--set", "fill=7"], lambda: self.scene.plan(fill=7)),
+                (["plan", self.room, "--set", "fill=nan"], lambda: self.scene.plan(fill=float("nan"))),
+                (["plan", self.room, "--set", "rooms=eech"], lambda: self.scene.plan(rooms="eech")),
+                (["plan", self.room, "--ignore", "sofas"], lambda: self.scene.plan(ignore="sofas")),
+                (["plan", self.room, "--set", "camera_radius_m=2"],
+                 lambda: self.scene.plan(camera_radius_m=2)),
+                (["export", self.room, "--out", "x", "--modalities", "rbg"],
+                 lambda: self.plan.export("x", modalities="rbg")),
+                (["export", self.room, "--out", "x", "--range", "9:"],
+                 lambda: self.plan.export("x", range="x"))):
+            with self.assertRaises(dt.Error) as caught:
+                call()
+            refused = run(*arguments)
+            if arguments[-1] != "9:":
+                self.assertEqual(f"dollytrack: {caught.exception}",
+                                 refused.stderr.strip().splitlines()[-1])
+            self.assertEqual(caught.exception.exit_code, refused.returncode, caught.exception)
+        with self.assertRaisesRegex(dt.Usage, "plan()"):
+            self.plan.export("x", fill=0.5)
+        with self.assertRaisesRegex(dt.Usage, "export"):
+            self.plan.render("flow_forward")
+
+    def test_progress_rises_to_the_end(self):
+        told = []
+        dt.load(self.room, progress=lambda fraction, stage: told.append((fraction, stage)))
+        self.plan.export(self.folder / "told", progress=lambda *news: told.append(news))
+        fractions = [fraction for fraction, stage in told if stage == "frames"]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertTrue(all(0 <= fraction <= 1 for fraction, _ in told))
+
+    def test_an_exception_in_progress_stops_the_work(self):
+        class Enough(Exception):
+            pass
+
+        def refuse(*_):
+            raise Enough
+        with self.assertRaises(Enough):
+            self.plan.export(self.folder / "stopped", progress=refuse)
+        self.assertFalse((self.folder / "stopped" / "dataset.json").exists())
+        self.plan.export(self.folder / "stopped", resume=True)
+        self.plan.export(self.folder / "unstopped")
+        self.assertSameFiles(self.folder / "stopped", self.folder / "unstopped")
+
+    def test_other_threads_run_meanwhile(self):
+        ticks, ends = [0], threading.Event()
+
+        def tick():
+            while not ends.wait(0.001):
+                ticks[0] += 1
+        thread = threading.Thread(target=tick)
+        thread.start()
+        before = ticks[0]
+        self.plan.export(self.folder / "meanwhile", overwrite=True)
+        during = ticks[0] - before
+        ends.set()
+        thread.join()
+        self.assertGreater(during, 2)
+
+    def test_ctrl_c_keeps_finished_frames(self):
+        out = self.folder / "interrupted"
+        code = """
+import dollytrack as dt
+plan = dt.load(sys.argv[1]).plan(max_frames=300)
+def told(fraction, stage):
+    if stage == "frames" and fraction > 0.06:
+        print("draws", flush=True)
+try:
+    plan.export(sys.argv[2], progress=told)
+except KeyboardInterrupt:
+    print("interrupted", len(plan))
+"""
+        printed, errors, ended = interrupt_when(start_python(code, self.room, out), "draws")
+        self.assertEqual(ended, 0, errors)
+        self.assertIn("interrupted", printed)
+        self.assertFalse((out / "dataset.json").exists())
+        self.assertTrue((out / ".dollytrack-export").exists())
+        self.assertGreater(len(list((out / "rgb").iterdir())), 0)
+
+    def test_notes_go_to_pythons_loggers(self):
+        with self.assertLogs("dollytrack.planning", logging.WARNING) as logs:
+            self.scene.plan(anchors="corridors", max_frames=4)
+        self.assertIn("corridors", logs.output[0])
+
+    def test_a_forked_process_is_told_not_crashed(self):
+        code = """
+import os, sys
+import dollytrack as dt
+scene = dt.load(sys.argv[1])
+frames = scene.plan(max_frames=4, width_px=64, height_px=48).render("instance")
+next(frames)
+child = os.fork()
+if child == 0:
+    try:
+        scene.plan(max_frames=4)
+    except dt.Failed as error:
+        assert "spawn" in str(error)
+        del frames
+        os._exit(7)
+    os._exit(1)
+_, status = os.waitpid(child, 0)
+assert os.waitstatus_to_exitcode(status) == 7, status
+print(len(list(frames)))
+"""
+        process = start_python(code, self.room)
+        out, errors = process.communicate(timeout=300)
+        self.assertEqual((process.returncode, out.strip()), (0, "3"), errors)
+
+    def test_the_examples_run(self):
+        environment = {**os.environ, "PYTHONPATH": MODULE}
+        examples = ROOT / "app" / "python" / "examples"
+        wanted = [("tune_a_plan.py", [self.folder / "best.dolly", self.folder / "coverage.png"],
+                   "captured well")]
+        if HAS_TORCH:
+            wanted.append(("room_to_dataloader.py", [self.folder / "loader"], "boxes"))
+        for name, arguments, word in wanted:
+            done = subprocess.run([sys.executable, examples / name, self.room, *arguments],
+                                  capture_output=True, text=True, env=environment)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(word, done.stdout)
+        self.assertIsNotNone(cv2.imread(str(self.folder / "coverage.png")))
+
+    def test_the_guides_first_example_runs(self):
+        if not HAS_TORCH:
+            self.skipTest("PyTorch is not installed")
+        guide = (ROOT / "app" / "guides" / "python.md").read_text()
+        code = guide.split("```python\n")[1].split("```")[0]
+        place = self.folder / "guide"
+        place.mkdir()
+        export = "import dollytrack as dt; dt.load({!r}).plan(max_frames=9, width_px=64, height_px=48)"
+        process = start_python(export.format(str(self.room)) + ".save('room.dolly')\n"
+                               + code.replace('dt.load("room.glb").plan(max_frames=300)',
+                                              'dt.load("room.dolly").saved_plan()'), cwd=place)
+        out, errors = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertEqual(len(out.strip().splitlines()), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

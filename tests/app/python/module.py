@@ -1,0 +1,35 @@
+"""What the tests of the Python module share. Arguments: the program, the folder with the module."""
+import pathlib
+import signal
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+sys.path.insert(0, str(HERE.parent))
+from program import FolderCase, PROGRAM, hashes, run  # noqa: E402,F401
+import tiny_room  # noqa: E402,F401
+
+MODULE = sys.argv.pop(1)
+sys.path.insert(0, MODULE)
+import dollytrack as dt  # noqa: E402,F401
+
+SIZE = {"width_px": 64, "height_px": 48}
+SET = [word for name, value in SIZE.items() for word in ("--set", f"{name}={value}")]
+
+
+def start_python(code, *arguments, **options):
+    """Another interpreter that runs the code, with the module."""
+    prelude = f"import sys; sys.path.insert(0, {MODULE!r})\n"
+    return subprocess.Popen([sys.executable, "-c", prelude + code, *map(str, arguments)],
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+def interrupt_when(process, line):
+    """Ctrl-C when it has printed the line; what it printed then, and its exit code."""
+    for printed in process.stdout:
+        if printed.strip() == line:
+            process.send_signal(signal.SIGINT)
+            break
+    out, errors = process.communicate(timeout=300)
+    return out, errors, process.returncode

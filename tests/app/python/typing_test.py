@@ -1,0 +1,60 @@
+"""The package's types: mypy finds nothing wrong, and _core.pyi says what the extension has."""
+import ast
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from module import MODULE, ROOT
+from dollytrack import _core
+
+PACKAGE = ROOT / "app" / "python" / "dollytrack"
+
+
+class TypingTest(unittest.TestCase):
+    def test_mypy_finds_nothing_wrong(self):
+        if shutil.which("mypy") is None:
+            self.skipTest("mypy is not installed")
+        with tempfile.TemporaryDirectory() as cache:
+            user = pathlib.Path(cache) / "user.py"
+            user.write_text("import dollytrack as dt\n"
+                            "plan: dt.Plan = dt.load('room.glb').plan(fill=0.6)\n"
+                            "name: str = dt.Dataset('x')[0].index\n")  # wrong, and has to be found
+            done = subprocess.run(["mypy", "--strict", "--cache-dir", cache, PACKAGE],
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            done = subprocess.run(["mypy", "--strict", "--cache-dir", cache, user], text=True,
+                                  capture_output=True, env={"MYPYPATH": str(PACKAGE.parent)})
+            self.assertEqual(done.stdout.count(" error: "), 1, done.stdout)
+            self.assertIn("user.py:3", done.stdout)
+
+    def test_the_stub_has_the_extensions_names_and_arguments(self):
+        tree = ast.parse((PACKAGE / "_core.pyi").read_text())
+        self.compare(tree.body, _core)
+
+    def compare(self, body, owner):
+        described = {}
+        for node in body:
+            if isinstance(node, ast.ClassDef):
+                self.compare(node.body, getattr(owner, node.name))
+                described[node.name] = None
+            elif isinstance(node, ast.FunctionDef):
+                described[node.name] = [one.arg for one in node.args.args]
+            elif isinstance(node, ast.AnnAssign):
+                described[node.target.id] = None
+        public = {name for name in vars(owner) if not name.startswith("_")}
+        self.assertEqual(set(described), public)
+        for name, arguments in described.items():
+            text = getattr(getattr(owner, name), "__doc__", None) or ""
+            signature = re.match(rf"{name}\((.*)\) ->", text)
+            if arguments is None or signature is None:
+                continue
+            found = re.findall(r"(\w+): ", signature[1])
+            self.assertEqual([re.sub(r"^arg0$", "self", one) for one in found], arguments, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
