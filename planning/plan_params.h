@@ -234,7 +234,8 @@ void visitTimingParams(Params& p, Visitor&& visit) {
     visit("max_repeat_rate", p.max_repeat_rate,
           FieldInfo{0, 1, "",
                     "With a budget: the frame rate is lowered until at most this share of the "
-                    "frames shows nothing new; 1: any"});
+                    "frames shows nothing new, or only key frames and room views are left; 1: any "
+                    "share"});
 }
 
 enum class ShakeKind { None, Sinusoidal, Handheld };

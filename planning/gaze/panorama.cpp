@@ -18,19 +18,26 @@ constexpr double kLeastShown = 1.0 / 3.0;      // of a target; less is a stump a
 constexpr double kLeastPixels = 120.0;
 constexpr double kPlentyPixels = 3000.0;
 
-/// Points spread over an object's triangles, each by its area. The same at every call.
+/// Points spread over an object's triangles, each by its area. The same at every call, and for
+/// either winding of the triangles.
 std::array<Eigen::Vector3d, TargetSamples::kPerObject> spread(const Scene& scene,
                                                               const Object& object) {
     std::vector<double> until;  // area of the triangles up to each
     double area = 0.0;
-    const auto corner = [&](std::uint32_t triangle, int k) -> Eigen::Vector3d {
-        return scene.positions[scene.triangles[triangle][static_cast<std::size_t>(k)]]
-            .cast<double>();
+    const auto cornersOf = [&](std::uint32_t t) {
+        std::array<Eigen::Vector3d, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] =
+                scene.positions[scene.triangles[object.first_triangle + t][k]].cast<double>();
+        }
+        std::ranges::sort(corners, [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+            return std::ranges::lexicographical_compare(a, b);
+        });
+        return corners;
     };
     for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
-        const std::uint32_t triangle = object.first_triangle + t;
-        const Eigen::Vector3d a = corner(triangle, 0);
-        area += 0.5 * (corner(triangle, 1) - a).cross(corner(triangle, 2) - a).norm();
+        const auto [a, b, c] = cornersOf(t);
+        area += 0.5 * (b - a).cross(c - a).norm();
         until.push_back(area);
     }
     std::array<Eigen::Vector3d, TargetSamples::kPerObject> points;
@@ -43,9 +50,8 @@ std::array<Eigen::Vector3d, TargetSamples::kPerObject> spread(const Scene& scene
             found - until.begin(), static_cast<std::ptrdiff_t>(until.size()) - 1));
         const double u = std::sqrt(random.uniform());
         const double v = random.uniform();
-        const std::uint32_t triangle = object.first_triangle + t;
-        points[i] = (1.0 - u) * corner(triangle, 0) + u * (1.0 - v) * corner(triangle, 1) +
-                    u * v * corner(triangle, 2);
+        const auto [a, b, c] = cornersOf(t);
+        points[i] = (1.0 - u) * a + u * (1.0 - v) * b + u * v * c;
     }
     return points;
 }
