@@ -67,6 +67,8 @@ void takeFunctionsFrom(FunctionSource source) {
 
 }  // namespace dollytrack::gl
 
+// The libraries find these in place of libGL's.
+#pragma GCC visibility push(default)
 extern "C" {
 
 void (*glXGetProcAddressARB(const GLubyte* name))(void);
@@ -135,3 +137,4 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 }  // extern "C"
+#pragma GCC visibility pop

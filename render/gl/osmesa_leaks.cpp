@@ -3,7 +3,7 @@
 
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __lsan_default_suppressions();  // NOLINT: the sanitizer's own name
-extern "C" const char* __lsan_default_suppressions() {
+extern "C" [[gnu::visibility("default")]] const char* __lsan_default_suppressions() {
     return "leak:libOSMesa\nleak:libLLVM\n";
 }
 #endif
