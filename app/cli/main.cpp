@@ -1,8 +1,10 @@
 #include "app/cli/command_line.h"
+#include "app/cli/manual_settings.h"
 #include "app/cli/terminal/help_formatter.h"
 #include "app/cli/terminal/progress_lines.h"
 #include "app/cli/terminal/standard_streams.h"
 #include "app/cli/terminal/suggestion.h"
+#include "app/version.h"
 #include "engine/core/log.h"
 #include "engine/jobs/parallel.h"
 
@@ -104,7 +106,7 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
         "seen well,\nand renders the trajectory as a labelled dataset.");
     app.name("dollytrack");
     app.formatter(std::make_shared<cli::HelpFormatter>());
-    app.set_version_flag("--version", std::string("dollytrack ") + DOLLYTRACK_VERSION);
+    app.set_version_flag("--version", std::string("dollytrack ") + versionText());
     app.require_subcommand(1);
     app.footer(
         "Examples:\n"
@@ -142,6 +144,10 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     cli::addGenerateCommand(app, session);
     cli::addParamsCommand(app, session);
 
+    if (arguments.size() == 2 && arguments[0] == manual::kManualOption) {
+        const Status written = manual::writeManual(app, cli::manualSettings(), arguments[1]);
+        return written ? cli::kDone : endWith(session, written.error(), cli::kCannotWrite);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -177,7 +183,7 @@ int main(int argc, char** argv) {
     } catch (const std::exception& exception) {
         // fmt throws where a long print meets a full disk.
         const Status printed = cli::finishStandardOutput();
-        const Error error = printed ? errorOf(exception) : printed.error();
+        const Error error = printed ? cli::errorOf(exception) : printed.error();
         return endWith(session, error, cli::exitCodeFor(error.code));
     }
 }

@@ -1,5 +1,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/shell/inspector.h"
+#include "app/manual/manual_files.h"
+#include "app/version.h"
 #include "engine/core/log.h"
 #include "ui/widgets/item_map.h"
 
@@ -9,6 +11,7 @@
 #include <csignal>
 #include <iostream>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -76,7 +79,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Plan a camera's way through an indoor scene, see why, and tune it by hand.");
     app.name("dollytrack-editor");
-    app.set_version_flag("--version", std::string("dollytrack-editor ") + DOLLYTRACK_VERSION);
+    app.set_version_flag("--version", std::string("dollytrack-editor ") + versionText());
     std::string path;
     std::string socket;
     std::string size;
@@ -88,6 +91,11 @@ int main(int argc, char** argv) {
     app.add_option("--inspect", socket,
                    "Unix socket that answers the line 'state' with what is shown, as JSON")
         ->type_name("PATH");
+    if (argc == 3 && std::string_view(argv[1]) == manual::kManualOption) {
+        const Status written = manual::writeManual(app, {DOLLYTRACK_VERSION, {}, {}}, argv[2]);
+        if (!written) std::cerr << "dollytrack-editor: " << describe(written.error()) << "\n";
+        return written ? 0 : 6;
+    }
     CLI11_PARSE(app, argc, argv);
     editor::EditorSettings settings = editor::loadSettings();
     if (!size.empty()) {

@@ -1,0 +1,85 @@
+#include "app/cli/manual_settings.h"
+
+#include "app/manual/man_page.h"
+#include "app/version.h"
+#include "engine/generate/room_spec.h"
+#include "planning/baselines/planner.h"
+#include "planning/plan_params.h"
+#include "render/dataset/modalities.h"
+#include "render/formats/formats.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::cli {
+namespace {
+
+template <class Rows>
+manual::KnownValues namesOf(const Rows& rows, bool with_all) {
+    manual::KnownValues known{{}, with_all};
+    for (const auto& row : rows) known.values.emplace_back(row.name);
+    if (with_all) known.values.emplace_back("all");
+    return known;
+}
+
+/// "loop=true", "loop=false" where there are few, "fill=" where any number may follow.
+manual::KnownValues assignments(const FieldList& fields) {
+    manual::KnownValues known;
+    for (const Field& field : fields) {
+        if (const auto* choice = std::get_if<Field::Choice>(&field.value)) {
+            for (const std::string_view name : choice->info.names) {
+                known.values.push_back(fmt::format("{}={}", field.name, name));
+            }
+        } else if (std::holds_alternative<Field::Switch>(field.value)) {
+            known.values.push_back(field.name + "=true");
+            known.values.push_back(field.name + "=false");
+        } else {
+            known.values.push_back(field.name + "=");
+        }
+    }
+    return known;
+}
+
+std::string parameterEntries(const FieldList& fields) {
+    std::string text = ".SH PARAMETERS\nEach with its default, unit and range.\n";
+    std::string section;
+    for (const Field& field : fields) {
+        if (field.section != section) text += ".SS " + field.section + "\n";
+        section = field.section;
+        const std::string_view unit = field.unit();
+        text += fmt::format(
+            ".TP\n\\fB{}\\fR={}{}\n{} ({})\n", field.name, manual::troffText(field.valueText()),
+            unit.empty() ? "" : " " + manual::troffText(std::string(unit)),
+            manual::troffText(std::string(field.text())), manual::troffText(field.rangeText()));
+    }
+    return text;
+}
+
+}  // namespace
+
+manual::ManualSettings manualSettings() {
+    planning::PlanParams params;
+    const FieldList fields = planning::listFields(params);
+    manual::ManualSettings settings;
+    settings.version = versionText();
+    settings.values = {
+        {"--formats", namesOf(render::formats(), true)},
+        {"--modalities", namesOf(render::modalities(), true)},
+        {"--param", assignments(fields)},
+        {"--planner", namesOf(planning::planners(), false)},
+        {"--planners", namesOf(planning::planners(), true)},
+        {"--preset", namesOf(generate::roomPresets(), true)},
+        {"--set", assignments(fields)},
+        {"--up", {{"x", "y", "z", "-x", "-y", "-z"}, false}},
+    };
+    settings.values["--preset"].values.pop_back();  // no "all" among presets
+    settings.more["params"] = parameterEntries(fields);
+    settings.more[""] =
+        ".SH FILES\n.TP\n.I dollytrack\\-import\nReads one scene file, in a process of its own "
+        "that may open little else. The other programs start it; it must lie beside them.\n"
+        ".TP\n.I ~/.cache/dollytrack\nScenes and light that were computed before.\n"
+        ".SH ENVIRONMENT\n.TP\n.B DOLLYTRACK_NO_CACHE\nIf 1, nothing is taken from that folder or "
+        "kept there.\n";
+    return settings;
+}
+
+}  // namespace dollytrack::cli

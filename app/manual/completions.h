@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/manual/command_words.h"
+
+#include <string>
+#include <vector>
+
+namespace dollytrack::manual {
+
+/// A script each that completes subcommands, options and their values in a shell. `commands` are
+/// those of commandWords().
+[[nodiscard]] std::string bashCompletion(const std::string& program,
+                                         const std::vector<CommandWords>& commands);
+[[nodiscard]] std::string zshCompletion(const std::string& program,
+                                        const std::vector<CommandWords>& commands);
+[[nodiscard]] std::string fishCompletion(const std::string& program,
+                                         const std::vector<CommandWords>& commands);
+
+}  // namespace dollytrack::manual
