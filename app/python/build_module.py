@@ -62,8 +62,11 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = build()
     info = f"dollytrack-{version()}.dist-info"
     wheel = pathlib.Path(wheel_directory) / f"dollytrack-{version()}-{TAG}.whl"
+    extension = "_core" + sysconfig.get_config_var("EXT_SUFFIX")
+    if not (package / extension).exists():
+        raise SystemExit(f"There is no {extension} in {package}; build the module for this Python.")
     files = {f"dollytrack/{file.name}": file.read_bytes() for file in sorted(package.iterdir())
-             if file.suffix in (".py", ".pyi", ".so") or file.name in ("py.typed",
+             if file.suffix in (".py", ".pyi") or file.name in (extension, "py.typed",
                                                                       "dollytrack-import")}
     files[f"{info}/METADATA"] = metadata().encode()
     files[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: dollytrack\n"

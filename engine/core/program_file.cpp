@@ -10,17 +10,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path findOwnFile() {
-    std::error_code error;
+constexpr const char* kRunningProgram = "/proc/self/exe";
+
+/// The name by which the library that holds this code was loaded; empty in a program.
+std::string loadedAs() {
     Dl_info info{};
     link_map* map = nullptr;
     const bool known = dladdr1(reinterpret_cast<const void*>(&ownFile), &info,
                                reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
     // The program itself has no name here. A library has the one it was loaded by.
-    if (known && map != nullptr && map->l_name != nullptr && *map->l_name != '\0') {
-        return fs::canonical(map->l_name, error);
-    }
-    return fs::read_symlink("/proc/self/exe", error);
+    return known && map != nullptr && map->l_name != nullptr ? map->l_name : "";
+}
+
+fs::path findOwnFile() {
+    std::error_code error;
+    const std::string library = loadedAs();
+    return library.empty() ? fs::read_symlink(kRunningProgram, error)
+                           : fs::canonical(library, error);
 }
 
 }  // namespace
@@ -29,6 +35,11 @@ fs::path ownFile() {
     // Kept: a relative name is of the folder that was the current one when the library was loaded.
     static const fs::path file = findOwnFile();
     return file;
+}
+
+fs::path ownContent() {
+    static const bool is_library = !loadedAs().empty();
+    return is_library ? ownFile() : fs::path(kRunningProgram);
 }
 
 fs::path siblingProgram(const std::string& name) {

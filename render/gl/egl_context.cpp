@@ -9,6 +9,9 @@
 #include <array>
 #include <cstdio>
 #include <iterator>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
@@ -25,15 +28,49 @@ Error eglError(const std::string& what) {
     return {ErrorCode::NoOpenGl, what + " (EGL error " + code + ")", {}};
 }
 
+/// A display that contexts share: the first use starts it, the end of the last one terminates it.
+class SharedDisplay {
+  public:
+    /// Nothing where the display does not start.
+    static std::optional<SharedDisplay> start(EGLDisplay display) {
+        const std::lock_guard lock(users().mutex);
+        if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return std::nullopt;
+        ++users().count[display];
+        return SharedDisplay(display);
+    }
+    SharedDisplay(SharedDisplay&& other) noexcept
+        : display_(std::exchange(other.display_, EGL_NO_DISPLAY)) {}
+    SharedDisplay& operator=(SharedDisplay&&) = delete;
+    ~SharedDisplay() {
+        if (display_ == EGL_NO_DISPLAY) return;
+        const std::lock_guard lock(users().mutex);
+        if (--users().count[display_] == 0) eglTerminate(display_);
+    }
+    [[nodiscard]] EGLDisplay get() const { return display_; }
+
+  private:
+    struct Users {
+        std::mutex mutex;
+        std::map<EGLDisplay, int> count;
+    };
+    static Users& users() {
+        static Users users;
+        return users;
+    }
+    explicit SharedDisplay(EGLDisplay display) : display_(display) {}
+
+    EGLDisplay display_;
+};
+
 class EglContext final : public Context {
   public:
-    EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
+    EglContext(SharedDisplay display, EGLContext context)
+        : shared_(std::move(display)), display_(shared_.get()), context_(context) {}
     ~EglContext() override {
         if (eglGetCurrentContext() == context_) {
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         }
         eglDestroyContext(display_, context_);
-        eglTerminate(display_);
     }
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
@@ -48,6 +85,7 @@ class EglContext final : public Context {
     }
 
   private:
+    SharedDisplay shared_;
     EGLDisplay display_;
     EGLContext context_;
 };
@@ -64,12 +102,11 @@ std::string stringOf(PFNEGLQUERYDEVICESTRINGEXTPROC query, EGLDeviceEXT device, 
     return text == nullptr ? std::string() : text;
 }
 
-/// A context on a display that is not in use yet.
+/// A context on a display.
 Result<std::unique_ptr<Context>> openOn(EGLDisplay display, const ContextCheck& check) {
     if (display == EGL_NO_DISPLAY) return tl::unexpected(eglError("not offered"));
-    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
-        return tl::unexpected(eglError("does not start"));
-    }
+    std::optional<SharedDisplay> shared = SharedDisplay::start(display);
+    if (!shared) return tl::unexpected(eglError("does not start"));
     constexpr std::array<EGLint, 7> kVersion = {EGL_CONTEXT_MAJOR_VERSION,
                                                 4,
                                                 EGL_CONTEXT_MINOR_VERSION,
@@ -82,11 +119,9 @@ Result<std::unique_ptr<Context>> openOn(EGLDisplay display, const ContextCheck& 
         context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion.data());
     }
     if (context == EGL_NO_CONTEXT) {
-        Error error = eglError("has no OpenGL 4.5");
-        eglTerminate(display);
-        return tl::unexpected(std::move(error));
+        return tl::unexpected(eglError("has no OpenGL 4.5"));
     }
-    std::unique_ptr<Context> opened = std::make_unique<EglContext>(display, context);
+    std::unique_ptr<Context> opened = std::make_unique<EglContext>(std::move(*shared), context);
     if (check) {
         if (Status status = check(*opened); !status) {
             return tl::unexpected(std::move(status.error()));

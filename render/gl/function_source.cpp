@@ -1,5 +1,7 @@
 #include "render/gl/function_source.h"
 
+#include "render/gl/context.h"
+
 #include <GL/glew.h>
 
 #include <string_view>
@@ -42,7 +44,8 @@ void find(Function& function, const char* name) {
 
 namespace dollytrack::gl {
 
-void takeFunctionsFrom(FunctionSource source) {
+Status useFunctionsOf(FunctionSource source) {
+    if (functions.source == source) return {};
     functions.source = source;
     find(functions.blendFunc, "glBlendFunc");
     find(functions.clear, "glClear");
@@ -63,6 +66,9 @@ void takeFunctionsFrom(FunctionSource source) {
     find(functions.pixelStorei, "glPixelStorei");
     find(functions.scissor, "glScissor");
     find(functions.viewport, "glViewport");
+    Status status = loadFunctions();
+    if (!status) functions.source = nullptr;
+    return status;
 }
 
 }  // namespace dollytrack::gl

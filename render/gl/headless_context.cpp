@@ -13,12 +13,27 @@
 namespace dollytrack::gl {
 namespace {
 
+/// A context of EGL whose functions are used while it is current. The editor's window, which draws
+/// with libGL's, has EglContext alone.
+class LoadedEglContext final : public Context {
+  public:
+    explicit LoadedEglContext(std::unique_ptr<Context> context) : context_(std::move(context)) {}
+    Status makeCurrent() override {
+        if (Status status = context_->makeCurrent(); !status) return status;
+        return useFunctionsOf(&eglGetProcAddress);
+    }
+
+  private:
+    std::unique_ptr<Context> context_;
+};
+
 Result<std::unique_ptr<Context>> createLoadedEglContext() {
-    return createEglContext([](Context& context) -> Status {
-        if (Status status = context.makeCurrent(); !status) return status;
-        takeFunctionsFrom(&eglGetProcAddress);
-        return loadFunctions();
+    auto context = createEglContext([](Context& opened) -> Status {
+        if (Status status = opened.makeCurrent(); !status) return status;
+        return useFunctionsOf(&eglGetProcAddress);
     });
+    if (!context) return context;
+    return std::make_unique<LoadedEglContext>(std::move(*context));
 }
 
 /// Asking the drivers takes a tenth of a second; what they talk to tells as well.

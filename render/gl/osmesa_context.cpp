@@ -29,7 +29,7 @@ class OsMesaContext final : public Context {
             return fail(ErrorCode::NoOpenGl,
                         "the windowless OpenGL context (OSMesa) cannot be made current");
         }
-        return {};
+        return useFunctionsOf(&OSMesaGetProcAddress);
     }
 
   private:
@@ -61,8 +61,6 @@ Result<std::unique_ptr<Context>> createOsMesaContext() {
     }
     auto context = std::make_unique<OsMesaContext>(raw);
     if (Status status = context->makeCurrent(); !status) return tl::unexpected(status.error());
-    takeFunctionsFrom(&OSMesaGetProcAddress);
-    if (Status status = loadFunctions(); !status) return tl::unexpected(status.error());
     return context;
 }
 

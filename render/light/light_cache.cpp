@@ -155,7 +155,7 @@ void writeScene(Writer& write, const Scene& scene) {
 
 void writeProgram(Writer& write) {
     struct stat file {};
-    if (::stat(ownFile().c_str(), &file) != 0) return;
+    if (::stat(ownContent().c_str(), &file) != 0) return;
     write(std::uint64_t{file.st_ino});
     write(std::int64_t{file.st_size});
     write(std::int64_t{file.st_mtim.tv_sec});

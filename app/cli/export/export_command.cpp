@@ -187,6 +187,10 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const Result<PlannedScene> planned =
         *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
+    if (const std::string why = whyEmpty(*planned); !why.empty()) {
+        return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
+                    arguments.scene.path);
+    }
     const auto printIfRoom = [&](const ExportedDataset& one) {
         if (one.room.empty() || arguments.as_json) return;
         printRoom(one.room, one.summary, one.folder);

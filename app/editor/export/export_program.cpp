@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 Result<fs::path> findExportProgram() {
-    if (fs::path program = siblingProgram("dollytrack"); isProgram(program)) return program;
+    if (fs::path beside = ownFile().parent_path() / "dollytrack"; isProgram(beside)) return beside;
     if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
     return fail(ErrorCode::Failed,
                 "The program 'dollytrack', which does the exporting, is neither beside the editor "

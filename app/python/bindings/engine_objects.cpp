@@ -118,8 +118,8 @@ py::list OpenScene::objects() const {
             py::arg("class_id") = of.id, py::arg("class_name") = textOf(of.name),
             py::arg("role") = std::string(roleName(object.role)), py::arg("large") = object.large,
             py::arg("center") = vectorOf(object.box.center),
-            py::arg("size") = vectorOf(2.0 * object.box.half_size),
-            py::arg("yaw") = object.box.yaw, py::arg("front") = vectorOf(object.front),
+            py::arg("size") = vectorOf(2.0 * object.box.half_size), py::arg("yaw") = object.box.yaw,
+            py::arg("front") = vectorOf(object.front),
             py::arg("corners") = arrayOf(std::move(corners), {8, 3}),
             py::arg("faces") = py::slice(object.first_triangle,
                                          object.first_triangle + object.triangle_count, 1)));
@@ -253,9 +253,9 @@ std::string ScenePlan::coverage(const std::vector<std::string>& files,
         if (Status status = checkOwn(); !status) return status;
         if (Status status = cli::checkCoverageFiles(files); !status) return status;
         return scene_->withPipeline(opened_.scene, [&](planning::Pipeline& pipeline) -> Status {
-            const auto curves = planning::coverageCurves(pipeline, opened_.params,
-                                                         opened_.plan_edits, *planned_.plan,
-                                                         job.stage(0.0, 1.0, "coverage"));
+            const auto curves =
+                planning::coverageCurves(pipeline, opened_.params, opened_.plan_edits,
+                                         *planned_.plan, job.stage(0.0, 1.0, "coverage"));
             if (!curves) return tl::unexpected<Error>(curves.error());
             const std::string title =
                 opened_.scene->source.filename().string() + ": what budgets capture";
@@ -323,9 +323,9 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
         if (!turn) return tl::unexpected<Error>(turn.error());
         auto context = order.backend.createContext();
         if (!context) return tl::unexpected<Error>(std::move(context.error()));
-        const auto datasets =
-            cli::exportPlanned(changed->first, changed->second, order, std::move(*context),
-                               [](const cli::ExportedDataset&) {}, cancel_flag, job);
+        const auto datasets = cli::exportPlanned(
+            changed->first, changed->second, order, std::move(*context),
+            [](const cli::ExportedDataset&) {}, cancel_flag, job);
         if (!datasets) return tl::unexpected<Error>(datasets.error());
         summary = cli::exportJson(order, *datasets, changed->second.metrics);
         return {};
@@ -364,8 +364,9 @@ py::object imageOf(render::FrameRecord& frame, const std::string& name) {
 }
 
 Status checkDrawable(const std::vector<std::string>& names) {
-    constexpr std::array kDrawn = {"rgb",           "depth",  "instance",  "semantic",   "normal_world",
-                                   "normal_camera", "albedo", "rgb_right", "depth_right"};
+    constexpr std::array kDrawn = {"rgb",      "depth",        "instance",
+                                   "semantic", "normal_world", "normal_camera",
+                                   "albedo",   "rgb_right",    "depth_right"};
     for (const std::string& name : names) {
         if (std::ranges::find(kDrawn, name) != kDrawn.end()) continue;
         // A misspelt one is told with what was meant.
@@ -384,9 +385,10 @@ Status checkDrawable(const std::vector<std::string>& names) {
 
 PlanFrames::PlanFrames(const std::shared_ptr<ScenePlan>& plan, cli::ExportOrder order,
                        const std::vector<std::string>& assignments, const py::object& progress)
-    : modalities_(order.settings.modalities),
-      plan_(plan),
-      thread_(std::make_unique<WorkThread>()) {
+    : plan_(plan), thread_(std::make_unique<WorkThread>()) {
+    for (const std::string& name : order.settings.modalities) {
+        if (std::ranges::find(modalities_, name) == modalities_.end()) modalities_.push_back(name);
+    }
     const auto work = [&](const JobContext& job) -> Status {
         if (Status status = checkDrawable(modalities_); !status) return status;
         auto changed = plan->with(assignments, order.settings);
@@ -452,14 +454,15 @@ py::object PlanFrames::next() {
 }
 
 void PlanFrames::close() {
+    if (busy_) cancel_flag_->store(true);  // the thread that draws closes it
     if (busy_ || !thread_) return;
     std::unique_ptr<WorkThread> thread = std::move(thread_);
     // The context's things go on its thread, which ends when that is done.
-    thread->post([series = std::make_shared<std::optional<render::FrameSeries>>(
-                      std::move(series_))] {
-        const std::lock_guard lock(drawing());
-        series->reset();
-    });
+    thread->post(
+        [series = std::make_shared<std::optional<render::FrameSeries>>(std::move(series_))] {
+            const std::lock_guard lock(drawing());
+            series->reset();
+        });
     series_.reset();
     const py::gil_scoped_release release;
     thread.reset();

@@ -151,8 +151,8 @@ py::array faceObjects(const OpenScene& scene) {
 void bindScene(py::module_& module) {
     py::class_<OpenScene, std::shared_ptr<OpenScene>>(module, "Scene")
         .def_property_readonly("name", [](const OpenScene& s) { return py::bytes(s.scene().name); })
-        .def_property_readonly("source",
-                               [](const OpenScene& s) { return py::bytes(s.scene().source.string()); })
+        .def_property_readonly(
+            "source", [](const OpenScene& s) { return py::bytes(s.scene().source.string()); })
         .def_property_readonly("sha256", [](const OpenScene& s) { return s.scene().source_sha256; })
         .def("report", &OpenScene::reportJson)
         .def("objects", &OpenScene::objects)
@@ -181,11 +181,11 @@ void bindScene(py::module_& module) {
             [](const std::shared_ptr<OpenScene>& scene, Names assignments, Names ignore, Names only,
                std::string start, std::string end, std::optional<double> time_s,
                const py::object& progress) {
-                return ScenePlan::make(scene,
-                                       demands(std::move(assignments), std::move(ignore),
-                                               std::move(only), std::move(start), std::move(end),
-                                               time_s),
-                                       progress);
+                return ScenePlan::make(
+                    scene,
+                    demands(std::move(assignments), std::move(ignore), std::move(only),
+                            std::move(start), std::move(end), time_s),
+                    progress);
             },
             py::arg("assignments"), py::arg("ignore"), py::arg("only"), py::arg("start"),
             py::arg("end"), py::arg("time_s"), py::arg("progress"))
@@ -238,6 +238,7 @@ void bindPlan(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
     (void)ownFile();  // while relative names are still of this folder
     python::logToPython();
+    python::stopCallsAtExit();
     module.attr("version") = DOLLYTRACK_VERSION;
     module.def("parameters", &parameters);
     module.def("modalities", [] { return namesOf(render::modalities()); });

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -60,6 +61,36 @@ void handOnLog() {
                            py::bytes(record.message).attr("decode")("utf-8", "replace"), count);
     }
 }
+
+/// The calls of Python that wait now.
+struct RunningCalls {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<CancelFlag> flags;
+};
+
+RunningCalls& runningCalls() {
+    static auto* const calls = new RunningCalls;  // outlives static objects
+    return *calls;
+}
+
+class RunningCall {
+  public:
+    explicit RunningCall(CancelFlag flag) : flag_(std::move(flag)) {
+        const std::lock_guard lock(runningCalls().mutex);
+        runningCalls().flags.push_back(flag_);
+    }
+    ~RunningCall() {
+        const std::lock_guard lock(runningCalls().mutex);
+        runningCalls().flags.erase(std::ranges::find(runningCalls().flags, flag_));
+        runningCalls().changed.notify_all();
+    }
+    RunningCall(const RunningCall&) = delete;
+    RunningCall& operator=(const RunningCall&) = delete;
+
+  private:
+    CancelFlag flag_;
+};
 
 JobContext contextOf(const std::shared_ptr<News>& news, const CancelFlag& cancel_flag) {
     return {cancel_flag, [news](double fraction, std::string_view stage) {
@@ -147,6 +178,7 @@ void WorkThread::work(const std::shared_ptr<State>& state) {
 void waitFor(const py::object& progress, const std::function<Status(const JobContext&)>& work,
              WorkThread& thread, const CancelFlag& cancel_flag) {
     checkNotForked();
+    const RunningCall running(cancel_flag);
     const auto news = std::make_shared<News>();
     thread.post([news, &work, job = contextOf(news, cancel_flag)] {
         Status result = outcomeOf(work, job);
@@ -186,11 +218,22 @@ void raise(const Error& error) {
     const auto text = [](const std::string& bytes) {
         return py::bytes(bytes).attr("decode")("utf-8", "replace");
     };
-    const py::object exception = py::module_::import("dollytrack.errors")
-                                     .attr("error_of")(static_cast<int>(error.code),
-                                                       text(error.message), text(error.where));
+    const py::object exception =
+        py::module_::import("dollytrack.errors")
+            .attr("error_of")(static_cast<int>(error.code), text(error.message), text(error.where));
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
     throw py::error_already_set();
+}
+
+void stopCallsAtExit() {
+    const auto stop = [process = ::getpid()] {
+        if (::getpid() != process) return;  // a forked process has no such threads
+        const py::gil_scoped_release release;
+        std::unique_lock lock(runningCalls().mutex);
+        for (const CancelFlag& flag : runningCalls().flags) flag->store(true);
+        runningCalls().changed.wait(lock, [] { return runningCalls().flags.empty(); });
+    };
+    py::module_::import("atexit").attr("register")(py::cpp_function(stop));
 }
 
 void logToPython() {

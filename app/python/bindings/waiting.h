@@ -47,17 +47,19 @@ using CancelFlag = std::shared_ptr<std::atomic<bool>>;
 /// `progress` (None, or called with a fraction and a stage) is called on the waiting thread, and so
 /// are Python's loggers with what the engine logs. Whatever Python raises meanwhile stops the work
 /// and is raised when it has ended. The work never sees Python. Raises the error of the work.
-void waitFor(const pybind11::object& progress,
-             const std::function<Status(const JobContext&)>& work, WorkThread& thread,
-             const CancelFlag& cancel_flag);
+void waitFor(const pybind11::object& progress, const std::function<Status(const JobContext&)>& work,
+             WorkThread& thread, const CancelFlag& cancel_flag);
 
 /// The same on a thread of its own. The flag is set when the work is to stop.
-void waitFor(const pybind11::object& progress,
-             const std::function<Status(const JobContext&)>& work,
+void waitFor(const pybind11::object& progress, const std::function<Status(const JobContext&)>& work,
              const CancelFlag& cancel_flag = std::make_shared<std::atomic<bool>>(false));
 
 /// Raises the error as an exception of dollytrack.errors.
 [[noreturn]] void raise(const Error& error);
+
+/// When Python ends, calls of daemon threads are stopped and waited for: such a thread must not
+/// come back to an interpreter that is gone.
+void stopCallsAtExit();
 
 /// From now on the engine's log goes to Python's loggers "dollytrack.SUBSYSTEM".
 void logToPython();

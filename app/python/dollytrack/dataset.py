@@ -119,6 +119,10 @@ class Sample(_Images):
     def __contains__(self, name: object) -> bool:
         return name in self._dataset.modalities
 
+    # Arrays have no truth value, so that mappings of them cannot be compared.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
     def __repr__(self) -> str:
         return f"<Sample {self.index} of {self._dataset.folder}: {', '.join(self)}>"
 
@@ -162,7 +166,7 @@ class Dataset(_Samples):
             #: (3, 3) of the pinhole camera, px; the first pixel's centre is at (0.5, 0.5).
             self.intrinsics: npt.NDArray[np.float64] = np.array(
                 [[camera["fx"], 0, camera["cx"]], [0, camera["fy"], camera["cy"]], [0, 0, 1]], float)
-        except (KeyError, TypeError, ValueError):
+        except (KeyError, TypeError, ValueError, OverflowError):
             raise failure(BadInput, "A field is missing or of the wrong type; export the dataset "
                           "again.", str(file)) from None
         self._cache: Dict[str, Any] = {}  # shared by the parts of this dataset
@@ -195,7 +199,7 @@ class Dataset(_Samples):
                 raise failure(BadInput, "It is not there; export with the format coco.", str(file))
             try:
                 self._cache["boxes"] = _Boxes(file, len(self._card["frames"]))
-            except (KeyError, TypeError, ValueError) as error:
+            except (KeyError, TypeError, ValueError, OverflowError) as error:
                 if isinstance(error, BadInput):
                     raise
                 raise failure(BadInput, "It is damaged; export the dataset again.",

@@ -39,6 +39,10 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
     def __len__(self) -> int:
         return len(self._images)
 
+    # Arrays have no truth value, so that mappings of them cannot be compared.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
     def __repr__(self) -> str:
         return f"<Frame {self.index}: {', '.join(self._images)}>"
 

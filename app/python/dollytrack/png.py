@@ -26,11 +26,13 @@ def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
     at, packed, header = 8, [], b""
     while at + 8 <= len(data):
         length, kind = struct.unpack_from(">I4s", data, at)
+        end = at + 8 + length
+        if view[end:end + 4] != zlib.crc32(view[at + 4:end]).to_bytes(4, "big"):
+            raise Damaged("its checksum is wrong" if end + 4 <= len(data) else "it ends too early")
         if kind == b"IHDR":
-            header = data[at + 8:at + 8 + length]
+            header = data[at + 8:end]
         elif kind == b"IDAT":
-            packed += [view[i:min(i + _PIECE, at + 8 + length)]
-                       for i in range(at + 8, at + 8 + length, _PIECE)]
+            packed += [view[i:min(i + _PIECE, end)] for i in range(at + 8, end, _PIECE)]
         elif kind == b"IEND":
             break
         at += 12 + length

@@ -5,7 +5,7 @@ import shutil
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +19,7 @@ from .plan import Plan
 End = Union[None, str, Tuple[Sequence[float], Sequence[float]]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SceneObject:
     """One thing in a scene."""
 
@@ -39,7 +39,7 @@ class SceneObject:
 
 class Scene:
     """A room or home that was read: objects, classes and boxes. load() and Scene.from_arrays() make
-    one. It never changes; its arrays show the engine's memory and cannot be written to."""
+    one. It never changes; its vertices and faces show the engine's memory and cannot be written to."""
 
     def __init__(self, core: "_core.Scene") -> None:
         if not isinstance(core, _core.Scene):
@@ -65,8 +65,9 @@ class Scene:
         structure: (K,) truth values: part of the building, no target; None: what is called wall, floor,
             ceiling, door, window, roof, ground or sky.
         colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
-        file: a .glb file to keep the scene in, so that projects can refer to it; None: a temporary
-            file, which is there until Python ends.
+        file: a new .glb file to keep the scene in, so that projects can refer to it, with its names
+            and classes beside it in FILE.glb.objects.json; None: a temporary file, which is there
+            until Python ends.
         """
         folder = None
         if file is None:
@@ -110,6 +111,14 @@ class Scene:
 
     def __len__(self) -> int:
         return len(self.objects)
+
+    def __iter__(self) -> Iterator[SceneObject]:
+        return iter(self.objects)
+
+    def __contains__(self, name: object) -> bool:
+        """Whether an object has this name or id, or is this one."""
+        return any(name is o or (not isinstance(name, bool) and name in (o.name, o.id))
+                   for o in self.objects)
 
     @property
     def classes(self) -> Dict[int, str]:

@@ -1,5 +1,6 @@
 """Writes arrays of triangles as a scene file: GLB, with annotations that name its objects."""
 import json
+import os
 import re
 import struct
 from pathlib import Path
@@ -73,13 +74,17 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
     gltf["scenes"][0]["nodes"] = list(range(len(gltf["nodes"])))
     gltf["buffers"] = [{"byteLength": len(blob)}]
     annotations = {"format": "dollytrack-objects", "version": 1, "objects": named}
+    beside = file.with_name(file.name + ".objects.json")
+    for taken in (file, beside):
+        if os.path.lexists(taken):
+            raise failure(CannotWrite, "There is such a file; remove it or name another one.",
+                          str(taken))
     try:
-        file.write_bytes(_glb(gltf, bytes(blob)))
-        beside = file.with_name(file.name + ".objects.json")
         if object_ids is not None:
             beside.write_text(json.dumps(annotations))
-        else:
-            beside.unlink(missing_ok=True)
+        unfinished = file.with_name(file.name + ".part")
+        unfinished.write_bytes(_glb(gltf, bytes(blob)))
+        os.replace(unfinished, file)
     except OSError as error:
         raise failure(CannotWrite, f"It cannot be written ({error.strerror}).", str(file)) from None
 

@@ -377,6 +377,43 @@ except KeyboardInterrupt:
             self.scene.plan(anchors="corridors", max_frames=4)
         self.assertIn("corridors", logs.output[0])
 
+    def test_a_daemon_thread_ends_with_its_process(self):
+        process = start_python("""
+import sys, threading, dollytrack as dt
+plan = dt.load(sys.argv[1]).plan(max_frames=300)
+started = threading.Event()
+threading.Thread(target=lambda: plan.export(sys.argv[2], progress=lambda *_: started.set()),
+                 daemon=True).start()
+started.wait()
+""", self.room, self.folder / "by_daemon")
+        _, errors = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, 0, errors[-2000:])
+
+    def test_a_modality_asked_for_twice_is_one_image(self):
+        [frame] = self.plan.render("rgb", "rgb", range="0:1")
+        [once] = self.plan.render("rgb", range="0:1")
+        np.testing.assert_array_equal(frame["rgb"], once["rgb"])
+
+    def test_drawings_of_both_drivers_take_turns(self):
+        with self.plan.render("rgb", gl="egl") as egl, self.plan.render("rgb", gl="egl") as other:
+            first = next(egl)["rgb"]
+            osmesa = self.plan.render("rgb", gl="osmesa")
+            self.assertEqual(next(osmesa)["rgb"].shape, first.shape)
+            other.close()
+            np.testing.assert_array_equal(next(osmesa)["rgb"].shape, next(egl)["rgb"].shape)
+            osmesa.close()
+            self.assertEqual(next(egl)["rgb"].shape, first.shape)
+
+    def test_files_that_are_there_are_not_overwritten(self):
+        vertices, faces, ids = arrays()
+        taken = self.folder / "taken.glb"
+        taken.with_name("taken.glb.objects.json").write_text("{}")
+        with self.assertRaises(dt.CannotWrite):
+            dt.Scene.from_arrays(vertices, faces, ids, file=taken)
+        self.assertFalse(taken.exists())
+        self.assertIn("mug", self.scene)
+        self.assertEqual(len(list(self.scene)), len(self.scene))
+
     def test_a_forked_process_is_told_not_crashed(self):
         code = """
 import os, sys

@@ -149,8 +149,10 @@ print("sound", refused, taken)
 class FuzzTest(FolderCase):
     def test_wrong_arguments_never_crash_the_interpreter(self):
         tiny_room.write(self.folder / "room.obj")
-        process = start_python(FUZZ, self.folder / "room.obj", self.folder, 20_000 if LONG else 600,
-                               cwd=self.folder)
+        inner = self.folder / "a" / "b" / "c"  # what leads upwards stays within
+        inner.mkdir(parents=True)
+        process = start_python(FUZZ, self.folder / "room.obj", inner, 20_000 if LONG else 600,
+                               cwd=inner)
         out, errors = process.communicate(timeout=7200)
         self.assertEqual(process.returncode, 0, errors[-3000:])
         self.assertIn("sound", out)
