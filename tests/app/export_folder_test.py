@@ -115,7 +115,7 @@ class ExportFolder(FolderCase):
                 with self.subTest(mode=mode, place=place):
                     out = self.new_folder()
                     pictures, before = self.pictures(out)
-                    (out / ".dollytrack-export").touch()
+                    (out / ".dollytrack-export").write_text("{}\n")
                     link = out / place
                     link.unlink(missing_ok=True)
                     file = place in (".dollytrack-export", "annotations.json")
