@@ -140,11 +140,12 @@ void checkNotForked() {
 
 }  // namespace
 
-WorkThread::WorkThread() : process_(::getpid()), thread_(&WorkThread::work, state_) {}
+WorkThread::WorkThread()
+    : process_(::getpid()), thread_(std::make_unique<std::thread>(&WorkThread::work, state_)) {}
 
 WorkThread::~WorkThread() {
     if (process_ != ::getpid()) {
-        thread_.detach();
+        (void)thread_.release();  // even detaching would touch what is gone
         return;
     }
     {
@@ -152,7 +153,7 @@ WorkThread::~WorkThread() {
         state_->ends = true;
     }
     state_->changed.notify_one();
-    thread_.join();
+    thread_->join();
 }
 
 void WorkThread::post(std::function<void()> task) {

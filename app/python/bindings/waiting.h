@@ -37,7 +37,7 @@ class WorkThread {
 
     std::shared_ptr<State> state_ = std::make_shared<State>();
     int process_;
-    std::thread thread_;
+    std::unique_ptr<std::thread> thread_;
 };
 
 /// What can be stopped: shared by the calls that belong to one piece of work.

@@ -146,7 +146,7 @@ class EngineTest(FolderCase):
 
     def test_an_explanation_says_what_helps(self):
         # As the command line has it with --explain.
-        settings = {"max_pitch_deg": 0.0, "min_pitch_deg": -5.0, "max_frames": 8}
+        settings = {"max_pitch_deg": 0.0, "min_pitch_deg": -5.0, "max_frames": 2}
         plan = self.scene.plan(**settings)
         printed = json.loads(run("plan", self.room, "--explain", "--json", *[
             word for name, value in settings.items() for word in ("--set", f"{name}={value}")]).stdout)
@@ -164,7 +164,7 @@ class EngineTest(FolderCase):
         ours = self.folder / "ours.csv"
         curves = self.plan.coverage(ours)
         self.assertEqual(ours.read_bytes(), file.read_bytes())
-        last = file.read_text().split("length")[0].strip().splitlines()[-1].split(",")
+        last = file.read_text().split("\nlength")[0].strip().splitlines()[-1].split(",")
         self.assertEqual(curves["frames"]["frames"][-1], float(last[3]))
         self.assertEqual(len(curves["length"]["captured"]), len(curves["length"]["frames"]))
 
@@ -290,6 +290,7 @@ class EngineTest(FolderCase):
     def test_errors_have_the_command_lines_sentences_and_codes(self):
         damaged = self.folder / "damaged.glb"
         damaged.write_bytes(b"glTF nonsense")
+        out = self.folder / "refused"
         for arguments, call in (
                 (["info", self.folder / "missing.obj"], lambda: dt.load(self.folder / "missing.obj")),
                 (["info", damaged], lambda: dt.load(damaged)),
@@ -300,19 +301,18 @@ class EngineTest(FolderCase):
                 (["plan", self.room, "--ignore", "sofas"], lambda: self.scene.plan(ignore="sofas")),
                 (["plan", self.room, "--set", "camera_radius_m=2"],
                  lambda: self.scene.plan(camera_radius_m=2)),
-                (["export", self.room, "--out", "x", "--modalities", "rbg"],
-                 lambda: self.plan.export("x", modalities="rbg")),
-                (["export", self.room, "--out", "x", "--range", "9:"],
-                 lambda: self.plan.export("x", range="x"))):
+                (["export", self.room, "--out", out, "--modalities", "rbg"],
+                 lambda: self.plan.export(out, modalities="rbg")),
+                (["export", self.room, "--out", out, "--range", "x"],
+                 lambda: self.plan.export(out, range="x"))):
             with self.assertRaises(dt.Error) as caught:
                 call()
             refused = run(*arguments)
-            if arguments[-1] != "9:":
-                self.assertEqual(f"dollytrack: {caught.exception}",
-                                 refused.stderr.strip().splitlines()[-1])
+            self.assertEqual(f"dollytrack: {caught.exception}",
+                             refused.stderr.strip().splitlines()[-1])
             self.assertEqual(caught.exception.exit_code, refused.returncode, caught.exception)
         with self.assertRaisesRegex(dt.Usage, "plan()"):
-            self.plan.export("x", fill=0.5)
+            self.plan.export(out, fill=0.5)
         with self.assertRaisesRegex(dt.Usage, "export"):
             self.plan.render("flow_forward")
 

@@ -58,6 +58,7 @@ def values():
     return numbers + texts + arrays + others
 
 pool = values()
+def unbound_plan(*given, **keywords): return _core.Scene.plan(*given, **keywords)
 names = list(dt.PARAMETERS)
 calls = {
     dt.load: ["unit_m", "up_axis", "labels", "models", "annotations", "keep_meshes", "cloud", "progress"],
@@ -70,7 +71,7 @@ calls = {
         "fold_seed", "rig", "cameras", "still", "overwrite", "resume", "gl", "progress"],
     dt.judge: ["times", "paths", "progress"], dt.set_threads: [], dt.Dataset: [], dt.Scene: [],
     dt.Plan: [],
-    _core.Scene.plan: ["assignments", "ignore", "only", "start", "end", "time_s", "progress"],
+    unbound_plan: ["assignments", "ignore", "only", "start", "end", "time_s", "progress"],
     scene._core.judge: ["poses", "times_s", "paths", "assignments", "progress"],
     scene._core.plan: ["assignments", "ignore", "only", "start", "end", "time_s", "progress"],
     plan._core.explain: ["ids", "progress"], plan._core.render: ["modalities", "range", "still", "gl",
