@@ -78,7 +78,7 @@ class Programs(InstalledCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_judges_are_found(self):
-        said = run(self.program, "compare", "--outcomes", "all", "--list")
+        said = run(self.program, "compare", "--outcomes", "odometry", "--list")
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertIn("odometry", said.stdout)
 
@@ -205,7 +205,7 @@ class Completions(InstalledCase):
                         "INPUTRC": "/dev/null", "HOME": str(self.folder)})
         os.write(terminal, f". {script}\n".encode())
         # Each Tab completes; Enter runs the line, whose words come back from echo.
-        os.write(b"" and 0 or terminal, b"dollytrack() { echo \"<$*>\"; }\n")
+        os.write(terminal, b"dollytrack() { echo \"<$*>\"; }\n")
         os.write(terminal, b"dollytrack sw\troom.glb --met\tx --set max_fram\t7 --set loop=tr\t\n")
         os.write(terminal, b"exit\n")
         said = b""
@@ -309,7 +309,7 @@ class Libraries(InstalledCase):
         captured, objects, frames = map(int, re.findall(r"\d+", done.stdout))
         self.assertEqual((objects, frames), (250, 8))
         self.assertGreater(captured, 10)
-        self.assertEqual(len((self.folder / "out/rgb.txt").read_text().split("\n")) > 8, True)
+        self.assertEqual(len(list((self.folder / "out/rgb").glob("*.png"))), 8)
 
 
 if __name__ == "__main__":
