@@ -9,8 +9,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
+#include <ranges>
+#include <ranges>
 #include <thread>
 #include <utility>
 
@@ -89,7 +90,9 @@ Status listAll(const io::GuardedFolder& folder, const std::string& within, int l
 DatasetFolder::~DatasetFolder() {
     if (isBegun()) return;
     if (lock_.valid() && marked_) {
-        for (const std::string& folder : made_within_) unfinished().removeEmpty(folder);
+        for (const std::string& folder : std::views::reverse(made_within_)) {
+            unfinished().removeEmpty(folder);
+        }
         if (made_staged_) folder_.removeEmpty(kNewFolder);
         // Before the lock goes: another export may mark it as its own at once.
         (void)folder_.remove(kJournalFile);
@@ -260,7 +263,11 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
     }
     for (const std::string& folder : names.folders) {
         if (folder == kFoldFolder) continue;  // made with the first list, where there are any
-        if (!unfinished().has(folder)) made_within_.push_back(folder);
+        for (std::size_t end = 0; end != std::string::npos;) {
+            end = folder.find('/', end + 1);
+            const std::string around = folder.substr(0, end);
+            if (!unfinished().has(around)) made_within_.push_back(around);
+        }
         if (const auto made = unfinished().makeWithin(folder); !made) {
             return tl::unexpected(made.error());
         }

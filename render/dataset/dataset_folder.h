@@ -92,7 +92,7 @@ class DatasetFolder {
     // Folders that did not exist before claim(), innermost first.
     std::vector<std::filesystem::path> made_around_;
     bool made_staged_ = false;
-    std::vector<std::string> made_within_;  // in unfinished()
+    std::vector<std::string> made_within_;  // in unfinished(), outer folders first
     bool complete_ = false;
 };
 

@@ -210,6 +210,22 @@ TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
 }
 
 // What a cut-off dataset holds is free for the new one; a complete one stays until the end.
+TEST(DatasetFolder, LeavesNothingWhereAFolderWithinAnotherFails) {
+    for (const std::string& inner : {std::string("train"), std::string(300, 'x')}) {
+        const test::TempFolder folder;
+        DatasetNames names = namesFor();
+        names.folders.insert("labels");
+        names.folders.insert("lists/of/" + inner);
+        {
+            auto claimed = DatasetFolder::claim(folder.path(), false);
+            ASSERT_TRUE(claimed);
+            EXPECT_EQ(claimed->begin(names, {}).has_value(), inner == "train");
+            EXPECT_NE(treeOf(folder.path()), std::set<std::string>{});
+        }
+        EXPECT_EQ(treeOf(folder.path()), std::set<std::string>{});
+    }
+}
+
 TEST(DatasetFolder, CountsTheSpaceThatIsGivenBack) {
     const test::TempFolder folder;
     (void)folder.write("rgb/000000.png", std::string(64'000'000, 'x'));
