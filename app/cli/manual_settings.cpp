@@ -13,11 +13,20 @@
 namespace dollytrack::cli {
 namespace {
 
+enum class Takes { One, List };
+
 template <class Rows>
-manual::KnownValues namesOf(const Rows& rows, bool with_all) {
-    manual::KnownValues known{{}, with_all};
+manual::KnownValues namesOf(const Rows& rows, Takes takes) {
+    manual::KnownValues known{{}, takes == Takes::List};
     for (const auto& row : rows) known.values.emplace_back(row.name);
-    if (with_all) known.values.emplace_back("all");
+    return known;
+}
+
+/// A list of names, or all of them.
+template <class Rows>
+manual::KnownValues namesOrAll(const Rows& rows) {
+    manual::KnownValues known = namesOf(rows, Takes::List);
+    known.values.emplace_back("all");
     return known;
 }
 
@@ -62,16 +71,15 @@ manual::ManualSettings manualSettings() {
     manual::ManualSettings settings;
     settings.version = versionText();
     settings.values = {
-        {"--formats", namesOf(render::formats(), true)},
-        {"--modalities", namesOf(render::modalities(), true)},
+        {"--formats", namesOrAll(render::formats())},
+        {"--modalities", namesOrAll(render::modalities())},
         {"--param", assignments(fields)},
-        {"--planner", namesOf(planning::planners(), false)},
-        {"--planners", namesOf(planning::planners(), true)},
-        {"--preset", namesOf(generate::roomPresets(), true)},
+        {"--planner", namesOf(planning::planners(), Takes::One)},
+        {"--planners", namesOrAll(planning::planners())},
+        {"--preset", namesOf(generate::roomPresets(), Takes::List)},
         {"--set", assignments(fields)},
         {"--up", {{"x", "y", "z", "-x", "-y", "-z"}, false}},
     };
-    settings.values["--preset"].values.pop_back();  // no "all" among presets
     settings.more["params"] = parameterEntries(fields);
     settings.more[""] =
         ".SH FILES\n.TP\n.I dollytrack\\-import\nReads one scene file, in a process of its own "

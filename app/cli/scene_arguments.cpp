@@ -256,6 +256,20 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
     return {};
 }
 
+namespace {
+
+/// Applies the edits, and what the arguments add to them.
+Status applyEditsAndArguments(OpenedScene& opened, const Edits& given,
+                              const SceneArguments& arguments) {
+    Result<Edits> edits = withArguments(given, arguments, *opened.imported);
+    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
+    if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
+    return applyEdits(opened, std::move(*edits));
+}
+
+}  // namespace
+
 Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& arguments) {
     const planning::TargetParams before = opened.params.targets;
     if (Status status = applyArguments(arguments, opened.params); !status) {
@@ -268,12 +282,8 @@ Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& argumen
         sortBySize(sorted.objects, targets.small_volume_m3, targets.size_ratio);
         opened.imported = std::make_shared<const Scene>(std::move(sorted));
     }
-    Result<Edits> edits = withArguments(opened.edits, arguments, *opened.imported);
-    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
-    if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
-    if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
     opened.stored_result = nullptr;
-    if (Status status = applyEdits(opened, std::move(*edits)); !status) {
+    if (Status status = applyEditsAndArguments(opened, opened.edits, arguments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     return opened;
@@ -412,14 +422,10 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     opened.stored_result = std::move(read->result);
     opened.edits_section = std::move(read->edits_section);
     opened.project_others = std::move(read->others);
-    Result<Edits> edits = withArguments(read->edits, arguments, *opened.imported);
-    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
-    const bool other_edits = *edits != read->edits;
-    if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
-    if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
-    if (Status status = applyEdits(opened, std::move(*edits)); !status) {
+    if (Status status = applyEditsAndArguments(opened, read->edits, arguments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
+    const bool other_edits = opened.edits != read->edits;
     if (opened.stored_result.is_null()) return opened;
     const bool other_scene = read->planned_sha256 != opened.imported->source_sha256;
     const bool other_import = opened.import != stored_import;

@@ -84,8 +84,9 @@ io::ProjectFile projectOf(const OpenedScene& opened);
 /// scene file is another one than was planned. Errors: BadInput, Usage, Cancelled.
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job);
 
-/// The same scene with other parameters and other demands on the trajectory, without reading it
-/// again; how it is read cannot change. There is no stored result. Errors: BadInput, Usage.
+/// A copy of an opened scene to which other arguments are applied: parameters, objects to ignore,
+/// start and end. The file is not read again, so arguments of the import have no effect. The copy
+/// has no stored result. Errors: BadInput, Usage.
 Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& arguments);
 
 }  // namespace dollytrack::cli

@@ -14,7 +14,7 @@ namespace dollytrack::manual {
 
 struct ManualSettings {
     std::string version;
-    ValuesByOption values;                   // completed in shells
+    ValuesByOption values;                    // completed in shells
     std::map<std::string, std::string> more;  // troff, by subcommand; empty name: the program
 };
 
@@ -23,7 +23,7 @@ struct ManualSettings {
 [[nodiscard]] Status writeManual(const CLI::App& program, const ManualSettings& settings,
                                  const std::filesystem::path& folder);
 
-/// The build runs each program with this option and a folder; no user needs it.
+/// A hidden option, with a folder: the program writes its manual there and ends. The build uses it.
 inline constexpr const char* kManualOption = "--write-manual";
 
 }  // namespace dollytrack::manual

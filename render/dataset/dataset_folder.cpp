@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
-#include <ranges>
 #include <ranges>
 #include <thread>
 #include <utility>

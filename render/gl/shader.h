@@ -14,8 +14,8 @@ namespace dollytrack::gl {
 [[nodiscard]] std::string_view shaderSource(std::string_view name);
 
 /// Compiles and links "<vertex>" with "<fragment>" (file names in assets/shaders; an empty fragment
-/// makes a program that draws no colour). The words in `defined` are so to the fragment's
-/// preprocessor. Failed with the compiler's words.
+/// makes a program that draws no colour). Each word in `defined` is a macro that the fragment
+/// shader's preprocessor knows. Failed with the compiler's words.
 [[nodiscard]] Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
                                           std::span<const std::string> defined = {});
 

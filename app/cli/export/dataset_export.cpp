@@ -111,11 +111,12 @@ Result<render::DatasetSummary> renderTrajectory(
                                  job);
 }
 
-Status checkNotEmpty(const OpenedScene& opened, const PlannedScene& planned) {
+Status checkNotEmpty(const ExportOrder& order, const OpenedScene& opened,
+                     const PlannedScene& planned) {
     const std::string why = whyEmpty(planned);
     if (why.empty()) return {};
     return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
-                opened.imported->source.string());
+                order.scene.empty() ? opened.imported->source.string() : order.scene);
 }
 
 /// Writes each room's dataset into a folder of its own.
@@ -204,7 +205,7 @@ Result<std::vector<ExportedDataset>> exportPlanned(
     std::unique_ptr<gl::Context> context,
     const std::function<void(const ExportedDataset&)>& on_written,
     std::shared_ptr<const std::atomic<bool>> cancel_flag, const JobContext& job) {
-    if (Status status = checkNotEmpty(opened, planned); !status) {
+    if (Status status = checkNotEmpty(order, opened, planned); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     render::DatasetSettings& settings = order.settings;
@@ -246,7 +247,7 @@ Result<render::FrameSeries> beginFrames(const OpenedScene& opened, const Planned
                                         const RayCaster& rays, ExportOrder order,
                                         std::unique_ptr<gl::Context> context,
                                         const JobContext& job) {
-    if (Status status = checkNotEmpty(opened, planned); !status) {
+    if (Status status = checkNotEmpty(order, opened, planned); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     addParameters(planned, order.settings);

@@ -21,6 +21,7 @@ namespace dollytrack::cli {
 struct ExportOrder {
     render::DatasetSettings settings;
     bool still = false;  // objects that have a track stay where the plan has them
+    std::string scene;   // as errors name it; empty: the scene file
     BackendOption backend;
 };
 

@@ -154,6 +154,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.overwrite = arguments.overwrite;
     settings.resume = arguments.resume;
     order.still = arguments.still;
+    order.scene = arguments.scene.path;
     order.backend = arguments.backend;
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
@@ -187,10 +188,6 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     const Result<PlannedScene> planned =
         *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
-    if (const std::string why = whyEmpty(*planned); !why.empty()) {
-        return fail(ErrorCode::Failed, "The trajectory is empty: " + why + ".",
-                    arguments.scene.path);
-    }
     const auto printIfRoom = [&](const ExportedDataset& one) {
         if (one.room.empty() || arguments.as_json) return;
         printRoom(one.room, one.summary, one.folder);

@@ -3,10 +3,16 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace dollytrack::python {
+
+/// A str of UTF-8 text; invalid bytes become U+FFFD.
+inline pybind11::object textOf(const std::string& bytes) {
+    return pybind11::bytes(bytes).attr("decode")("utf-8", "replace");
+}
 
 using Shape = std::vector<pybind11::ssize_t>;
 

@@ -26,11 +26,6 @@ namespace py = pybind11;
 namespace dollytrack::python {
 namespace {
 
-/// Bytes of names, some of which are no UTF-8.
-py::object textOf(const std::string& bytes) {
-    return py::bytes(bytes).attr("decode")("utf-8", "replace");
-}
-
 py::array_t<double> vectorOf(const Eigen::Vector3d& v) {
     return py::array_t<double>(3, v.data());
 }
@@ -336,12 +331,10 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
 
 namespace {
 
-using Pixels = std::vector<py::ssize_t>;
-
 /// What of a drawn frame is an image of this name, as an array; none for an unknown name.
 py::object imageOf(render::FrameRecord& frame, const std::string& name) {
-    const Pixels plain = {frame.height, frame.width};
-    const Pixels colour = {frame.height, frame.width, 3};
+    const Shape plain = {frame.height, frame.width};
+    const Shape colour = {frame.height, frame.width, 3};
     if (name == "rgb") return arrayOf(std::move(frame.rgb), colour);
     if (name == "depth") return arrayOf(std::move(frame.depth_m), plain);
     if (name == "instance") return arrayOf(std::move(frame.instance), plain);

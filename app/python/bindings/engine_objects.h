@@ -100,9 +100,11 @@ class PlanFrames {
     ~PlanFrames();
 
     [[nodiscard]] int count() const { return count_; }
-    /// The next frame's arrays by name; None after the last one, and when it is closed.
+    /// Draws the next frame and returns (index, time, pose, {name: image}). Returns None after the
+    /// last frame and after close().
     [[nodiscard]] pybind11::object next();
-    /// Gives the context back.
+    /// Destroys the OpenGL context; while another thread draws, cancels that frame, after which the
+    /// other thread closes.
     void close();
 
   private:

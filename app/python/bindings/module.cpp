@@ -133,7 +133,7 @@ Names namesOf(std::span<const Row> rows) {
 py::dict classesOf(const OpenScene& scene) {
     py::dict classes;
     for (const DatasetClass& one : scene.scene().classes().classes()) {
-        classes[py::int_(one.id)] = py::bytes(one.name).attr("decode")("utf-8", "replace");
+        classes[py::int_(one.id)] = python::textOf(one.name);
     }
     return classes;
 }

@@ -1,6 +1,7 @@
 #include "app/python/bindings/waiting.h"
 
 #include "app/cli/command_line.h"
+#include "app/python/bindings/arrays.h"
 #include "engine/core/log.h"
 
 #include <unistd.h>
@@ -58,7 +59,7 @@ void handOnLog() {
         const std::string count =
             record.repeats > 1 ? " (" + std::to_string(record.repeats) + " times)" : "";
         logger.attr("log")(kPythonLevels[static_cast<int>(record.level)], "%s%s",
-                           py::bytes(record.message).attr("decode")("utf-8", "replace"), count);
+                           textOf(record.message), count);
     }
 }
 
@@ -216,12 +217,9 @@ void waitFor(const py::object& progress, const std::function<Status(const JobCon
 }
 
 void raise(const Error& error) {
-    const auto text = [](const std::string& bytes) {
-        return py::bytes(bytes).attr("decode")("utf-8", "replace");
-    };
-    const py::object exception =
-        py::module_::import("dollytrack.errors")
-            .attr("error_of")(static_cast<int>(error.code), text(error.message), text(error.where));
+    const py::object exception = py::module_::import("dollytrack.errors")
+                                     .attr("error_of")(static_cast<int>(error.code),
+                                                       textOf(error.message), textOf(error.where));
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
     throw py::error_already_set();
 }

@@ -14,12 +14,13 @@
 
 namespace dollytrack::python {
 
-/// A thread that does one thing after the other. What belongs to a thread (an OpenGL context) lives
-/// on one.
+/// A thread that runs the tasks posted to it, one after the other. An OpenGL context, which belongs
+/// to one thread, is made, used and destroyed by tasks of the same WorkThread.
 class WorkThread {
   public:
     WorkThread();
-    /// Does what was posted, then ends. In a forked process, which has no such thread, it is left.
+    /// Runs the tasks that are left, then joins. Does nothing in a forked process: the thread was
+    /// not copied.
     ~WorkThread();
     WorkThread(const WorkThread&) = delete;
     WorkThread& operator=(const WorkThread&) = delete;

@@ -1,6 +1,5 @@
 #include "engine/io/object_parts/material_split.h"
 
-#include "engine/geometry/contact.h"
 #include "engine/io/object_parts/piece_merge.h"
 #include "engine/jobs/parallel.h"
 
@@ -16,15 +15,6 @@ constexpr std::size_t kMostCompared = 5000;  // drafts; each is compared with ea
 constexpr double kOwnMaterials = 0.8;        // single materials, as a share of the drafts
 constexpr double kMostlyInside = 0.5;        // share of the drafts
 constexpr std::size_t kMostAround = 8;       // drafts around one that are looked at
-constexpr float kContactGap_m = 0.003F;
-
-std::vector<SurfaceView> surfacesOf(const RawScene& raw, const ObjectDraft& draft) {
-    std::vector<SurfaceView> surfaces;
-    for (const std::size_t part : draft.parts) {
-        surfaces.push_back({raw.parts[part].positions, raw.parts[part].triangles});
-    }
-    return surfaces;
-}
 
 /// The material of a draft that has one only.
 std::optional<std::uint32_t> singleMaterialOf(const RawScene& raw, const ObjectDraft& draft) {
@@ -38,16 +28,6 @@ std::optional<std::uint32_t> singleMaterialOf(const RawScene& raw, const ObjectD
 }
 
 }  // namespace
-
-bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger) {
-    constexpr float kThin_m = 0.01F;
-    const Eigen::Vector3f size = smaller.sizes().cwiseMax(kThin_m);
-    if (size.prod() > larger.sizes().cwiseMax(kThin_m).prod()) return false;
-    const Eigen::Vector3f low = smaller.min().cwiseMax(larger.min());
-    const Eigen::Vector3f high = smaller.max().cwiseMin(larger.max());
-    if (((high - low).array() < 0.0F).any()) return false;
-    return (high - low).cwiseMax(kThin_m).prod() >= 0.5F * size.prod();
-}
 
 std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
                                                const std::vector<bool>& structure,
@@ -81,7 +61,7 @@ std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
             if (k == i || !liesInside(boxes[i], boxes[k])) continue;
             if (++around > kMostAround) break;
             const auto contact =
-                findContact(surfacesOf(raw, drafts[i]), surfacesOf(raw, drafts[k]), kContactGap_m);
+                findContact(surfacesOf(raw, drafts[i]), surfacesOf(raw, drafts[k]), kContactGap);
             stands = stands || (!contact.empty() && standsOn(boxes[i], boxes[k], contact));
         }
         inside[c] = around > 0 && !stands ? 1 : 0;

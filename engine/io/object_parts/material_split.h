@@ -25,7 +25,4 @@ std::optional<MaterialSplit> findMaterialSplit(const RawScene& raw,
                                                const std::vector<bool>& structure,
                                                const std::vector<ObjectDraft>& drafts);
 
-/// Whether `smaller` has the smaller volume and at least half of it lies inside `larger`.
-bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger);
-
 }  // namespace dollytrack

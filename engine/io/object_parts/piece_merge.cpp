@@ -1,7 +1,5 @@
 #include "engine/io/object_parts/piece_merge.h"
 
-#include "engine/geometry/contact.h"
-#include "engine/io/object_parts/material_split.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 
@@ -16,7 +14,6 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kGap = 0.003F;         // m: modelled touching, or nearly
 constexpr float kNearGap = 0.03F;      // m: what floats belongs to what is as near as this
 constexpr float kCrumb = 0.05F;        // m: too small to be a thing of its own in a merged scene
 constexpr float kBothLarge = 1.2F;     // m, diagonal: furniture that stands side by side
@@ -143,9 +140,10 @@ class Groups {
     static bool standSideBySide(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
         if (std::min(a.diagonal().norm(), b.diagonal().norm()) < kBothLarge) return false;
         const Eigen::Vector3f common =
-            (a.max().cwiseMin(b.max()) - a.min().cwiseMax(b.min())).cwiseMax(0.0F).array() + kGap;
+            (a.max().cwiseMin(b.max()) - a.min().cwiseMax(b.min())).cwiseMax(0.0F).array() +
+            kContactGap;
         const auto ground = [](const Eigen::Vector3f& size) {
-            return (size.x() + kGap) * (size.y() + kGap);
+            return (size.x() + kContactGap) * (size.y() + kContactGap);
         };
         return ground(common) < 0.5F * std::min(ground(a.sizes()), ground(b.sizes()));
     }
@@ -163,11 +161,10 @@ std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& 
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         Piece piece;
-        for (const std::size_t index : drafts[i].parts) {
-            const MeshPart& part = raw.parts[index];
-            piece.box.extend(part.bounds);
-            piece.surfaces.push_back({part.positions, part.triangles});
-            piece.triangles += part.triangles.size();
+        piece.box = boundsOf(raw, drafts[i]);
+        piece.surfaces = surfacesOf(raw, drafts[i]);
+        for (const SurfaceView& surface : piece.surfaces) {
+            piece.triangles += surface.triangles.size();
         }
         piece.structure = structure[i];
         piece.is_part = drafts[i].label.kind == LabelKind::Part;
@@ -286,6 +283,24 @@ bool standsOn(const Eigen::AlignedBox3f& upper, const Eigen::AlignedBox3f& lower
     return height < 5.0F * width;
 }
 
+std::vector<SurfaceView> surfacesOf(const RawScene& raw, const ObjectDraft& draft) {
+    std::vector<SurfaceView> surfaces;
+    for (const std::size_t part : draft.parts) {
+        surfaces.push_back({raw.parts[part].positions, raw.parts[part].triangles});
+    }
+    return surfaces;
+}
+
+bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger) {
+    constexpr float kThin_m = 0.01F;
+    const Eigen::Vector3f size = smaller.sizes().cwiseMax(kThin_m);
+    if (size.prod() > larger.sizes().cwiseMax(kThin_m).prod()) return false;
+    const Eigen::Vector3f low = smaller.min().cwiseMax(larger.min());
+    const Eigen::Vector3f high = smaller.max().cwiseMin(larger.max());
+    if (((high - low).array() < 0.0F).any()) return false;
+    return (high - low).cwiseMax(kThin_m).prod() >= 0.5F * size.prod();
+}
+
 int nameRank(const ObjectDraft& draft, bool named) {
     switch (draft.label.kind) {
         case LabelKind::Structure:
@@ -309,7 +324,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
-            if (pieces[i].box.exteriorDistance(pieces[j].box) > kGap) continue;
+            if (pieces[i].box.exteriorDistance(pieces[j].box) > kContactGap) continue;
             // Walls are asked too: what touches one does not float.
             if (!pieces[i].loose && !pieces[j].loose &&
                 !areBoardsOfOneThing(pieces[i], drafts[i], pieces[j], drafts[j])) {
@@ -324,7 +339,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         Candidate& candidate = candidates[k];
         const Piece& a = pieces[candidate.a];
         const Piece& b = pieces[candidate.b];
-        const auto contact = findContact(a.surfaces, b.surfaces, kGap);
+        const auto contact = findContact(a.surfaces, b.surfaces, kContactGap);
         if (contact.empty()) return;
         candidate.touches = true;
         candidate.a_stands = standsOn(a.box, b.box, contact);

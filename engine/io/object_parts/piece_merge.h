@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/geometry/contact.h"
 #include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
 
@@ -27,11 +28,20 @@ struct MergedPiece {
 ///
 /// `by_material` marks drafts that may be one material of an object. Their names are ignored: such
 /// a draft joins what it is attached to unless the classes differ, and where nothing holds it, the
-/// smallest draft around it. Two drafts of one class join only if one lies inside the other, and
-/// two that stand side by side on a third one stay apart.
+/// smallest draft around it. Two drafts of one class join only if one lies inside the other. Two
+/// drafts that stand side by side on a third one, as books on a board, are not joined.
 std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool>& structure,
                                      std::vector<ObjectDraft>& drafts,
                                      const std::vector<bool>& by_material = {});
+
+/// Surfaces that are no farther apart than this, in metres, are modelled as touching.
+inline constexpr float kContactGap = 0.003F;
+
+/// The surfaces of a draft's parts, which must outlive them.
+std::vector<SurfaceView> surfacesOf(const RawScene& raw, const ObjectDraft& draft);
+
+/// Whether `smaller` has the smaller volume and at least half of it lies inside `larger`.
+bool liesInside(const Eigen::AlignedBox3f& smaller, const Eigen::AlignedBox3f& larger);
 
 /// The upper of two things merely stands on the lower one: it touches it with its underside only,
 /// is the smaller one in plan, and could stand by itself.
