@@ -8,10 +8,12 @@ import tempfile
 import unittest
 
 import tiny_room
-from program import FolderCase, hashes, lines_in, run, start, wait_for
+from program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
 SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
 FRAMES = 10
+# Seconds of rendering: time enough to end an export that has begun.
+MANY_FRAMES = ["--max-frames", 600, "--set", "max_repeat_rate=1"]
 
 
 class ExportFolder(FolderCase):
@@ -178,8 +180,8 @@ class ExportFolder(FolderCase):
         out = self.new_folder()
         self.export(out, "--modalities", "depth", "--range", "0:3")
         before = hashes(out)
-        again = ["export", self.room, "--out", out, "--max-frames", 60, "--modalities",
-                 "rgb,albedo", *SIZE]
+        again = ["export", self.room, "--out", out, *MANY_FRAMES, "--modalities", "rgb,albedo",
+                 "--set", "width_px=160", "--set", "height_px=120"]
         for end in [signal.SIGINT, signal.SIGKILL]:
             process = start("-q", *again, "--overwrite",
                             *(["--resume"] if end == signal.SIGKILL else []))
@@ -253,11 +255,11 @@ class ExportFolder(FolderCase):
 
     def test_a_folder_that_was_taken_away_is_not_to_be_continued(self):
         out = self.new_folder()
-        process = start("-q", "export", self.room, "--out", out, "--max-frames", 60,
+        process = start("-q", "export", self.room, "--out", out, *MANY_FRAMES,
                         "--formats", "camera_json")
         self.assertTrue(wait_for(lambda: process.poll() is not None or
                                  lines_in(out / ".dollytrack-export") > 2))
-        process.send_signal(signal.SIGSTOP)
+        hold(process)
         shutil.rmtree(out)
         process.send_signal(signal.SIGCONT)
         _, errors = process.communicate()

@@ -16,7 +16,7 @@ import time
 import unittest
 
 import tiny_room
-from program import FolderCase, hashes, lines_in, run, start, wait_for
+from program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
 APARTMENT = sys.argv.pop(1)
 # Their drawing takes long enough to be stopped on a busy machine, too.
@@ -162,7 +162,7 @@ class Export(FolderCase):
         process = start("export", self.project, "--out", out)
         # Its first line: without one it may be the mark of a look at the folder, which goes again.
         self.assertTrue(wait_for(lambda: process.poll() is not None or lines_in(out / MARK) > 0))
-        os.kill(process.pid, signal.SIGSTOP)
+        hold(process)
         try:
             for more in [[], ["--resume"], ["--overwrite"]]:
                 second = run("export", self.project, "--out", out, *more)
@@ -184,7 +184,7 @@ class Export(FolderCase):
             process = start("export", self.project, "--out", out)
             self.assertTrue(wait_for(lambda: process.poll() is not None or
                                      list(out.glob("semantic/*.png"))))
-            os.kill(process.pid, signal.SIGSTOP)
+            hold(process)
             filler = disk / "filler"
             with open(filler, "wb", buffering=0) as file:
                 try:

@@ -2,6 +2,7 @@
 import hashlib
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -32,6 +33,12 @@ def wait_for(condition, seconds=120):
             return True
         time.sleep(0.005)
     return False
+
+
+def hold(process):
+    """Stops a process that runs, with all its threads, until SIGCONT."""
+    process.send_signal(signal.SIGSTOP)
+    os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
 
 
 def lines_in(file):
