@@ -18,7 +18,8 @@ struct SceneFile {
 [[nodiscard]] bool isPattern(const std::string& text);
 
 /// The scenes and projects that a pattern names, in natural order: `*` and `?` within a name, `**`
-/// for any number of folders. A text without wildcards is one file, of whatever kind. Names that
+/// for any number of folders. A text without wildcards is one file, of whatever kind. A dataset
+/// config of Habitat stands for each of its scenes. Names that
 /// begin with a dot are not looked at. Error: BadInput where nothing is found, or a folder cannot
 /// be read.
 [[nodiscard]] Result<std::vector<SceneFile>> filesMatching(const std::string& pattern,

@@ -147,8 +147,9 @@ Primitive readPrimitive(const Document& document, const Json& source,
     if (attributes.has(set.c_str())) primitive.uvs = attributes.readVectors(set.c_str(), 2);
     placePictures(pictures, primitive.uvs);
     if (attributes.has("COLOR_0")) {
-        const std::vector<Eigen::Vector3f> colors = attributes.readVectors("COLOR_0", 3);
-        if (colors.size() == count && count > 0) primitive.mean_color = meanOf(colors);
+        primitive.colors = attributes.readVectors("COLOR_0", 3);
+        if (primitive.colors.size() != count) primitive.colors.clear();
+        if (!primitive.colors.empty()) primitive.mean_color = meanOf(primitive.colors);
     }
     if (primitive.normals.size() != count) primitive.normals.clear();
     if (primitive.uvs.size() != count) primitive.uvs.clear();

@@ -109,4 +109,26 @@ Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside, const
     }
 }
 
+Result<PlacedPrimitives> readPrimitives(std::string file, const ReadBeside& read_beside,
+                                        const std::string& where) {
+    try {
+        const Document document(std::move(file), read_beside);
+        PlacedPrimitives all;
+        const std::vector<PictureCoordinates> coordinates = readMaterials(document, all.scene);
+        for (const MeshPlacement& placement : placeMeshes(document, all.scene)) {
+            for (Primitive& primitive : readMesh(document, placement.mesh, coordinates)) {
+                for (Eigen::Vector3f& p : primitive.positions) {
+                    p = (placement.source_from_mesh * p.cast<double>()).cast<float>();
+                }
+                primitive.normals.clear();
+                all.primitives.push_back(std::move(primitive));
+            }
+        }
+        all.scene.nodes.clear();
+        return all;
+    } catch (const Fault& fault) {
+        return fail(ErrorCode::BadInput, fault.what(), where);
+    }
+}
+
 }  // namespace dollytrack::gltf

@@ -61,8 +61,7 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
     if (!bytes || !*bytes) return nullptr;
     const bool material = std::string_view(name).ends_with(".mtl");
     if (material && (**bytes).size() < kLeastMaterialBytes) return nullptr;
-    Assimp::IOStream* stream = openBytes(std::move(**bytes));
-    return lowerExtension(name) == ".obj" ? mendObjNumbers(stream) : stream;
+    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), mended_faces_);
 }
 
 }  // namespace dollytrack

@@ -23,8 +23,9 @@ constexpr std::size_t kLeastMaterialBytes = 8;
 /// is not there.
 class AssimpFiles : public Assimp::IOSystem {
   public:
-    /// `files` has to outlive this object.
-    explicit AssimpFiles(const FileSource& files) : files_(files) {}
+    /// `files` and `mended_faces` have to outlive this object; see mendText().
+    AssimpFiles(const FileSource& files, std::size_t& mended_faces)
+        : files_(files), mended_faces_(mended_faces) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -33,6 +34,7 @@ class AssimpFiles : public Assimp::IOSystem {
 
   private:
     const FileSource& files_;
+    std::size_t& mended_faces_;
 };
 
 }  // namespace dollytrack

@@ -5,7 +5,6 @@
 #include "engine/io/import/scene_format.h"
 
 #include <algorithm>
-#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -45,8 +44,8 @@ class FileStream : public Assimp::IOStream {
 
 }  // namespace
 
-AssimpFolder::AssimpFolder(std::filesystem::path scene)
-    : scene_(std::move(scene)), folder_(scene_.parent_path()) {}
+AssimpFolder::AssimpFolder(std::filesystem::path scene, std::size_t& mended_faces)
+    : scene_(std::move(scene)), folder_(scene_.parent_path()), mended_faces_(mended_faces) {}
 
 bool AssimpFolder::Exists(const char* file) const {
     return scene_ == file || folder_.has(folder_.relative(file));
@@ -60,8 +59,7 @@ Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     if (!opened) return nullptr;
     const bool material = lowerExtension(file) == ".mtl";
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;
-    auto stream = std::make_unique<FileStream>(std::move(*opened));
-    return lowerExtension(file) == ".obj" ? mendObjNumbers(stream.release()) : stream.release();
+    return mendText(new FileStream(std::move(*opened)), lowerExtension(file), mended_faces_);
 }
 
 void AssimpFolder::Close(Assimp::IOStream* stream) {

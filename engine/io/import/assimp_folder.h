@@ -5,6 +5,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
+#include <cstddef>
 #include <filesystem>
 
 namespace dollytrack::io {
@@ -13,7 +14,8 @@ namespace dollytrack::io {
 /// read only.
 class AssimpFolder : public Assimp::IOSystem {
   public:
-    explicit AssimpFolder(std::filesystem::path scene);
+    /// `mended_faces` has to outlive this object; see mendText().
+    AssimpFolder(std::filesystem::path scene, std::size_t& mended_faces);
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
@@ -26,6 +28,7 @@ class AssimpFolder : public Assimp::IOSystem {
   private:
     std::filesystem::path scene_;
     ConfinedFolder folder_;
+    std::size_t& mended_faces_;
 };
 
 }  // namespace dollytrack::io

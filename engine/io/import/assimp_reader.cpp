@@ -36,10 +36,10 @@ std::string extensionOf(const Path& path) {
     return ext;
 }
 
-/// assimp tries every reader it has on a file it does not know; ours are five.
+/// assimp tries every reader it has on a file it does not know; ours are four.
 void keepOurReaders(Assimp::Importer& importer) {
     const auto isOurs = [](std::string_view extensions) {
-        for (const std::string_view ours : {"obj", "fbx", "dae", "ply", "stl"}) {
+        for (const std::string_view ours : {"obj", "fbx", "dae", "stl"}) {
             for (std::size_t at = extensions.find(ours); at != std::string_view::npos;
                  at = extensions.find(ours, at + 1)) {
                 const bool starts = at == 0 || extensions[at - 1] == ' ';
@@ -361,7 +361,7 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
 
 /// Reads `path` with an importer that is set up to find it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
-                      const JobContext& job) {
+                      const std::size_t& mended_faces, const JobContext& job) {
     const std::string where = path.string();
     try {
         keepOurReaders(*importer);
@@ -379,6 +379,13 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
                         where);
         }
         Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
+        if (raw && mended_faces > 0) {
+            raw->notes.push_back(std::to_string(mended_faces) +
+                                 (mended_faces == 1 ? " face names" : " faces name") +
+                                 " texture coordinates that are not in the file; without them " +
+                                 (mended_faces == 1 ? "it has" : "they have") +
+                                 " one colour of the picture");
+        }
         static BackgroundDisposal disposal;
         disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
@@ -395,15 +402,18 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
 
 Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    importer->SetIOHandler(new io::AssimpFolder(path));  // the importer owns it
-    return read(std::move(importer), path, job);
+    // The importer may live on after this function, but opens nothing then.
+    std::size_t mended_faces = 0;
+    importer->SetIOHandler(new io::AssimpFolder(path, mended_faces));  // the importer owns it
+    return read(std::move(importer), path, mended_faces, job);
 }
 
 Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
                                 const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
-    return read(std::move(importer), name, job);
+    std::size_t mended_faces = 0;
+    importer->SetIOHandler(new AssimpFiles(files, mended_faces));  // the importer owns it
+    return read(std::move(importer), name, mended_faces, job);
 }
 
 }  // namespace dollytrack

@@ -2,8 +2,13 @@
 
 #include "engine/io/import/assimp_files.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -59,16 +64,106 @@ std::vector<std::uint8_t> withLeadingZeros(const std::vector<std::uint8_t>& text
     return mended;
 }
 
-Assimp::IOStream* mendObjNumbers(Assimp::IOStream* stream) {
-    if (!stream || stream->FileSize() > kLargest) return stream;
-    std::vector<std::uint8_t> text(stream->FileSize());
-    const bool whole = text.empty() || stream->Read(text.data(), 1, text.size()) == text.size();
-    if (!whole || !hasBarePoints(text)) {
-        stream->Seek(0, aiOrigin_SET);
+std::size_t dropMissingCoordinates(std::vector<std::uint8_t>& text) {
+    const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+    const auto eachLine = [&](auto&& visit) {
+        for (std::size_t at = 0; at < all.size();) {
+            const std::size_t end = std::min(all.find('\n', at), all.size());
+            visit(all.substr(at, end - at));
+            at = end + 1;
+        }
+    };
+    long long count = 0;
+    eachLine([&](std::string_view line) {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        count += line.starts_with("vt ") || line.starts_with("vt\t") ? 1 : 0;
+    });
+    // The second number of "7/8/9"; nothing where there is none.
+    const auto coordinateOf = [](std::string_view corner) -> std::optional<long long> {
+        const auto slash = corner.find('/');
+        if (slash == corner.npos) return std::nullopt;
+        long long value = 0;
+        const auto [end, error] =
+            std::from_chars(corner.data() + slash + 1, corner.data() + corner.size(), value);
+        if (error != std::errc()) return std::nullopt;
+        return value;
+    };
+    const auto eachCorner = [](std::string_view line, auto&& visit) {
+        for (std::size_t at = 1; at < line.size();) {
+            const std::size_t begin = line.find_first_not_of(" \t\r", at);
+            if (begin == line.npos) return;
+            at = std::min(line.find_first_of(" \t\r", begin), line.size());
+            visit(line.substr(begin, at - begin));
+        }
+    };
+    const auto isBroken = [&](std::string_view line) {
+        bool broken = false;
+        if (!line.starts_with("f ")) return broken;
+        eachCorner(line, [&](std::string_view corner) {
+            const auto value = coordinateOf(corner);
+            broken = broken || (value && (*value > count || *value < -count || *value == 0));
+        });
+        return broken;
+    };
+    std::size_t mended = 0;
+    eachLine([&](std::string_view line) { mended += isBroken(line) ? 1 : 0; });
+    if (mended == 0) return 0;
+    std::string kept;
+    kept.reserve(text.size());
+    eachLine([&](std::string_view line) {
+        if (!isBroken(line)) {
+            kept += line;
+        } else {
+            kept += 'f';
+            eachCorner(line, [&](std::string_view corner) {
+                const std::size_t first = corner.find('/');
+                const std::size_t second = corner.find('/', first + 1);
+                kept += ' ';
+                kept += corner.substr(0, first);
+                if (second != corner.npos) {
+                    kept += "//";
+                    kept += corner.substr(second + 1);
+                }
+            });
+        }
+        kept += '\n';
+    });
+    text.assign(kept.begin(), kept.end());
+    return mended;
+}
+
+void dropBlanksBeforeColors(std::vector<std::uint8_t>& text) {
+    constexpr std::string_view kTag = "<color";
+    const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+    std::string kept;
+    std::size_t copied = 0;
+    for (std::size_t at = all.find(kTag); at != all.npos; at = all.find(kTag, at)) {
+        at = std::min(all.find('>', at), all.size() - 1) + 1;
+        const std::size_t number = std::min(all.find_first_not_of(" \t\r\n", at), all.size());
+        kept += all.substr(copied, at - copied);
+        copied = at = number;
+    }
+    if (copied == 0) return;
+    kept += all.substr(copied);
+    text.assign(kept.begin(), kept.end());
+}
+
+Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
+                           std::size_t& mended_faces) {
+    const bool collada = extension == ".dae";
+    if (!stream || stream->FileSize() > kLargest || !(collada || extension == ".obj")) {
         return stream;
     }
+    std::vector<std::uint8_t> text(stream->FileSize());
     const std::unique_ptr<Assimp::IOStream> old(stream);
-    return openBytes(withLeadingZeros(text));
+    if (!text.empty() && stream->Read(text.data(), 1, text.size()) != text.size()) text.clear();
+    if (collada) {
+        dropBlanksBeforeColors(text);
+    } else {
+        if (hasBarePoints(text)) text = withLeadingZeros(text);
+        mended_faces += dropMissingCoordinates(text);
+    }
+    return openBytes(std::move(text));
 }
 
 }  // namespace dollytrack

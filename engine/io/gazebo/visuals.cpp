@@ -1,0 +1,340 @@
+#include "engine/io/gazebo/visuals.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/datasets/model_library.h"
+#include "engine/io/datasets/object_names.h"
+#include "engine/io/files/percent_text.h"
+#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/import/model_placement.h"
+#include "engine/io/import/scene_format.h"
+#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/sandbox/input_file.h"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace dollytrack::gazebo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFoldersUp = 4;
+constexpr std::uint64_t kMostConfigBytes = std::uint64_t{1} << 20U;
+
+/// The folders of a file from the nearest on, up to the root of what may be read.
+std::vector<fs::path> foldersAround(const fs::path& folder) {
+    std::vector<fs::path> around;
+    fs::path at = folder;
+    for (int up = 0; up <= kMostFoldersUp && at.has_relative_path(); ++up) {
+        around.push_back(at);
+        at = at.parent_path();
+    }
+    return around;
+}
+
+/// "model://chair/meshes/chair.dae" as "chair/meshes/chair.dae"; whether there was such a scheme.
+bool takeScheme(std::string& uri, std::string_view scheme) {
+    if (!uri.starts_with(scheme)) return false;
+    uri.erase(0, scheme.size());
+    return true;
+}
+
+/// A shape of one part and no material, centred at the origin.
+RawScene shapeScene(Visual::Shape shape) {
+    std::vector<Eigen::Vector3f> points;
+    std::vector<std::uint32_t> sizes;
+    std::vector<std::uint32_t> indices;
+    const auto face = [&](std::initializer_list<std::uint32_t> corners) {
+        sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+        indices.insert(indices.end(), corners);
+    };
+    constexpr std::uint32_t kSides = 48;
+    constexpr std::uint32_t kRings = 24;
+    const auto around = [](std::uint32_t i, float radius, float z) {
+        const double angle = 2.0 * M_PI * i / kSides;
+        return Eigen::Vector3f(radius * static_cast<float>(std::cos(angle)),
+                               radius * static_cast<float>(std::sin(angle)), z);
+    };
+    if (shape == Visual::Shape::Plane) {
+        points = {{-0.5F, -0.5F, 0}, {0.5F, -0.5F, 0}, {0.5F, 0.5F, 0}, {-0.5F, 0.5F, 0}};
+        face({0, 1, 2, 3});
+    } else if (shape == Visual::Shape::Cylinder) {
+        std::vector<std::uint32_t> bottom;
+        std::vector<std::uint32_t> top;
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            points.push_back(around(i, 0.5F, -0.5F));
+            points.push_back(around(i, 0.5F, 0.5F));
+            const std::uint32_t next = (i + 1) % kSides;
+            face({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+            bottom.insert(bottom.begin(), 2 * i);
+            top.push_back(2 * i + 1);
+        }
+        for (const auto& cap : {bottom, top}) {
+            sizes.push_back(kSides);
+            indices.insert(indices.end(), cap.begin(), cap.end());
+        }
+    } else if (shape == Visual::Shape::Sphere) {
+        points.emplace_back(0, 0, -0.5F);
+        for (std::uint32_t ring = 1; ring < kRings; ++ring) {
+            const double angle = M_PI * ring / kRings;
+            for (std::uint32_t i = 0; i < kSides; ++i) {
+                points.push_back(around(i, static_cast<float>(0.5 * std::sin(angle)),
+                                        static_cast<float>(-0.5 * std::cos(angle))));
+            }
+        }
+        points.emplace_back(0, 0, 0.5F);
+        const auto at = [](std::uint32_t ring, std::uint32_t i) {
+            return 1 + (ring - 1) * kSides + i % kSides;
+        };
+        const auto last = static_cast<std::uint32_t>(points.size() - 1);
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            face({0, at(1, i + 1), at(1, i)});
+            face({last, at(kRings - 1, i), at(kRings - 1, i + 1)});
+            for (std::uint32_t ring = 1; ring + 1 < kRings; ++ring) {
+                face({at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)});
+            }
+        }
+    } else {
+        for (const float z : {-0.5F, 0.5F}) {
+            points.insert(points.end(),
+                          {{-0.5F, -0.5F, z}, {0.5F, -0.5F, z}, {0.5F, 0.5F, z}, {-0.5F, 0.5F, z}});
+        }
+        face({3, 2, 1, 0});
+        face({4, 5, 6, 7});
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t next = (i + 1) % 4;
+            face({i, next, next + 4, i + 4});
+        }
+    }
+    RawScene scene;
+    scene.nodes.push_back({"", -1, 0});
+    scene.materials.emplace_back();
+    MeshPart part;
+    buildMeshPart({points, {}, {}, sizes, indices}, Eigen::Affine3d::Identity(), part);
+    scene.parts.push_back(std::move(part));
+    return scene;
+}
+
+void paint(const Eigen::Vector4f& color, Material& material) {
+    material.base_color = color.head<3>().cwiseMax(0.0F).cwiseMin(1.0F);
+    const float opacity = std::clamp(color[3], 0.0F, 1.0F);
+    material.opacity = opacity > 0.0F ? opacity : 1.0F;
+}
+
+/// The part of a model that a submesh's name picks, by nodes and meshes.
+RawScene pickSubmesh(const RawScene& model, const std::string& name) {
+    RawScene picked = model;
+    std::erase_if(picked.parts, [&](const MeshPart& part) {
+        return part.name != name && model.nodes[static_cast<std::size_t>(part.node)].name != name;
+    });
+    return picked;
+}
+
+class SceneOfLinks {
+  public:
+    SceneOfLinks(const ModelPath& files, std::string where, const JobContext& job)
+        : files_(files), where_(std::move(where)), job_(job) {
+        scene_.file_unit_m = 1.0;
+        scene_.file_up_axis = 'z';
+        scene_.nodes.push_back({"", -1, 0});
+    }
+
+    Result<RawScene> build(const std::vector<LinkObject>& links,
+                           const std::vector<std::string>& missing_models) {
+        missing_ = missing_models;
+        std::map<const Visual*, std::size_t> wanted;
+        for (const LinkObject& link : links) {
+            for (const Visual& visual : link.visuals) {
+                if (visual.shape != Visual::Shape::Mesh) continue;
+                const auto file = files_.find(visual.folder, visual.uri);
+                if (file) {
+                    wanted[&visual] = library_.add(*file);
+                } else {
+                    missing_.push_back(visual.uri);
+                }
+            }
+        }
+        if (Status read = library_.read(job_); !read) return tl::unexpected(read.error());
+        io::ObjectNames names;
+        for (const LinkObject& link : links) {
+            SourceObject object;
+            object.name = names.next(link.name.empty() ? "link" : link.name);
+            for (const Visual& visual : link.visuals) {
+                const auto model = wanted.find(&visual);
+                if (visual.shape == Visual::Shape::Mesh && model == wanted.end()) continue;
+                Status placed = visual.shape == Visual::Shape::Mesh
+                                    ? placeMesh(visual, model->second, object)
+                                    : placeShape(visual, object);
+                if (!placed) return tl::unexpected(placed.error());
+            }
+            if (!object.parts.empty()) scene_.objects.push_back(std::move(object));
+        }
+        return finish();
+    }
+
+  private:
+    Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
+        const RawScene* model = library_.model(number);
+        if (model == nullptr) {
+            unreadable_.push_back(visual.uri);
+            return {};
+        }
+        // The same mesh in the same colour is added once.
+        const auto key = std::tuple(number, visual.submesh,
+                                    visual.color ? colorText(*visual.color) : std::string());
+        auto at = placements_.find(key);
+        if (at == placements_.end()) {
+            const RawScene* shown = model;
+            if (!visual.submesh.empty() || visual.color) {
+                changed_.push_back(std::make_unique<RawScene>(
+                    visual.submesh.empty() ? *model : pickSubmesh(*model, visual.submesh)));
+                shown = changed_.back().get();
+                for (Material& material : changed_.back()->materials) {
+                    if (visual.color && material.texture < 0) paint(*visual.color, material);
+                }
+            }
+            at = placements_.try_emplace(key, Placed{shown, ModelPlacement(*shown, scene_)}).first;
+        }
+        if (Status fits = budget_.take(*at->second.model, where_); !fits) return fits;
+        // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
+        const double unit = model->file_unit_m.value_or(1.0);
+        Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
+        scaled.linear() = (unit * visual.scale).asDiagonal();
+        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled), object);
+        return {};
+    }
+
+    Status placeShape(const Visual& visual, SourceObject& object) {
+        RawScene shape = shapeScene(visual.shape);
+        if (Status fits = budget_.take(shape, where_); !fits) return fits;
+        if (visual.color) paint(*visual.color, shape.materials.front());
+        Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
+        scaled.linear() = visual.size.asDiagonal();
+        append(ModelPlacement(shape, scene_).place(object.name, visual.scene_from_visual * scaled),
+               object);
+        return {};
+    }
+
+    static void append(const std::vector<std::size_t>& parts, SourceObject& object) {
+        object.parts.insert(object.parts.end(), parts.begin(), parts.end());
+    }
+
+    static std::string colorText(const Eigen::Vector4f& color) {
+        std::string text;
+        for (int i = 0; i < 4; ++i) text += std::to_string(color[i]) + " ";
+        return text;
+    }
+
+    Result<RawScene> finish() {
+        const auto say = [&](std::vector<std::string> names, const char* one, const char* many) {
+            if (names.empty()) return;
+            const std::size_t count = names.size();
+            for (std::string& name : names) name = cleanText(name);
+            std::sort(names.begin(), names.end());
+            names.erase(std::unique(names.begin(), names.end()), names.end());
+            scene_.warnings.push_back(io::counted(count, one, many) + ": " + io::listOf(names));
+        };
+        say(missing_, "model or mesh is not there and was left out, name its folder with --models",
+            "models or meshes are not there and were left out, name their folder with --models");
+        say(unreadable_, "mesh cannot be read and was left out",
+            "meshes cannot be read and were left out");
+        if (scene_.objects.empty()) {
+            std::string message = "no link has a visual that can be drawn";
+            for (const std::string& warning : scene_.warnings) message += "; " + warning;
+            return fail(ErrorCode::BadInput, message, where_);
+        }
+        return std::move(scene_);
+    }
+
+    struct Placed {
+        const RawScene* model;
+        ModelPlacement placement;
+    };
+
+    const ModelPath& files_;
+    std::string where_;
+    JobContext job_;
+    RawScene scene_;
+    io::ModelLibrary library_;
+    io::TriangleBudget budget_;
+    std::map<std::tuple<std::size_t, std::string, std::string>, Placed> placements_;
+    std::vector<std::unique_ptr<RawScene>> changed_;
+    std::vector<std::string> missing_;
+    std::vector<std::string> unreadable_;
+};
+
+}  // namespace
+
+std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::string& uri) const {
+    std::string name = percentDecoded(uri);
+    const bool package = takeScheme(name, "package://");
+    const bool model = !package && takeScheme(name, "model://");
+    if (!package && !model) takeScheme(name, "file://");
+    if (name.find("://") != std::string::npos) return std::nullopt;
+    if (!package && !model) {
+        if (auto found = files_.find(folder, name)) return found;
+    }
+    for (const fs::path& root : files_.folders()) {
+        if (auto found = files_.find(root, name)) return found;
+    }
+    // The scene may lie within the model or package that it names, under another folder's name.
+    const auto slash = name.find('/');
+    const std::string within = slash == std::string::npos ? "" : name.substr(slash + 1);
+    for (const fs::path& around : foldersAround(folder)) {
+        if (auto found = files_.find(around, name)) return found;
+        if ((package || model) && !within.empty()) {
+            if (auto found = files_.find(around, within)) return found;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::string& uri) const {
+    std::string name = uri;
+    while (name.ends_with('/')) name.pop_back();
+    const std::string ending = lowerExtension(name);
+    if (ending == ".sdf" || ending == ".urdf" || ending == ".world") return find(folder, name);
+    if (const auto config = find(folder, name + "/model.config")) {
+        const Result<std::string> text = io::readNamedFile(*config, kMostConfigBytes);
+        pugi::xml_document document;
+        if (text && document.load_buffer(text->data(), text->size())) {
+            // Of several versions the last one named is the newest.
+            std::string file;
+            for (const pugi::xml_node& sdf : document.child("model").children("sdf")) {
+                file = sdf.child_value();
+            }
+            if (auto found = files_.find(config->parent_path(), file)) return found;
+        }
+    }
+    return find(folder, name + "/model.sdf");
+}
+
+std::vector<fs::path> foldersOfWorld(const fs::path& scene, const std::vector<fs::path>& given) {
+    const fs::path own = io::absoluteNormal(scene).parent_path();
+    std::vector<fs::path> absolute;
+    for (const fs::path& folder : given) absolute.push_back(io::absoluteNormal(folder));
+    std::vector<fs::path> folders = io::foldersFor(own / scene.filename(), absolute,
+                                                   {"models", "meshes", "media", "materials"});
+    folders.insert(folders.begin(), own);
+    if (io::hasFile(own / "model.config")) folders.push_back(own.parent_path());
+    for (const fs::path& around : foldersAround(own)) {
+        if (!io::hasFile(around / "package.xml")) continue;
+        folders.push_back(around);
+        break;
+    }
+    return folders;
+}
+
+Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links, const ModelPath& files,
+                              const std::vector<std::string>& missing_models,
+                              const std::string& where, const JobContext& job) {
+    return SceneOfLinks(files, where, job).build(links, missing_models);
+}
+
+}  // namespace dollytrack::gazebo
