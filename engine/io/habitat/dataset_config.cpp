@@ -244,7 +244,28 @@ Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name
         const std::string path = name.ends_with(ending) ? name : name + ending;
         if (const auto file = files_.find(folder_, path)) return wrapped(load(*file, places));
     }
+    if (const auto file = findPart(places, words.ending, stem)) return wrapped(load(*file, places));
     return std::optional<Template>();
+}
+
+/// Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+std::optional<fs::path> Dataset::findPart(const Places& places, std::string_view ending,
+                                          const std::string& part) const {
+    if (part.empty()) return std::nullopt;
+    const auto fits = [&](const std::string& name) {
+        return name.ends_with(ending) && name.find(part) != std::string::npos;
+    };
+    for (const fs::path& file : places.files) {
+        if (!fits(file.filename().string())) continue;
+        if (auto there = files_.find(folder_, file.string())) return there;
+    }
+    for (const fs::path& folder : places.folders) {
+        for (const std::string& name : files_.namesIn(folder)) {
+            if (!fits(name)) continue;
+            if (auto there = files_.find(folder, name)) return there;
+        }
+    }
+    return std::nullopt;
 }
 
 std::vector<DatasetScene> Dataset::scenes() const {

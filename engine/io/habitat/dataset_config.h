@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dollytrack::habitat {
@@ -43,8 +44,8 @@ class Dataset {
     static Result<Dataset> open(const std::filesystem::path& config,
                                 const std::filesystem::path& folder, io::ReachableFiles files);
 
-    /// The template of this name: a handle of the config, the name of a file or a path to one.
-    /// Nothing where there is none. Error: BadInput, for a file that is damaged.
+    /// The template of this name: a handle of the config, the name of a file, a path to one, or a
+    /// part of a file's name. Nothing where there is none. Error: BadInput, for a file that is damaged.
     [[nodiscard]] Result<std::optional<Template>> find(Kind kind, const std::string& name) const;
 
     /// Every scene, in order of name.
@@ -67,6 +68,9 @@ class Dataset {
         std::vector<std::filesystem::path> files;
     };
     void readPlaces(const nlohmann::json& section, Kind kind);
+    [[nodiscard]] std::optional<std::filesystem::path> findPart(const Places& places,
+                                                                std::string_view ending,
+                                                                const std::string& part) const;
     [[nodiscard]] Result<Template> load(const std::filesystem::path& file,
                                         const Places& places) const;
 

@@ -520,7 +520,8 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
     for (const fs::path& folder : options.model_folders) {
         folders.push_back(io::absoluteNormal(folder));
     }
-    return Dataset::open(config.value_or(fs::path()), folders.front(),
+    const fs::path dataset_folder = folders.front();
+    return Dataset::open(config.value_or(fs::path()), dataset_folder,
                          io::ReachableFiles(std::move(folders)));
 }
 

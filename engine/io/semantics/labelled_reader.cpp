@@ -21,8 +21,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace dollytrack::semantics {
@@ -241,19 +243,50 @@ Eigen::Affine3d pictureFromLabelled(const RawScene& labelled, const RawScene& pi
     return best;
 }
 
-/// Which of the labelled scene's objects each triangle of another mesh belongs to.
+/// Which of the labelled scene's objects each triangle of another mesh belongs to: that of the same
+/// triangle, else of the nearest surface.
 class NearestObject {
   public:
-    NearestObject(RawScene& labelled, const Eigen::Affine3d& turn) : caster_(moved(labelled, turn)) {}
+    NearestObject(RawScene& labelled, const Eigen::Affine3d& turn)
+        : caster_(moved(labelled, turn, same_)) {}
 
-    /// 0: none is near.
-    [[nodiscard]] int at(const Eigen::Vector3d& point, double radius) const {
-        return caster_.closest(point, radius).object_id;
+    /// The object's number from 1 on; 0: none is near.
+    [[nodiscard]] int at(const MeshPart& part, const Triangle& triangle, double radius) const {
+        const auto same = same_.find(cornersOf(part, triangle));
+        if (same != same_.end()) return same->second;
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const std::uint32_t i : triangle) middle += part.positions[i].cast<double>() / 3.0;
+        return caster_.closest(middle, radius).object_id;
     }
 
   private:
-    static Scene moved(RawScene& labelled, const Eigen::Affine3d& turn) {
+    /// A triangle's corners to a thousandth of a unit, in an order of their own.
+    using Corners = std::array<std::array<std::int64_t, 3>, 3>;
+    using ByCorners = std::map<Corners, int>;
+
+    static Corners cornersOf(const MeshPart& part, const Triangle& triangle) {
+        Corners corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3f& p = part.positions[triangle[k]];
+            for (int axis = 0; axis < 3; ++axis) {
+                corners[k][static_cast<std::size_t>(axis)] =
+                    std::llround(1000.0 * static_cast<double>(p[axis]));
+            }
+        }
+        std::ranges::sort(corners);
+        return corners;
+    }
+
+    static Scene moved(RawScene& labelled, const Eigen::Affine3d& turn, ByCorners& same) {
         moveToWorld(labelled.parts, turn);
+        for (std::size_t i = 0; i < labelled.objects.size(); ++i) {
+            for (const std::size_t part : labelled.objects[i].parts) {
+                for (const Triangle& triangle : labelled.parts[part].triangles) {
+                    same.try_emplace(cornersOf(labelled.parts[part], triangle),
+                                     static_cast<int>(i) + 1);
+                }
+            }
+        }
         std::vector<ObjectDraft> drafts(labelled.objects.size());
         for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].parts = labelled.objects[i].parts;
         Scene scene;
@@ -261,6 +294,7 @@ class NearestObject {
         return scene;
     }
 
+    ByCorners same_;  // before caster_, which is made with it
     RayCaster caster_;
 };
 
@@ -301,11 +335,8 @@ RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
         const MeshPart& part = pictured.parts[p];
         for (std::size_t t = 0; t < part.triangles.size(); ++t) {
             if (t % 4096 == 0 && job.cancelled()) return;
-            Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-            for (const std::uint32_t i : part.triangles[t]) {
-                middle += part.positions[i].cast<double>() / 3.0;
-            }
-            of_part[p][static_cast<std::size_t>(nearest.at(middle, radius))].push_back(t);
+            const int object = nearest.at(part, part.triangles[t], radius);
+            of_part[p][static_cast<std::size_t>(object)].push_back(t);
         }
     });
     RawScene scene = std::move(pictured);

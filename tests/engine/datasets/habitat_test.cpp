@@ -79,7 +79,7 @@ TEST(Habitat, PlacesObjectsAsTheSceneInstanceSays) {
   {"template_name": "configs/objects/sofa", "translation": [3, 1, -1], "uniform_scale": 2,
    "non_uniform_scale": [1, 0.5, 1], "semantic_id": 6},
   {"template_name": "small_sofa", "translation_origin": "asset_local", "translation": [0, 0, 0]},
-  {"template_name": "tipped", "translation": [0, 0, 0]},
+  {"template_name": "tippe", "translation": [0, 0, 0]},
   {"template_name": "not_there", "translation": [0, 0, 0]},
   {"template_name": "sofa", "translation": [0, "x", 0]}],
  "articulated_object_instances": [
@@ -90,8 +90,8 @@ TEST(Habitat, PlacesObjectsAsTheSceneInstanceSays) {
     expectBox(scene, "sofa_2", {1.0, -1.0, 0.75}, {5.0, 3.0, 1.25});
     EXPECT_EQ(find(scene, "sofa_2")->nyu40, nyu40FromName("lamp")) << "by its own semantic_id";
     expectBox(scene, "small_sofa", {-0.5, -0.75, 0.0}, {0.5, 0.25, 0.25});
-    // Its own z is up, its y forward: (x, y, z) stands at (x, z, -y) of the scene, (x, y, z) here.
-    expectBox(scene, "tipped", {-1.0, 0.0, -0.5}, {1.0, 0.5, 1.5});
+    // A part of a name will do. Its own z is up, its y forward: (x, y, z) stands at (x, z, -y) of the scene, (x, y, z) here.
+    expectBox(scene, "tippe", {-1.0, 0.0, -0.5}, {1.0, 0.5, 1.5});
     // Body and front, of which the joint moves the second: x from -0.5 to 1.5, halved.
     expectBox(scene, "drawer", {4.75, -0.75, -0.5}, {5.75, 0.75, 0.5});
     EXPECT_EQ(find(scene, "floor")->role, Role::Structure);
