@@ -374,7 +374,7 @@ def labelled_ply(form="ascii"):
                                   for i, t in enumerate(TRIANGLES))
 
 
-SIDES = ["floor", "ceiling", "wall", "wall", "wall", "chair"]
+SIDES = ["floor", "ceiling", "wall", "wall", "wall", "wall"]
 
 
 def semantic_info():
