@@ -246,7 +246,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
         if (!fs::exists(base / path, error)) {
             return fail(ErrorCode::BadInput, "there is no file '" + pattern + "'");
         }
-        return withDatasetScenes({{path, {}}}, base);
+        return withDatasetScenes(std::vector<SceneFile>{{path, {}}}, base);
     }
     // The folders without wildcards are gone into, not looked for.
     Parts parts = partsOf(path);
@@ -265,7 +265,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
                     fmt::format("'{}' names no scene; scenes are {} and .dolly files", pattern,
                                 fmt::join(sceneExtensions(), ", ")));
     }
-    return found;
+    return withDatasetScenes(std::move(found), base);
 }
 
 bool matches(const fs::path& path, const std::string& pattern) {
