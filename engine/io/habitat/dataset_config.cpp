@@ -2,9 +2,11 @@
 
 #include "engine/core/name_pattern.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/sandbox/input_file.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -16,26 +18,39 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
-constexpr std::size_t kMostPlaces = 20'000;  // folders and files that patterns may stand for
+constexpr std::size_t kMostConfigs = 16;          // in one folder
+constexpr std::uint64_t kMostConfigBytes = std::uint64_t{64} << 20U;
+constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
+constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
+constexpr std::size_t kMostFiles = 100'000;       // of one kind
+constexpr std::size_t kMostMatches = 10'000'000;  // names compared with a pattern
+constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
     Kind kind;
     const char* section;
-    const char* ending;            // of a description; "" where models stand for themselves
+    const char* ending;                // of a description
+    bool models;                       // models stand for themselves
     std::array<const char*, 4> usual;  // folders of datasets without a config
 };
 
 constexpr std::array<KindWords, 5> kWords = {
-    {{Kind::Stage, "stages", ".stage_config.json", {"stages", "configs/stages", "", ""}},
-     {Kind::Object, "objects", ".object_config.json", {"objects", "configs/objects", "", ""}},
-     {Kind::ArticulatedObject, "articulated_objects", ".urdf", {"urdf", "configs/urdf", "", ""}},
+    {{Kind::Stage, "stages", ".stage_config.json", true, {"stages", "configs/stages", "", ""}},
+     {Kind::Object, "objects", ".object_config.json", true, {"objects", "configs/objects", "", ""}},
+     {Kind::ArticulatedObject,
+      "articulated_objects",
+      ".urdf",
+      false,
+      {"urdf", "configs/urdf", "", ""}},
      {Kind::SceneInstance,
       "scene_instances",
       ".scene_instance.json",
+      false,
       {"scenes", "configs/scenes", "scene_instances", ""}},
      {Kind::SemanticScene,
       "semantic_scene_descriptor_instances",
       ".json",
+      false,
       {"semantics", "ssd", "configs/ssd", ""}}}};
 
 const KindWords& wordsOf(Kind kind) {
@@ -52,30 +67,11 @@ bool isPattern(const std::string& text) {
     return text.find_first_of("*?") != std::string::npos;
 }
 
-/// The folders and files that a path with wildcards stands for.
-std::vector<fs::path> expand(const io::ReachableFiles& files, const fs::path& folder,
-                             const std::string& pattern) {
-    std::vector<fs::path> level = {folder};
-    for (const fs::path& step : fs::path(pattern)) {
-        const std::string part = step.string();
-        if (part.empty()) continue;
-        std::vector<fs::path> next;
-        for (const fs::path& at : level) {
-            if (!isPattern(part)) {
-                next.push_back((at / part).lexically_normal());
-                continue;
-            }
-            for (const std::string& name : files.namesIn(at)) {
-                const bool fits = part == "*" || part == "**" || fitsPattern(part, name);
-                if (fits && next.size() < kMostPlaces) next.push_back(at / name);
-            }
-        }
-        level = std::move(next);
-    }
-    return level;
+bool isOfKind(const std::string& name, const KindWords& words) {
+    return name.ends_with(words.ending) || (words.models && isModel(name));
 }
 
-/// A stem that several datasets write before the name: "objects/chair" of "chair".
+/// The name without folders: "chair" of "objects/chair".
 std::string lastName(const std::string& name) {
     const auto slash = name.find_last_of('/');
     return slash == std::string::npos ? name : name.substr(slash + 1);
@@ -85,10 +81,17 @@ std::string withoutEnding(const std::string& name, std::string_view ending) {
     return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
-json over(json below, const json& above) {
-    if (!below.is_object()) below = json::object();
-    if (above.is_object()) below.update(above);
-    return below;
+/// The values of `changes` in place of those of the same name in `defaults`.
+json merged(json defaults, const json& changes) {
+    if (!defaults.is_object()) defaults = json::object();
+    if (changes.is_object()) defaults.update(changes);
+    return defaults;
+}
+
+Result<json> readConfig(const fs::path& path) {
+    const Result<std::string> text = io::readNamedFile(path, kMostConfigBytes);
+    if (!text) return tl::unexpected(text.error());
+    return io::parseBoundedJson(*text, path.string());
 }
 
 const json& sectionOf(const json& document, const char* key) {
@@ -98,38 +101,118 @@ const json& sectionOf(const json& document, const char* key) {
 }
 
 std::vector<fs::path> configsIn(const fs::path& folder) {
+    constexpr std::size_t kMostEntries = 20'000;
     std::vector<fs::path> configs;
     std::error_code error;
     std::size_t seen = 0;
     fs::directory_iterator at(folder, error);
-    for (const fs::directory_iterator end; !error && at != end && ++seen < 10'000;
+    for (const fs::directory_iterator end; !error && at != end && ++seen < kMostEntries;
          at.increment(error)) {
-        if (at->path().filename().string().ends_with(kConfigEnding)) configs.push_back(at->path());
+        std::error_code unknown;
+        if (at->path().filename().string().ends_with(kConfigEnding) && !at->is_symlink(unknown)) {
+            configs.push_back(at->path());
+        }
     }
     std::sort(configs.begin(), configs.end());
+    if (configs.size() > kMostConfigs) configs.resize(kMostConfigs);
     return configs;
 }
 
 }  // namespace
 
-std::optional<fs::path> findDatasetConfig(const fs::path& scene_instance) {
-    constexpr int kMostFoldersUp = 4;
-    const fs::path own = io::absoluteNormal(scene_instance).parent_path();
-    fs::path folder = own;
-    for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
-        const std::vector<fs::path> configs = configsIn(folder);
-        if (configs.size() == 1) return configs.front();
-        for (const fs::path& config : configs) {
-            const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}));
-            if (!dataset) continue;
-            for (const DatasetScene& scene : dataset->scenes()) {
-                if (scene.file.parent_path() == own) return config;
+/// Finds what the patterns of a config stand for. Lists each folder once, and stops with an error
+/// where a config leads into too many.
+class Dataset::FolderSearch {
+  public:
+    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where)
+        : files_(files), root_(std::move(root)), where_(std::move(where)) {}
+
+    /// The folders and files that a path with wildcards stands for.
+    Result<std::vector<fs::path>> expand(const std::string& pattern) {
+        std::vector<fs::path> level = {root_};
+        for (const fs::path& step : fs::path(pattern)) {
+            const std::string part = step.string();
+            if (part.empty()) continue;
+            std::vector<fs::path> next;
+            for (const fs::path& folder : level) {
+                if (!isPattern(part)) {
+                    next.push_back((folder / part).lexically_normal());
+                    continue;
+                }
+                const auto names = list(folder);
+                if (!names) return tl::unexpected(names.error());
+                compared_ += (*names)->size();
+                if (compared_ > kMostMatches) return tooMany("files");
+                for (const std::string& name : **names) {
+                    const bool fits = part == "*" || part == "**" || fitsPattern(part, name);
+                    if (fits) next.push_back(folder / name);
+                }
             }
+            if (next.size() > kMostFiles) return tooMany("files");
+            level = std::move(next);
         }
-        if (!configs.empty()) return configs.front();
+        return level;
+    }
+
+    /// The names in a folder; none of a file.
+    Result<const std::vector<std::string>*> list(const fs::path& folder) {
+        const auto [at, is_new] = listings_.try_emplace(folder);
+        if (!is_new) return &at->second;
+        if (listings_.size() > kMostFolders) return tooMany("folders");
+        std::error_code error;
+        const fs::file_status status =
+            files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
+        // A folder that is missing is listed, too: the scene depends on whether it is there.
+        if (!fs::exists(status) || fs::is_directory(status)) at->second = files_.namesIn(folder);
+        return &at->second;
+    }
+
+    [[nodiscard]] tl::unexpected<Error> tooManyPatterns(const std::string& section) const {
+        return fail(ErrorCode::BadInput,
+                    "the dataset config has more than " + std::to_string(kMostPatterns) +
+                        " paths of " + section + "; write folders or wildcards instead",
+                    where_);
+    }
+
+    [[nodiscard]] tl::unexpected<Error> tooMany(const char* what) const {
+        return fail(ErrorCode::BadInput,
+                    std::string("the paths of the dataset config lead to too many ") + what +
+                        "; write paths that lead to fewer",
+                    where_);
+    }
+
+  private:
+    const io::ReachableFiles& files_;
+    fs::path root_;
+    std::string where_;
+    std::map<fs::path, std::vector<std::string>> listings_;
+    std::size_t compared_ = 0;
+};
+
+std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
+    constexpr int kMostFoldersUp = 4;
+    fs::path folder = io::absoluteNormal(scene).parent_path();
+    for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
+        std::vector<fs::path> configs = configsIn(folder);
+        if (!configs.empty()) return configs;
         folder = folder.parent_path();
     }
-    return std::nullopt;
+    return {};
+}
+
+fs::path chooseDatasetConfig(const std::vector<fs::path>& configs, const fs::path& scene) {
+    if (configs.empty()) return {};
+    if (configs.size() == 1) return configs.front();
+    const fs::path own = io::absoluteNormal(scene).parent_path();
+    for (const fs::path& config : configs) {
+        const fs::path folder = config.parent_path();
+        const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}));
+        if (!dataset) continue;
+        for (const DatasetScene& listed : dataset->scenes()) {
+            if (listed.file.parent_path() == own) return config;
+        }
+    }
+    return configs.front();
 }
 
 Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
@@ -137,13 +220,17 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
     Dataset dataset(folder, std::move(files));
     json document = json::object();
     if (!config.empty()) {
-        Result<json> read = io::readBoundedJson(config);
+        Result<json> read = readConfig(config);
         if (!read) return tl::unexpected(read.error());
         if (!read->is_object()) {
-            return fail(ErrorCode::BadInput, "a dataset config is a JSON object", config.string());
+            return fail(ErrorCode::BadInput,
+                        "the dataset config is not a JSON object; it is damaged or of another "
+                        "program",
+                        config.string());
         }
         document = std::move(*read);
     }
+    FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string());
     for (const KindWords& words : kWords) {
         json section = sectionOf(document, words.section);
         if (config.empty()) {
@@ -151,145 +238,176 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
                 if (*usual != '\0') section["paths"][".json"].push_back(usual);
             }
         }
-        dataset.readPlaces(section, words.kind);
+        if (Status read = dataset.readSection(section, words.kind, search); !read) {
+            return tl::unexpected(read.error());
+        }
     }
     dataset.lexicons_ = sectionOf(document, "semantic_scene_descriptor_instances");
     return dataset;
 }
 
-void Dataset::readPlaces(const json& section, Kind kind) {
-    Places& places = places_[kind];
-    places.defaults = sectionOf(section, "default_attributes");
-    places.configs = io::listIn(section, "configs");
-    for (const auto& [ending, list] : sectionOf(section, "paths").items()) {
+Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search) {
+    constexpr std::size_t kLongestPattern = 4096;
+    const KindWords& words = wordsOf(kind);
+    Section& section = sections_[kind];
+    section.defaults = sectionOf(values, "default_attributes");
+    section.configs = io::listIn(values, "configs");
+    for (std::size_t i = 0; i < section.configs.size(); ++i) {
+        std::string name = io::textIn(section.configs[i], "template_handle");
+        if (name.empty()) {
+            const std::string original = io::textIn(section.configs[i], "original_file");
+            name = withoutEnding(lastName(original), words.ending);
+        }
+        section.config_of.try_emplace(std::move(name), i);
+    }
+    const auto add = [&](const fs::path& file, const std::string& ending) {
+        const std::string name = file.filename().string();
+        section.files.push_back(file);
+        if (isModel(name) && name.ends_with(ending)) section.named_models.push_back(file);
+    };
+    std::vector<std::pair<fs::path, std::string>> folders;  // and the ending that is asked for
+    std::size_t patterns = 0;
+    for (const auto& [ending, list] : sectionOf(values, "paths").items()) {
         if (!list.is_array()) continue;
         for (const json& entry : list) {
             if (!entry.is_string()) continue;
             const auto& pattern = entry.get_ref<const std::string&>();
-            // Files that the last part fits lie in the folder before it.
-            if (isPattern(lastName(pattern))) {
-                const std::string before = fs::path(pattern).parent_path().string();
-                for (fs::path& folder : expand(files_, folder_, before)) {
-                    places.folders.push_back(std::move(folder));
+            if (pattern.size() > kLongestPattern) continue;
+            if (++patterns > kMostPatterns) return search.tooManyPatterns(words.section);
+            auto found = search.expand(pattern);
+            if (!found) return tl::unexpected(found.error());
+            for (const fs::path& path : *found) {
+                if (isOfKind(path.filename().string(), words)) {
+                    add(path, ending);
+                } else {
+                    folders.emplace_back(path, ending);
                 }
             }
-            for (fs::path& found : expand(files_, folder_, pattern)) {
-                if (places.folders.size() + places.files.size() > kMostPlaces) break;
-                // Files are known by their ending: this may run where nothing can be asked.
-                const std::string name = found.filename().string();
-                const bool file = name.ends_with(".json") || name.ends_with(".urdf") ||
-                                  isModel(name);
-                (file ? places.files : places.folders).push_back(std::move(found));
+            // A template's name may be that of another file beside those that the last part fits.
+            if (isPattern(lastName(pattern))) {
+                found = search.expand(fs::path(pattern).parent_path().string());
+                if (!found) return tl::unexpected(found.error());
+                for (const fs::path& path : *found) folders.emplace_back(path, ".json");
             }
+            if (folders.size() + section.files.size() > kMostFiles) return search.tooMany("files");
         }
     }
+    for (const auto& [folder, ending] : folders) {
+        const auto names = search.list(folder);
+        if (!names) return tl::unexpected(names.error());
+        for (const std::string& name : **names) {
+            if (isOfKind(name, words)) add(folder / name, ending);
+        }
+        if (section.files.size() > kMostFiles) return search.tooMany("files");
+    }
+    for (std::size_t i = 0; i < section.files.size(); ++i) {
+        section.file_of.try_emplace(section.files[i].filename().string(), i);
+    }
+    return {};
 }
 
-Result<Template> Dataset::load(const fs::path& file, const Places& places) const {
-    Template found{places.defaults, file.parent_path(), file};
+Result<Template> Dataset::load(Kind kind, const fs::path& file) const {
+    Template found{sections_.at(kind).defaults, file.parent_path(), file};
     if (file.extension() != ".json") {
         found.attributes["render_asset"] = file.filename().string();
         return found;
     }
-    Result<json> read = io::readBoundedJson(file);
+    const Result<json> read = readConfig(file);
     if (!read) return tl::unexpected(read.error());
-    found.attributes = over(std::move(found.attributes), *read);
+    if (!read->is_object()) {
+        return fail(ErrorCode::BadInput,
+                    "the file is not a JSON object; it is damaged or of another program",
+                    file.string());
+    }
+    found.attributes = merged(std::move(found.attributes), *read);
     return found;
 }
 
-Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name) const {
-    const KindWords& words = wordsOf(kind);
-    const Places& places = places_.at(kind);
-    const auto wrapped = [](Result<Template> loaded) -> Result<std::optional<Template>> {
+/// The template that the config's own list describes under this handle.
+Result<std::optional<Template>> Dataset::findConfigured(const Section& section, Kind kind,
+                                                        const std::string& handle) const {
+    const auto at = section.config_of.find(handle);
+    if (at == section.config_of.end()) return std::optional<Template>();
+    const json& config = section.configs[at->second];
+    const std::string original = io::textIn(config, "original_file");
+    Template found{section.defaults, folder_, {}};
+    if (!original.empty()) {
+        const auto file = files_.find(folder_, original);
+        if (!file) return std::optional<Template>();
+        Result<Template> loaded = load(kind, *file);
         if (!loaded) return tl::unexpected(loaded.error());
-        return std::optional<Template>(std::move(*loaded));
-    };
-    const std::string stem = withoutEnding(lastName(name), words.ending);
-    for (const json& config : places.configs) {
-        const std::string handle = io::textIn(config, "template_handle");
-        const std::string original = io::textIn(config, "original_file");
-        const bool fits = !handle.empty() ? handle == name || handle == stem
-                                          : withoutEnding(lastName(original), words.ending) == stem;
-        if (!fits) continue;
-        Template found{places.defaults, folder_, {}};
-        if (!original.empty()) {
-            const auto file = files_.find(folder_, original);
-            if (!file) continue;
-            Result<Template> loaded = load(*file, places);
-            if (!loaded) return tl::unexpected(loaded.error());
-            found = std::move(*loaded);
-        }
-        const json& changes = sectionOf(config, "attributes");
-        // Names of files that the config itself gives count from the config.
-        if (changes.contains("render_asset")) found.folder = folder_;
-        found.attributes = over(std::move(found.attributes), changes);
-        return std::optional<Template>(std::move(found));
+        found = std::move(*loaded);
     }
-    const std::array<std::string, 4> endings = {words.ending, ".glb", ".gltf", ".ply"};
-    for (const fs::path& file : places.files) {
-        for (const std::string& ending : endings) {
-            if (file.filename().string() != stem + ending) continue;
-            if (const auto there = files_.find(folder_, file.string())) {
-                return wrapped(load(*there, places));
-            }
-        }
-    }
-    for (const std::string& ending : endings) {
-        for (const fs::path& folder : places.folders) {
-            if (const auto file = files_.find(folder, stem + ending)) {
-                return wrapped(load(*file, places));
-            }
-        }
-        // A path: as it is written, from the dataset's folder.
-        const std::string path = name.ends_with(ending) ? name : name + ending;
-        if (const auto file = files_.find(folder_, path)) return wrapped(load(*file, places));
-    }
-    if (const auto file = findPart(places, words.ending, stem)) return wrapped(load(*file, places));
-    return std::optional<Template>();
+    const json& changes = sectionOf(config, "attributes");
+    // Names of files that the config itself gives count from the config.
+    if (changes.contains("render_asset")) found.folder = folder_;
+    found.attributes = merged(std::move(found.attributes), changes);
+    return std::optional<Template>(std::move(found));
 }
 
-/// Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
-std::optional<fs::path> Dataset::findPart(const Places& places, std::string_view ending,
-                                          const std::string& part) const {
-    if (part.empty()) return std::nullopt;
-    const auto fits = [&](const std::string& name) {
-        return name.ends_with(ending) && name.find(part) != std::string::npos;
-    };
-    for (const fs::path& file : places.files) {
-        if (!fits(file.filename().string())) continue;
-        if (auto there = files_.find(folder_, file.string())) return there;
+Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name) const {
+    const Section& section = sections_.at(kind);
+    for (const std::string& handle :
+         {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
+        auto configured = findConfigured(section, kind, handle);
+        if (!configured || *configured) return configured;
     }
-    for (const fs::path& folder : places.folders) {
-        for (const std::string& name : files_.namesIn(folder)) {
-            if (!fits(name)) continue;
-            if (auto there = files_.find(folder, name)) return there;
+    const auto file = findFile(kind, name);
+    if (!file) return std::optional<Template>();
+    Result<Template> loaded = load(kind, *file);
+    if (!loaded) return tl::unexpected(loaded.error());
+    return std::optional<Template>(std::move(*loaded));
+}
+
+std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) const {
+    const KindWords& words = wordsOf(kind);
+    const Section& section = sections_.at(kind);
+    std::vector<std::string> endings = {words.ending};
+    if (words.models) endings.insert(endings.end(), {".glb", ".gltf", ".ply", ".obj"});
+    std::string stem = lastName(name);
+    for (const std::string& ending : endings) {
+        if (stem.ends_with(ending)) {
+            stem = withoutEnding(stem, ending);
+            break;
         }
+    }
+    if (stem.empty()) return std::nullopt;
+    for (const std::string& ending : endings) {
+        const auto at = section.file_of.find(stem + ending);
+        if (at == section.file_of.end()) continue;
+        if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
+    }
+    if (++slow_searches_ > kMostSlowSearches) return std::nullopt;
+    // A path from the dataset's folder.
+    for (const std::string& ending : endings) {
+        const std::string path = name.ends_with(ending) ? name : name + ending;
+        if (auto file = files_.find(folder_, path)) return file;
+    }
+    // Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+    for (const auto& [file_name, index] : section.file_of) {
+        if (!file_name.ends_with(words.ending) || file_name.find(stem) == std::string::npos) {
+            continue;
+        }
+        if (auto file = files_.find(folder_, section.files[index].string())) return file;
     }
     return std::nullopt;
 }
 
 std::vector<DatasetScene> Dataset::scenes() const {
     std::vector<DatasetScene> scenes;
-    const auto gather = [&](Kind kind, bool models) {
-        const KindWords& words = wordsOf(kind);
-        const Places& places = places_.at(kind);
-        std::vector<fs::path> found = places.files;
-        for (const fs::path& folder : places.folders) {
-            for (const std::string& name : files_.namesIn(folder)) {
-                if (name.ends_with(words.ending)) found.push_back(folder / name);
-            }
-        }
-        for (const fs::path& file : found) {
+    const auto gather = [&](Kind kind) {
+        const std::string ending = wordsOf(kind).ending;
+        for (const fs::path& file : sections_.at(kind).files) {
             const std::string name = file.filename().string();
-            const bool described = name.ends_with(words.ending);
-            if (!described && !(models && isModel(name))) continue;
-            scenes.push_back({described ? withoutEnding(name, words.ending) : file.stem().string(),
-                              file});
+            if (name.ends_with(ending)) scenes.push_back({withoutEnding(name, ending), file});
+        }
+        for (const fs::path& file : sections_.at(kind).named_models) {
+            scenes.push_back({file.stem().string(), file});
         }
     };
-    gather(Kind::SceneInstance, false);
+    gather(Kind::SceneInstance);
     // A dataset without scene instances (HM3D, Gibson) has a scene for each stage.
-    if (scenes.empty()) gather(Kind::Stage, true);
+    if (scenes.empty()) gather(Kind::Stage);
     std::sort(scenes.begin(), scenes.end(), [](const DatasetScene& a, const DatasetScene& b) {
         return std::tie(a.name, a.file) < std::tie(b.name, b.file);
     });
@@ -298,6 +416,9 @@ std::vector<DatasetScene> Dataset::scenes() const {
                                  return a.file == b.file;
                              }),
                  scenes.end());
+    std::erase_if(scenes, [&](const DatasetScene& scene) {
+        return !files_.find(folder_, scene.file.string());
+    });
     return scenes;
 }
 
@@ -306,16 +427,9 @@ std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
     if (!written.empty()) {
         if (auto file = files_.find(folder_, written)) return file;
     }
-    const Places& places = places_.at(Kind::SemanticScene);
-    const std::string stem = withoutEnding(lastName(name), ".json");
-    for (const fs::path& file : places.files) {
-        if (withoutEnding(file.filename().string(), ".json") == stem) {
-            return files_.find(folder_, file.string());
-        }
-    }
-    for (const fs::path& folder : places.folders) {
-        if (auto file = files_.find(folder, stem + ".json")) return file;
-    }
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const auto at = section.file_of.find(withoutEnding(lastName(name), ".json") + ".json");
+    if (at != section.file_of.end()) return files_.find(folder_, section.files[at->second].string());
     return files_.find(folder_, name);
 }
 

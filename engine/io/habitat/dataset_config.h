@@ -30,25 +30,36 @@ struct DatasetScene {
     std::filesystem::path file;  // NAME.scene_instance.json, NAME.stage_config.json or a model
 };
 
-/// The dataset config that a scene instance belongs to: the first NAME.scene_dataset_config.json,
-/// by name, in its folder or one of the four above; nothing where there is none. Of several in one
-/// folder the one whose scenes lie in the instance's folder counts.
-[[nodiscard]] std::optional<std::filesystem::path> findDatasetConfig(
-    const std::filesystem::path& scene_instance);
+/// The dataset configs (NAME.scene_dataset_config.json) of the dataset that a scene file belongs to,
+/// by name: those of the nearest folder that has any, which is the scene's own or one of the four
+/// above. No file is opened. Symbolic links are skipped; of more than 16 configs the first count.
+[[nodiscard]] std::vector<std::filesystem::path> findDatasetConfigs(
+    const std::filesystem::path& scene);
+
+/// Of several configs the first that lists a scene in the scene's own folder, else the first of
+/// all; empty without configs. It reads the configs, so only the process that reads scenes calls it.
+[[nodiscard]] std::filesystem::path chooseDatasetConfig(
+    const std::vector<std::filesystem::path>& configs, const std::filesystem::path& scene);
 
 /// A dataset of Habitat: finds templates by the folders and the list of its config. Without a
 /// config they are looked up in the usual folders (stages, objects, urdf and the same in configs).
 class Dataset {
   public:
-    /// `config` may be empty; names then count from `folder`.
+    /// `config` may be empty; names then count from `folder`. Lists every folder of the config once.
+    /// Error: BadInput, for a damaged config and for one that names too many folders or files.
     static Result<Dataset> open(const std::filesystem::path& config,
                                 const std::filesystem::path& folder, io::ReachableFiles files);
 
     /// The template of this name: a handle of the config, the name of a file, a path to one, or a
-    /// part of a file's name. Nothing where there is none. Error: BadInput, for a file that is damaged.
+    /// part of a file's name. Nothing where no file fits. Error: BadInput, for a file that is
+    /// damaged.
     [[nodiscard]] Result<std::optional<Template>> find(Kind kind, const std::string& name) const;
 
-    /// Every scene, in order of name.
+    /// The template in this file, a description or a model, with the dataset's default attributes.
+    /// Error: BadInput.
+    [[nodiscard]] Result<Template> load(Kind kind, const std::filesystem::path& file) const;
+
+    /// Every scene that is there, in order of name.
     [[nodiscard]] std::vector<DatasetScene> scenes() const;
 
     /// The file that the config gives a semantic lexicon's handle, else of that name.
@@ -61,23 +72,27 @@ class Dataset {
     Dataset(std::filesystem::path folder, io::ReachableFiles files)
         : folder_(std::move(folder)), files_(std::move(files)) {}
 
-    struct Places {
+    /// What the config says of one kind of template.
+    struct Section {
         nlohmann::json defaults = nlohmann::json::object();
         nlohmann::json::array_t configs;
-        std::vector<std::filesystem::path> folders;
-        std::vector<std::filesystem::path> files;
+        std::map<std::string, std::size_t> config_of;  // by handle, else by the file's name
+        std::vector<std::filesystem::path> files;      // descriptions and models
+        std::map<std::string, std::size_t> file_of;    // by file name; the first of several
+        std::vector<std::filesystem::path> named_models;  // of `files`: the paths ask for models
     };
-    void readPlaces(const nlohmann::json& section, Kind kind);
-    [[nodiscard]] std::optional<std::filesystem::path> findPart(const Places& places,
-                                                                std::string_view ending,
-                                                                const std::string& part) const;
-    [[nodiscard]] Result<Template> load(const std::filesystem::path& file,
-                                        const Places& places) const;
+    class FolderSearch;
+    Status readSection(const nlohmann::json& values, Kind kind, FolderSearch& search);
+    [[nodiscard]] Result<std::optional<Template>> findConfigured(const Section& section, Kind kind,
+                                                                 const std::string& handle) const;
+    [[nodiscard]] std::optional<std::filesystem::path> findFile(Kind kind,
+                                                                const std::string& name) const;
 
     std::filesystem::path folder_;
     io::ReachableFiles files_;
-    std::map<Kind, Places> places_;
+    std::map<Kind, Section> sections_;
     nlohmann::json lexicons_;
+    mutable std::size_t slow_searches_ = 0;  // for names that are no file's own; limited
 };
 
 }  // namespace dollytrack::habitat

@@ -10,12 +10,14 @@
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/model_reader.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/sandbox/input_record.h"
 #include "engine/io/semantics/labelled_reader.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -47,7 +49,7 @@ std::optional<Eigen::Vector3d> vectorIn(const json& object, const char* key,
     return value;
 }
 
-/// A rotation of four numbers, w first. Nothing where it is none.
+/// A rotation of four numbers, w first. Nothing where the value is no rotation.
 std::optional<Eigen::Quaterniond> rotationIn(const json& object, const char* key) {
     const json::array_t& list = io::listIn(object, key);
     if (list.empty()) return Eigen::Quaterniond::Identity();
@@ -73,17 +75,35 @@ bool isOff(const json& object, const char* key) {
     return found != object.end() && found->is_boolean() && !found->get<bool>();
 }
 
-std::string inSmall(std::string text) {
+bool isOn(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::string lowerCase(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
-/// Turns the asset's upward and forward axes to Habitat's: y up, looking along -z.
-Eigen::Matrix3d frameOf(const json& attributes) {
+/// The names of the attributes that say which way a mesh is stored.
+struct AxisKeys {
+    const char* up = "up";
+    const char* front = "front";
+};
+
+/// Semantic meshes may have axes of their own; else they have those of the model.
+AxisKeys semanticAxisKeys(const json& attributes) {
+    const bool own = attributes.contains("semantic_up") || attributes.contains("semantic_front");
+    return own ? AxisKeys{"semantic_up", "semantic_front"} : AxisKeys{};
+}
+
+/// Turns the mesh's upward and forward axes to Habitat's: y up, looking along -z.
+Eigen::Matrix3d rotationFromUpAndFront(const json& attributes, const AxisKeys& keys) {
     const Eigen::Vector3d usual_up = Eigen::Vector3d::UnitY();
     const Eigen::Vector3d usual_front = -Eigen::Vector3d::UnitZ();
-    const Eigen::Vector3d up = vectorIn(attributes, "up", usual_up).value_or(usual_up);
-    const Eigen::Vector3d front = vectorIn(attributes, "front", usual_front).value_or(usual_front);
+    const Eigen::Vector3d up = vectorIn(attributes, keys.up, usual_up).value_or(usual_up);
+    const Eigen::Vector3d front =
+        vectorIn(attributes, keys.front, usual_front).value_or(usual_front);
     const Eigen::Vector3d right = front.cross(up);
     if (!(right.norm() > 1e-6 * front.norm() * up.norm())) return Eigen::Matrix3d::Identity();
     // Columns: right, up and front, made square.
@@ -100,31 +120,41 @@ Eigen::Affine3d scaling(const Eigen::Vector3d& scale) {
     return transform;
 }
 
-/// What a description says of the size and axes of its model.
-Eigen::Affine3d modelFromAsset(const json& attributes) {
-    const Eigen::Vector3d scale =
-        vectorIn(attributes, "scale", Eigen::Vector3d::Ones()).value_or(Eigen::Vector3d::Ones());
+Eigen::Vector3d scaleOf(const json& attributes) {
+    return vectorIn(attributes, "scale", Eigen::Vector3d::Ones()).value_or(Eigen::Vector3d::Ones());
+}
+
+/// The size and axes that a description gives its model.
+Eigen::Affine3d modelFromAsset(const json& attributes, const AxisKeys& keys = {}) {
     double unit = numberAt(attributes, "units_to_meters").value_or(1.0);
     if (!(unit > 0.0)) unit = 1.0;
-    Eigen::Affine3d transform = scaling(unit * scale);
-    transform.linear() = transform.linear() * frameOf(attributes);
+    Eigen::Affine3d transform = scaling(unit * scaleOf(attributes));
+    transform.linear() = transform.linear() * rotationFromUpAndFront(attributes, keys);
     return transform;
 }
 
-/// The file that a description names as its model; its name may stand for the description's.
+/// The name with the description's own in place of the words that stand for it.
+std::string withConfigName(std::string name, const fs::path& description) {
+    constexpr std::string_view kConfigName = "%%CONFIG_NAME_AS_ASSET_FILENAME%%";
+    if (const auto at = name.find(kConfigName); at != std::string::npos) {
+        const std::string own = description.filename().string();
+        name.replace(at, kConfigName.size(), own.substr(0, own.find('.')));
+    }
+    return name;
+}
+
+/// The file that a description names, if it is there.
 std::optional<fs::path> assetOf(const Template& found, const char* key,
                                 const io::ReachableFiles& files) {
-    constexpr std::string_view kOwnName = "%%CONFIG_NAME_AS_ASSET_FILENAME%%";
-    std::string name;
-    if (const auto at = found.attributes.find(key);
-        at != found.attributes.end() && at->is_string()) {
-        name = at->get<std::string>();
-    }
-    if (const auto at = name.find(kOwnName); at != std::string::npos) {
-        const std::string own = found.file.filename().string();
-        name.replace(at, kOwnName.size(), own.substr(0, own.find('.')));
-    }
-    return files.find(found.folder, name);
+    const auto at = found.attributes.find(key);
+    if (at == found.attributes.end() || !at->is_string()) return std::nullopt;
+    return files.find(found.folder, withConfigName(at->get<std::string>(), found.file));
+}
+
+/// Whether its attributes turn, move or scale a mesh.
+bool changesGeometry(const Template& found) {
+    return std::ranges::any_of(std::array{"up", "front", "scale", "origin", "units_to_meters"},
+                               [&](const char* key) { return found.attributes.contains(key); });
 }
 
 /// Names that say nothing: HSSD's models are called by 40 hexadecimal digits.
@@ -198,28 +228,30 @@ class SceneReader {
         return finish(!objects.empty() || !articulated.empty());
     }
 
-    /// A stage or an object alone.
-    Result<RawScene> readPart(const json& attributes) {
-        const Template alone{attributes, path_.parent_path(), path_};
-        if (Status added = addStage(alone, json::object()); !added) {
+    /// A stage or an object alone. A model without axes in its description keeps those of its file.
+    Result<RawScene> readPart(const Template& part) {
+        if (Status added = addStage(part, json::object()); !added) {
             return tl::unexpected(added.error());
         }
+        const bool described = part.attributes.contains("up") || part.attributes.contains("front");
+        if (part.file.extension() != ".json" && !described) scene_.file_up_axis = stage_up_axis_;
         return finish(false);
     }
 
   private:
     static bool isLocal(const std::string& origin) {
-        const std::string small = inSmall(origin);
+        const std::string small = lowerCase(origin);
         return small == "asset_local" || small == "as_local";
     }
 
     Status readLexiconOf(const json& instance) {
-        const std::string name = io::textIn(instance, "semantic_scene_instance");
+        const std::string name =
+            withConfigName(io::textIn(instance, "semantic_scene_instance"), path_);
         if (name.empty()) return {};
         const auto file = dataset_.findLexicon(name);
         if (!file) {
             scene_.notes.push_back("the semantic lexicon " + name +
-                                   " is not there; classes are found by name");
+                                   " is missing; classes are found by name");
             return {};
         }
         const Result<json> document = io::readBoundedJson(*file);
@@ -229,36 +261,77 @@ class SceneReader {
     }
 
     Status addStage(const Template& found, const json& instance) {
+        const std::string name = shortName(found.file.string());
         const auto asset = assetOf(found, "render_asset", dataset_.files());
         if (!asset) {
-            missing_.push_back("the model of stage " + shortName(found.file.string()));
+            missing_.push_back("the model of stage " + name);
             return {};
         }
-        std::optional<semantics::LabelledFiles> labelled = semantics::findLabelledFiles(*asset);
-        if (const auto semantic = assetOf(found, "semantic_asset", dataset_.files());
-            semantic && !labelled) {
-            labelled = semantics::findLabelledFiles(*semantic);
+        const auto placement = instanceTransform(instance);
+        if (!placement) {
+            bad_.push_back("the stage " + name);
+            return {};
         }
+        const auto labelled = labelledFilesOf(found, *asset);
         Result<RawScene> read =
             labelled ? semantics::readLabelled(*labelled, job_) : readModel(*asset, job_);
         if (!read) return tl::unexpected(read.error());
-        for (TextureRequest& texture : read->textures) texture.folder = asset->parent_path();
-        const auto placement = instanceTransform(instance);
-        if (!placement) {
-            bad_.push_back("the stage");
-            return {};
-        }
+        // The mesh that is shown: the labelled one where there is no other.
+        fs::path shown = *asset;
+        if (labelled) shown = labelled->pictured.empty() ? labelled->labelled : labelled->pictured;
+        for (TextureRequest& texture : read->textures) texture.folder = shown.parent_path();
+        const bool semantic_shown = shown != *asset && labelled->pictured.empty();
+        const AxisKeys axis_keys =
+            semantic_shown ? semanticAxisKeys(found.attributes) : AxisKeys{};
         const Eigen::Vector3d origin =
             vectorIn(found.attributes, "origin", Eigen::Vector3d::Zero())
                 .value_or(Eigen::Vector3d::Zero());
-        const RawScene& model = *read;
         const Eigen::Affine3d scene_from_stage =
             Eigen::Translation3d(placement->translation) * placement->rotation *
-            scaling(placement->scale) * modelFromAsset(found.attributes) *
+            scaling(placement->scale) *
+            modelFromAsset(found.attributes, axis_keys) *
             Eigen::Translation3d(-origin);
-        placeWithNodes(model, scene_from_stage);
-        scene_.notes.insert(scene_.notes.end(), model.notes.begin(), model.notes.end());
+        if (Status fits = budget_.take(*read, path_.string()); !fits) return fits;
+        placeWithNodes(*read, scene_from_stage);
+        stage_up_axis_ = read->file_up_axis;
+        scene_.notes.insert(scene_.notes.end(), read->notes.begin(), read->notes.end());
+        keepWarnings(*read, name);
         return {};
+    }
+
+    /// The files that label a stage: found by the name of its model, else of its semantic mesh.
+    std::optional<semantics::LabelledFiles> labelledFilesOf(const Template& stage,
+                                                            const fs::path& asset) {
+        std::optional<semantics::LabelledFiles> labelled = semantics::findLabelledFiles(asset);
+        const auto semantic = assetOf(stage, "semantic_asset", dataset_.files());
+        if (labelled || !semantic || *semantic == asset) return labelled;
+        labelled = semantics::findLabelledFiles(*semantic);
+        if (!labelled) {
+            scene_.notes.push_back("the semantic mesh " + cleanText(semantic->filename().string()) +
+                                   " has no file of names beside it; it was not used");
+        } else if (labelled->pictured.empty() && labelsCanBeMoved(stage.attributes)) {
+            labelled->pictured = asset;
+        }
+        return labelled;
+    }
+
+    /// Whether labels can be moved to the model of a stage: the reader of labelled meshes tries
+    /// equal axes and quarter turns about x. Otherwise the semantic mesh itself is shown.
+    static bool labelsCanBeMoved(const json& attributes) {
+        const Eigen::Matrix3d asset_from_semantic =
+            rotationFromUpAndFront(attributes, {}).transpose() *
+            rotationFromUpAndFront(attributes, semanticAxisKeys(attributes));
+        return (asset_from_semantic.col(0) - Eigen::Vector3d::UnitX()).norm() < 1e-6 &&
+               asset_from_semantic(1, 1) > -1e-6;
+    }
+
+    /// Warnings of a model, to be given on with the names of all models that have the same.
+    void keepWarnings(const RawScene& model, const std::string& name) {
+        for (const std::string& warning : model.warnings) {
+            const auto [at, is_new] = model_warnings_.try_emplace(warning);
+            if (is_new) warning_order_.push_back(warning);
+            at->second.push_back(cleanText(name));
+        }
     }
 
     /// The stage's own nodes and objects are kept: they tell its walls, doors and furniture apart.
@@ -301,17 +374,32 @@ class SceneReader {
         return Placement{*translation, *rotation, uniform * *scale};
     }
 
+    /// A template of objects with its model's file.
+    struct ObjectTemplate {
+        Template found;
+        fs::path model;
+    };
+
     struct Wanted {
         const json* instance;
-        Template found;
+        const Template* found;  // in an ObjectTemplate
         std::size_t model;
         std::string name;
     };
 
+    Result<std::optional<ObjectTemplate>> findObject(const std::string& name) const {
+        auto found = dataset_.find(Kind::Object, name);
+        if (!found) return tl::unexpected(found.error());
+        if (!*found) return std::optional<ObjectTemplate>();
+        const auto asset = assetOf(**found, "render_asset", dataset_.files());
+        if (!asset) return std::optional<ObjectTemplate>();
+        return ObjectTemplate{std::move(**found), *asset};
+    }
+
     Status addObjects(const json::array_t& instances) {
         io::ModelLibrary library;
         std::vector<Wanted> wanted;
-        std::map<std::string, std::optional<std::pair<Template, fs::path>>> known;
+        std::map<std::string, std::optional<ObjectTemplate>> known;  // Wanted points into it
         for (const json& instance : instances) {
             if (!instance.is_object()) continue;
             if (isOff(instance, "is_instance_visible")) {
@@ -321,33 +409,33 @@ class SceneReader {
             const std::string name = io::textIn(instance, "template_name");
             auto at = known.find(name);
             if (at == known.end()) {
-                auto found = dataset_.find(Kind::Object, name);
+                auto found = findObject(name);
                 if (!found) return tl::unexpected(found.error());
-                std::optional<std::pair<Template, fs::path>> model;
-                if (*found) {
-                    const auto asset = assetOf(**found, "render_asset", dataset_.files());
-                    if (asset) model = std::pair(std::move(**found), *asset);
-                }
-                at = known.emplace(name, std::move(model)).first;
+                at = known.emplace(name, std::move(*found)).first;
             }
             if (!at->second) {
                 missing_.push_back(name);
                 continue;
             }
-            wanted.push_back({&instance, at->second->first, library.add(at->second->second), name});
+            wanted.push_back({&instance, &at->second->found, library.add(at->second->model), name});
         }
         if (Status read = library.read(job_); !read) return read;
         std::map<std::size_t, ModelPlacement> placements;
         for (const Wanted& one : wanted) {
             const RawScene* model = library.model(one.model);
+            if (model == nullptr) {
+                unreadable_.push_back(one.name + " (" + library.reason(one.model) + ")");
+                continue;
+            }
             const auto placement = instanceTransform(*one.instance);
-            if (model == nullptr || !placement) {
-                (model == nullptr ? unreadable_ : bad_).push_back(one.name);
+            if (!placement) {
+                bad_.push_back(one.name);
                 continue;
             }
             if (Status fits = budget_.take(*model, path_.string()); !fits) return fits;
-            auto at = placements.try_emplace(one.model, *model, scene_).first;
-            SourceObject object = describe(one.name, one.found, *one.instance);
+            const auto [at, is_new] = placements.try_emplace(one.model, *model, scene_);
+            if (is_new) keepWarnings(*model, shortName(one.name));
+            SourceObject object = describe(one.name, *one.found, *one.instance);
             object.parts = at->second.place(object.name, sceneFromObject(one, *model, *placement));
             scene_.objects.push_back(std::move(object));
         }
@@ -355,23 +443,25 @@ class SceneReader {
     }
 
     /// Habitat places an object's centre of mass, unless the file says that it is the origin of
-    /// the model. The centre is the one given, else the middle of the model's box.
+    /// the model. The centre is the one given, in the axes of the placed object before its scale,
+    /// else the middle of the model's box.
     [[nodiscard]] Eigen::Affine3d sceneFromObject(const Wanted& one, const RawScene& model,
                                                   const Placement& placement) const {
-        const Eigen::Affine3d scaled = scaling(placement.scale) *
-                                       modelFromAsset(one.found.attributes);
+        const json& attributes = one.found->attributes;
+        const Eigen::Affine3d scaled = scaling(placement.scale) * modelFromAsset(attributes);
         const std::string said = io::textIn(*one.instance, "translation_origin");
-        const bool com = said.empty() ? com_by_default_ : !isLocal(said);
+        const bool by_center = said.empty() ? com_by_default_ : !isLocal(said);
         Eigen::Vector3d center = Eigen::Vector3d::Zero();
-        if (com) {
-            const auto given = one.found.attributes.contains("COM")
-                                   ? vectorIn(one.found.attributes, "COM", center)
-                                   : std::nullopt;
-            const Eigen::AlignedBox3d box = boxOf(model, scaled);
-            if (given) {
-                center = scaled * *given;
-            } else if (!box.isEmpty()) {
-                center = box.center();
+        if (by_center) {
+            const bool from_box =
+                isOn(attributes, "compute_COM_from_shape") ||
+                (!attributes.contains("COM") && !isOff(attributes, "compute_COM_from_shape"));
+            if (from_box) {
+                const Eigen::AlignedBox3d box = boxOf(model, scaled);
+                if (!box.isEmpty()) center = box.center();
+            } else {
+                center = placement.scale.cwiseProduct(scaleOf(attributes))
+                             .cwiseProduct(vectorIn(attributes, "COM", center).value_or(center));
             }
         }
         return Eigen::Translation3d(placement.translation) * placement.rotation *
@@ -393,43 +483,62 @@ class SceneReader {
         return object;
     }
 
+    /// A template of articulated objects with its model, which several instances share.
+    struct ArticulatedTemplate {
+        std::optional<Template> found;
+        std::unique_ptr<RawScene> model;  // null: it cannot be read
+        std::string reason;
+        std::unique_ptr<ModelPlacement> placement;
+    };
+
+    Result<ArticulatedTemplate> readArticulated(const std::string& name) {
+        ArticulatedTemplate read;
+        auto found = dataset_.find(Kind::ArticulatedObject, name);
+        if (!found) return tl::unexpected(found.error());
+        read.found = std::move(*found);
+        if (!read.found) return read;
+        Result<RawScene> model = gazebo::readUrdfModel(read.found->file, dataset_.files(), job_);
+        if (!model) {
+            if (model.error().code == ErrorCode::Cancelled) return tl::unexpected(model.error());
+            read.reason = model.error().message;
+            return read;
+        }
+        read.model = std::make_unique<RawScene>(std::move(*model));
+        read.placement = std::make_unique<ModelPlacement>(*read.model, scene_);
+        keepWarnings(*read.model, shortName(name));
+        return read;
+    }
+
     Status addArticulated(const json& instance) {
         if (!instance.is_object()) return {};
         const std::string name = io::textIn(instance, "template_name");
-        auto found = dataset_.find(Kind::ArticulatedObject, name);
-        if (!found) return tl::unexpected(found.error());
-        const auto placement = instanceTransform(instance);
-        if (!*found || !placement) {
-            (placement ? missing_ : bad_).push_back(name);
-            return {};
-        }
-        auto at = articulated_.find((*found)->file);
+        auto at = articulated_.find(name);
         if (at == articulated_.end()) {
-            Result<RawScene> read =
-                gazebo::readUrdfModel((*found)->file, dataset_.files(), job_);
-            if (!read && read.error().code == ErrorCode::Cancelled) {
-                return tl::unexpected(read.error());
-            }
-            std::unique_ptr<RawScene> model;
-            if (read) model = std::make_unique<RawScene>(std::move(*read));
-            at = articulated_.emplace((*found)->file, std::move(model)).first;
+            Result<ArticulatedTemplate> read = readArticulated(name);
+            if (!read) return tl::unexpected(read.error());
+            at = articulated_.emplace(name, std::move(*read)).first;
         }
-        if (!at->second) {
-            unreadable_.push_back(name);
-            return {};
+        const ArticulatedTemplate& known = at->second;
+        const auto placement = instanceTransform(instance);
+        if (!known.found) {
+            missing_.push_back(name);
+        } else if (!known.model) {
+            unreadable_.push_back(name + " (" + known.reason + ")");
+        } else if (!placement) {
+            bad_.push_back(name);
+        } else {
+            if (Status fits = budget_.take(*known.model, path_.string()); !fits) return fits;
+            SourceObject object = describe(name, *known.found, instance);
+            object.parts = known.placement->place(
+                object.name, Eigen::Translation3d(placement->translation) * placement->rotation *
+                                 scaling(placement->scale));
+            scene_.objects.push_back(std::move(object));
         }
-        if (Status fits = budget_.take(*at->second, path_.string()); !fits) return fits;
-        SourceObject object = describe(name, **found, instance);
-        ModelPlacement place(*at->second, scene_);
-        object.parts = place.place(object.name, Eigen::Translation3d(placement->translation) *
-                                                    placement->rotation *
-                                                    scaling(placement->scale));
-        scene_.objects.push_back(std::move(object));
         return {};
     }
 
-    /// Nodes of the stage that are named after things are things; the rest is the building. Where
-    /// there is nothing but a stage, its objects are found as in any other file.
+    /// Nodes of the stage that are named after objects are objects; the rest is the building. The
+    /// objects of a stage alone are found as in any other file.
     void addStageObjects() {
         if (stage_labelled_ || scene_.parts.empty()) return;
         std::vector<bool> taken(scene_.parts.size(), false);
@@ -464,8 +573,9 @@ class SceneReader {
             "models are not in the dataset's folder and were left out");
         say(unreadable_, "model cannot be read and was left out",
             "models cannot be read and were left out");
-        say(bad_, "object has a placement that is none and was left out",
-            "objects have placements that are none and were left out");
+        say(bad_, "object has no valid translation, rotation or scale and was left out",
+            "objects have no valid translation, rotation or scale and were left out");
+        giveWarnings();
         if (hidden_ > 0) {
             scene_.notes.push_back(io::counted(hidden_, "object is marked as invisible",
                                                "objects are marked as invisible"));
@@ -481,55 +591,94 @@ class SceneReader {
         return std::move(scene_);
     }
 
+    void giveWarnings() {
+        constexpr std::size_t kMostWarnings = 20;
+        for (std::size_t i = 0; i < std::min(warning_order_.size(), kMostWarnings); ++i) {
+            const std::string& warning = warning_order_[i];
+            scene_.warnings.push_back(io::listOf(model_warnings_.at(warning), 5) + ": " + warning);
+        }
+        if (warning_order_.size() > kMostWarnings) {
+            scene_.warnings.push_back(io::counted(warning_order_.size() - kMostWarnings,
+                                                  "further warning of a model is not shown",
+                                                  "further warnings of models are not shown"));
+        }
+    }
+
     const fs::path& path_;
     const Dataset& dataset_;
     const LabelTable& labels_;
     JobContext job_;
     RawScene scene_;
-    std::map<fs::path, std::unique_ptr<RawScene>> articulated_;
+    std::map<std::string, ArticulatedTemplate> articulated_;  // by name
     std::map<std::int64_t, std::string> lexicon_;
     io::TriangleBudget budget_;
     io::ObjectNames names_;
     bool com_by_default_ = true;
     bool stage_labelled_ = false;
+    UpAxis stage_up_axis_;  // of the stage's file
     std::size_t hidden_ = 0;
     std::vector<std::string> missing_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> bad_;
+    std::map<std::string, std::vector<std::string>> model_warnings_;  // names of models by text
+    std::vector<std::string> warning_order_;
 };
 
-/// The folder that all of a dataset lies in: its config's, else the one above the scene's.
-fs::path datasetFolder(const fs::path& path, const std::optional<fs::path>& config) {
-    if (config) return config->parent_path();
+bool isDatasetConfig(const fs::path& path) {
+    return path.filename().string().ends_with(kDatasetEnding);
+}
+
+/// The configs of the dataset that a scene belongs to, or the config itself.
+std::vector<fs::path> configsOf(const fs::path& path) {
+    if (isDatasetConfig(path)) return {io::absoluteNormal(path)};
+    return findDatasetConfigs(path);
+}
+
+/// The folder of the whole dataset: its configs', else the one above the scene's. It is never the
+/// root of the file system, unless that is the scene's own folder.
+fs::path datasetFolder(const fs::path& path, const std::vector<fs::path>& configs) {
+    if (!configs.empty()) return configs.front().parent_path();
     fs::path folder = io::absoluteNormal(path).parent_path();
     for (const char* name : {"scenes", "scene_instances", "stages", "objects", "configs"}) {
-        if (folder.filename() == name) folder = folder.parent_path();
+        const bool above = folder.parent_path().has_relative_path();
+        if (folder.filename() == name && above) folder = folder.parent_path();
     }
     return folder;
 }
 
-std::optional<fs::path> configOf(const fs::path& path) {
-    if (path.filename().string().ends_with(kDatasetEnding)) return io::absoluteNormal(path);
-    return findDatasetConfig(path);
-}
-
-Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
-    const std::optional<fs::path> config = configOf(path);
-    std::vector<fs::path> folders = {datasetFolder(path, config),
+/// The folders that a scene may read: its dataset's, its own, and those that a person gives.
+std::vector<fs::path> foldersOf(const fs::path& path, const std::vector<fs::path>& configs,
+                                const ImportOptions& options) {
+    std::vector<fs::path> folders = {datasetFolder(path, configs),
                                      io::absoluteNormal(path).parent_path()};
     for (const fs::path& folder : options.model_folders) {
         folders.push_back(io::absoluteNormal(folder));
     }
-    const fs::path dataset_folder = folders.front();
-    return Dataset::open(config.value_or(fs::path()), dataset_folder,
-                         io::ReachableFiles(std::move(folders)));
+    return folders;
+}
+
+Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
+    const std::vector<fs::path> configs = configsOf(path);
+    const std::vector<fs::path> folders = foldersOf(path, configs, options);
+    if (!isDatasetConfig(path)) {
+        // Another config in one of these folders would be another dataset.
+        fs::path folder = io::absoluteNormal(path).parent_path();
+        io::InputRecord::note(io::InputUse::Listing, folder);
+        while (folder != folders.front() && folder.has_relative_path()) {
+            folder = folder.parent_path();
+            io::InputRecord::note(io::InputUse::Listing, folder);
+        }
+    }
+    return Dataset::open(chooseDatasetConfig(configs, path), folders.front(),
+                         io::ReachableFiles(folders));
 }
 
 tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes,
                                     const fs::path& path) {
     if (scenes.empty()) {
         return fail(ErrorCode::BadInput,
-                    "the dataset config names no scene instance and no stage whose file is there",
+                    "the dataset config lists no scene instance and no stage that is there; check its "
+                    "paths",
                     path.string());
     }
     std::vector<std::string> names;
@@ -572,46 +721,45 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
     const Result<Dataset> dataset = datasetOf(path, options);
     if (!dataset) return tl::unexpected(dataset.error());
     fs::path scene = io::absoluteNormal(path);
-    if (path.filename().string().ends_with(kDatasetEnding)) {
+    if (isDatasetConfig(path)) {
         const std::vector<DatasetScene> scenes = dataset->scenes();
         if (scenes.size() != 1) return severalScenes(scenes, path);
         scene = scenes.front().file;
-        if (!dataset->files().find(scene.parent_path(), scene.filename().string())) {
-            return severalScenes({}, path);
-        }
-        if (scene.extension() != ".json") {
-            const auto labelled = semantics::findLabelledFiles(scene);
-            Result<RawScene> stage =
-                labelled ? semantics::readLabelled(*labelled, job) : readModel(scene, job);
-            if (!stage) return stage;
-            for (TextureRequest& texture : stage->textures) texture.folder = scene.parent_path();
-            return stage;
-        }
     }
-    const Result<json> document = io::readBoundedJson(scene);
+    const std::string name = scene.filename().string();
+    Kind kind = Kind::SceneInstance;
+    if (name.ends_with(".stage_config.json") || scene.extension() != ".json") kind = Kind::Stage;
+    if (name.ends_with(".object_config.json")) kind = Kind::Object;
+    const Result<Template> document = dataset->load(kind, scene);
     if (!document) return tl::unexpected(document.error());
-    if (!document->is_object()) {
-        return fail(ErrorCode::BadInput, "a scene of Habitat is a JSON object", path.string());
-    }
     SceneReader reader(scene, *dataset, *labels, job);
-    return document->contains("render_asset") ? reader.readPart(*document)
-                                              : reader.readInstance(*document);
+    return document->attributes.contains("render_asset") ? reader.readPart(*document)
+                                                         : reader.readInstance(document->attributes);
 }
 
 std::vector<fs::path> habitatInputs(const fs::path& path, const ImportOptions& options) {
-    std::vector<fs::path> inputs = {datasetFolder(path, configOf(path)),
-                                    io::absoluteNormal(path).parent_path()};
-    for (const fs::path& folder : options.model_folders) {
-        inputs.push_back(io::absoluteNormal(folder));
-    }
-    return inputs;
+    return foldersOf(path, configsOf(path), options);
 }
 
 Result<std::vector<fs::path>> scenesOfDataset(const fs::path& config) {
     const Result<Dataset> dataset = datasetOf(config, {});
     if (!dataset) return tl::unexpected(dataset.error());
     std::vector<fs::path> files;
-    for (const DatasetScene& scene : dataset->scenes()) files.push_back(scene.file);
+    for (const DatasetScene& scene : dataset->scenes()) {
+        if (scene.file.extension() != ".json") {
+            const Result<Template> stage = dataset->load(Kind::Stage, scene.file);
+            if (!stage) return tl::unexpected(stage.error());
+            // A batch names the model alone. Labelled models find their axes without the config.
+            if (changesGeometry(*stage) && !semantics::findLabelledFiles(scene.file)) {
+                return fail(ErrorCode::BadInput,
+                            "the config gives axes or a size to stages without a stage config; "
+                            "write NAME.stage_config.json beside each, or list the models with "
+                            "their upward axis and unit",
+                            config.string());
+            }
+        }
+        files.push_back(scene.file);
+    }
     if (files.empty()) return severalScenes({}, config);
     return files;
 }

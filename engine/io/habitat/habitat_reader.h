@@ -25,12 +25,13 @@ bool isHabitatPart(const std::filesystem::path& path);
 Result<RawScene> readHabitat(const std::filesystem::path& path, const ImportOptions& options,
                              const JobContext& job);
 
-/// What readHabitat() opens besides the scene's own folder: the dataset's.
+/// The folders that readHabitat() opens files in: the dataset's, the scene's and those given. They
+/// are known by names of files alone; no file is opened.
 std::vector<std::filesystem::path> habitatInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options);
 
 /// The scene files of a dataset config, in order of name: what a batch makes jobs of. Error:
-/// BadInput.
+/// BadInput, also where the config gives axes or a size to models that it lists as scenes.
 Result<std::vector<std::filesystem::path>> scenesOfDataset(const std::filesystem::path& config);
 
 }  // namespace dollytrack::habitat
