@@ -214,20 +214,27 @@ std::vector<std::string> namesApart(std::vector<NameParts> alike) {
     return names;
 }
 
-/// A config of a dataset of Habitat stands for each of its scenes.
+/// A dataset config of Habitat stands for each of its scenes. Several configs may list the same.
 Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
                                                  const fs::path& base) {
+    const fs::path root = io::absoluteNormal(base.empty() ? fs::path(".") : base);
     std::vector<SceneFile> all;
+    std::set<fs::path> added;
+    const auto add = [&](SceneFile file) {
+        if (added.insert(io::absoluteNormal(root / file.path)).second) {
+            all.push_back(std::move(file));
+        }
+    };
     for (SceneFile& file : files) {
         if (!file.path.string().ends_with(".scene_dataset_config.json")) {
-            all.push_back(std::move(file));
+            add(std::move(file));
             continue;
         }
         const auto scenes = habitat::scenesOfDataset(base / file.path);
         if (!scenes) return tl::unexpected<Error>(scenes.error());
         for (const fs::path& scene : *scenes) {
-            const fs::path relative = scene.lexically_relative(io::absoluteNormal(base));
-            all.push_back({relative.empty() ? scene : relative, {}});
+            const fs::path relative = scene.lexically_relative(root);
+            add({file.path.is_absolute() || relative.empty() ? scene : relative, {}});
         }
     }
     return all;
