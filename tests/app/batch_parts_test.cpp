@@ -63,8 +63,7 @@ TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
     const test::TempFolder folder;
     const std::string config = R"({"scene_instances": {"paths": {".json": ["scenes/*"]}}})";
     for (const char* name : {"set/plain", "set/lit"}) {
-        static_cast<void>(
-            folder.write(std::string(name) + ".scene_dataset_config.json", config));
+        static_cast<void>(folder.write(std::string(name) + ".scene_dataset_config.json", config));
     }
     for (const char* name : {"flat", "attic"}) {
         static_cast<void>(folder.write(std::string("set/scenes/") + name + ".scene_instance.json",
@@ -77,7 +76,8 @@ TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
     EXPECT_EQ(found("set/lit.scene_dataset_config.json", folder.path()), scenes);
     EXPECT_EQ(namesOf(scenes), (Names{"attic", "flat"}));
     static_cast<void>(folder.write("set/lit.scene_dataset_config.json", "{"));
-    EXPECT_TRUE(found("set/lit.scene_dataset_config.json", folder.path())[0].starts_with("error: "));
+    EXPECT_TRUE(
+        found("set/lit.scene_dataset_config.json", folder.path())[0].starts_with("error: "));
 }
 
 // Whose names would be the folder of one job.

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
-constexpr std::size_t kMostConfigs = 16;          // in one folder
+constexpr std::size_t kMostConfigs = 16;  // in one folder
 constexpr std::uint64_t kMostConfigBytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
 constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
@@ -347,8 +347,7 @@ Result<std::optional<Template>> Dataset::findConfigured(const Section& section, 
 
 Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name) const {
     const Section& section = sections_.at(kind);
-    for (const std::string& handle :
-         {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
+    for (const std::string& handle : {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
         auto configured = findConfigured(section, kind, handle);
         if (!configured || *configured) return configured;
     }
@@ -411,11 +410,10 @@ std::vector<DatasetScene> Dataset::scenes() const {
     std::sort(scenes.begin(), scenes.end(), [](const DatasetScene& a, const DatasetScene& b) {
         return std::tie(a.name, a.file) < std::tie(b.name, b.file);
     });
-    scenes.erase(std::unique(scenes.begin(), scenes.end(),
-                             [](const DatasetScene& a, const DatasetScene& b) {
-                                 return a.file == b.file;
-                             }),
-                 scenes.end());
+    scenes.erase(
+        std::unique(scenes.begin(), scenes.end(),
+                    [](const DatasetScene& a, const DatasetScene& b) { return a.file == b.file; }),
+        scenes.end());
     std::erase_if(scenes, [&](const DatasetScene& scene) {
         return !files_.find(folder_, scene.file.string());
     });
@@ -429,7 +427,8 @@ std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
     }
     const Section& section = sections_.at(Kind::SemanticScene);
     const auto at = section.file_of.find(withoutEnding(lastName(name), ".json") + ".json");
-    if (at != section.file_of.end()) return files_.find(folder_, section.files[at->second].string());
+    if (at != section.file_of.end())
+        return files_.find(folder_, section.files[at->second].string());
     return files_.find(folder_, name);
 }
 

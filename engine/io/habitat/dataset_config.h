@@ -30,14 +30,16 @@ struct DatasetScene {
     std::filesystem::path file;  // NAME.scene_instance.json, NAME.stage_config.json or a model
 };
 
-/// The dataset configs (NAME.scene_dataset_config.json) of the dataset that a scene file belongs to,
-/// by name: those of the nearest folder that has any, which is the scene's own or one of the four
-/// above. No file is opened. Symbolic links are skipped; of more than 16 configs the first count.
+/// The dataset configs (NAME.scene_dataset_config.json) of the dataset that a scene file belongs
+/// to, by name: those of the nearest folder that has any, which is the scene's own or one of the
+/// four above. No file is opened. Symbolic links are skipped; of more than 16 configs the first
+/// count.
 [[nodiscard]] std::vector<std::filesystem::path> findDatasetConfigs(
     const std::filesystem::path& scene);
 
 /// Of several configs the first that lists a scene in the scene's own folder, else the first of
-/// all; empty without configs. It reads the configs, so only the process that reads scenes calls it.
+/// all; empty without configs. It reads the configs, so only the process that reads scenes calls
+/// it.
 [[nodiscard]] std::filesystem::path chooseDatasetConfig(
     const std::vector<std::filesystem::path>& configs, const std::filesystem::path& scene);
 
@@ -45,8 +47,9 @@ struct DatasetScene {
 /// config they are looked up in the usual folders (stages, objects, urdf and the same in configs).
 class Dataset {
   public:
-    /// `config` may be empty; names then count from `folder`. Lists every folder of the config once.
-    /// Error: BadInput, for a damaged config and for one that names too many folders or files.
+    /// `config` may be empty; names then count from `folder`. Lists every folder of the config
+    /// once. Error: BadInput, for a damaged config and for one that names too many folders or
+    /// files.
     static Result<Dataset> open(const std::filesystem::path& config,
                                 const std::filesystem::path& folder, io::ReachableFiles files);
 
@@ -76,9 +79,9 @@ class Dataset {
     struct Section {
         nlohmann::json defaults = nlohmann::json::object();
         nlohmann::json::array_t configs;
-        std::map<std::string, std::size_t> config_of;  // by handle, else by the file's name
-        std::vector<std::filesystem::path> files;      // descriptions and models
-        std::map<std::string, std::size_t> file_of;    // by file name; the first of several
+        std::map<std::string, std::size_t> config_of;     // by handle, else by the file's name
+        std::vector<std::filesystem::path> files;         // descriptions and models
+        std::map<std::string, std::size_t> file_of;       // by file name; the first of several
         std::vector<std::filesystem::path> named_models;  // of `files`: the paths ask for models
     };
     class FolderSearch;

@@ -33,7 +33,7 @@ using nlohmann::json;
 constexpr std::string_view kDatasetEnding = ".scene_dataset_config.json";
 constexpr std::size_t kMostInstances = 100'000;
 
-/// Three numbers; nothing where there is a value that is not three numbers.
+/// Three numbers, or `usual` without a value; nothing for a value of another kind.
 std::optional<Eigen::Vector3d> vectorIn(const json& object, const char* key,
                                         const Eigen::Vector3d& usual) {
     const auto found = object.find(key);
@@ -157,12 +157,12 @@ bool changesGeometry(const Template& found) {
                                [&](const char* key) { return found.attributes.contains(key); });
 }
 
-/// Names that say nothing: HSSD's models are called by 40 hexadecimal digits.
+/// Names without a word: HSSD's models are called by 40 hexadecimal digits.
 bool isNumberName(const std::string& name) {
     constexpr std::size_t kShortest = 16;
     return name.size() >= kShortest && std::all_of(name.begin(), name.end(), [](char c) {
-        return std::isxdigit(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-    });
+               return std::isxdigit(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+           });
 }
 
 std::string shortName(const std::string& template_name) {
@@ -261,7 +261,8 @@ class SceneReader {
     }
 
     Status addStage(const Template& found, const json& instance) {
-        const std::string name = shortName(found.file.string());
+        const std::string name = shortName(
+            found.file.empty() ? io::textIn(instance, "template_name") : found.file.string());
         const auto asset = assetOf(found, "render_asset", dataset_.files());
         if (!asset) {
             missing_.push_back("the model of stage " + name);
@@ -281,16 +282,13 @@ class SceneReader {
         if (labelled) shown = labelled->pictured.empty() ? labelled->labelled : labelled->pictured;
         for (TextureRequest& texture : read->textures) texture.folder = shown.parent_path();
         const bool semantic_shown = shown != *asset && labelled->pictured.empty();
-        const AxisKeys axis_keys =
-            semantic_shown ? semanticAxisKeys(found.attributes) : AxisKeys{};
-        const Eigen::Vector3d origin =
-            vectorIn(found.attributes, "origin", Eigen::Vector3d::Zero())
-                .value_or(Eigen::Vector3d::Zero());
-        const Eigen::Affine3d scene_from_stage =
-            Eigen::Translation3d(placement->translation) * placement->rotation *
-            scaling(placement->scale) *
-            modelFromAsset(found.attributes, axis_keys) *
-            Eigen::Translation3d(-origin);
+        const AxisKeys axis_keys = semantic_shown ? semanticAxisKeys(found.attributes) : AxisKeys{};
+        const Eigen::Vector3d origin = vectorIn(found.attributes, "origin", Eigen::Vector3d::Zero())
+                                           .value_or(Eigen::Vector3d::Zero());
+        const Eigen::Affine3d scene_from_stage = Eigen::Translation3d(placement->translation) *
+                                                 placement->rotation * scaling(placement->scale) *
+                                                 modelFromAsset(found.attributes, axis_keys) *
+                                                 Eigen::Translation3d(-origin);
         if (Status fits = budget_.take(*read, path_.string()); !fits) return fits;
         placeWithNodes(*read, scene_from_stage);
         stage_up_axis_ = read->file_up_axis;
@@ -673,13 +671,13 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
                          io::ReachableFiles(folders));
 }
 
-tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes,
-                                    const fs::path& path) {
+tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, const fs::path& path) {
     if (scenes.empty()) {
-        return fail(ErrorCode::BadInput,
-                    "the dataset config lists no scene instance and no stage that is there; check its "
-                    "paths",
-                    path.string());
+        return fail(
+            ErrorCode::BadInput,
+            "no scene instance and no stage that the dataset config lists exists; check its "
+            "paths",
+            path.string());
     }
     std::vector<std::string> names;
     for (const DatasetScene& scene : scenes) names.push_back(cleanText(scene.name));
@@ -733,8 +731,9 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
     const Result<Template> document = dataset->load(kind, scene);
     if (!document) return tl::unexpected(document.error());
     SceneReader reader(scene, *dataset, *labels, job);
-    return document->attributes.contains("render_asset") ? reader.readPart(*document)
-                                                         : reader.readInstance(document->attributes);
+    return document->attributes.contains("render_asset")
+               ? reader.readPart(*document)
+               : reader.readInstance(document->attributes);
 }
 
 std::vector<fs::path> habitatInputs(const fs::path& path, const ImportOptions& options) {

@@ -31,7 +31,8 @@ Eigen::AlignedBox3d boundsOf(const Scene& scene, const std::string& name) {
 void expectBox(const Scene& scene, const std::string& name, const Vector3d& low,
                const Vector3d& high) {
     const Eigen::AlignedBox3d box = boundsOf(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 && (box.max() - high).norm() < 1e-4)
+    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
+                (box.max() - high).norm() < 1e-4)
         << name << ": " << box.min().transpose() << " to " << box.max().transpose();
 }
 
@@ -48,8 +49,9 @@ std::filesystem::path writeDataset(const TempFolder& folder, const std::string& 
  "articulated_objects": {"paths": {".urdf": ["urdf/*"]}},
  "scene_instances": {"paths": {".json": ["configs/scenes"]}},
  "semantic_scene_descriptor_instances": {"words": "configs/words_semantic_lexicon.json"}})"));
-    static_cast<void>(write("configs/words_semantic_lexicon.json",
-                            R"({"classes": [{"id": 5, "name": "sofa"}, {"id": 6, "name": "lamp"}]})"));
+    static_cast<void>(
+        write("configs/words_semantic_lexicon.json",
+              R"({"classes": [{"id": 5, "name": "sofa"}, {"id": 6, "name": "lamp"}]})"));
     static_cast<void>(write("configs/stages/flat.stage_config.json",
                             R"({"render_asset": "../../models/flat.obj"})"));
     test::ObjWriter stage(1.0, true);
@@ -119,8 +121,8 @@ TEST(Habitat, ADatasetConfigIsItsOnlySceneOrNamesThem) {
     EXPECT_EQ((*scenes)[1], first);
 }
 
-// In Habitat-sim the model is turned by its axes and scaled, then moved by minus scale times COM, then
-// turned with the instance: here about y by half a turn.
+// In Habitat-sim the model is turned by its axes and scaled, then moved by minus scale times COM,
+// then turned with the instance: here about y by half a turn.
 TEST(Habitat, PlacesTheCentreOfMass) {
     const TempFolder folder;
     const auto scene_file = writeDataset(folder, R"({"stage_instance": {"template_name": "flat"},
@@ -144,11 +146,11 @@ TEST(Habitat, InstancesShareMaterialsAndWarningsOfModels) {
     const auto sceneWith = [&](const std::string& articulated) {
         const auto scene_file =
             writeDataset(folder, R"({"stage_instance": {"template_name": "flat"},
- "articulated_object_instances": [)" + articulated + "]}");
+ "articulated_object_instances": [)" +
+                                     articulated + "]}");
         for (const char* name : {"left", "right"}) {
-            static_cast<void>(
-                folder.write(std::string("set/urdf/") + name + "/" + name + ".urdf",
-                             R"(<robot name="box"><link name="body">
+            static_cast<void>(folder.write(std::string("set/urdf/") + name + "/" + name + ".urdf",
+                                           R"(<robot name="box"><link name="body">
  <visual><geometry><box size="1 1 1"/></geometry></visual>
  <visual><geometry><mesh filename="missing.obj"/></geometry></visual></link></robot>)"));
         }
@@ -220,7 +222,8 @@ TEST(Habitat, AStageAloneTakesTheAxesAndScaleOfItsDataset) {
     const auto write = [&](const std::string& attributes) {
         return folder.write("one.scene_dataset_config.json",
                             R"({"stages": {"paths": {".obj": ["stages/*.obj"]},
- "default_attributes": {)" + attributes + "}}}");
+ "default_attributes": {)" + attributes +
+                                "}}}");
     };
     const auto config = write(R"("up": [0, 0, 1], "front": [0, 1, 0], "scale": [2, 2, 2])");
     Eigen::AlignedBox3d box;
@@ -240,8 +243,8 @@ TEST(Habitat, AStageAloneTakesTheAxesAndScaleOfItsDataset) {
 TEST(Habitat, NeverLooksOutsideOfTheDataset) {
     const TempFolder folder;
     const auto secret = folder.write("secret.obj", test::lShapedModel());
-    static_cast<void>(folder.write("outside/spy.object_config.json",
-                                   R"({"render_asset": "../secret.obj"})"));
+    static_cast<void>(
+        folder.write("outside/spy.object_config.json", R"({"render_asset": "../secret.obj"})"));
     static_cast<void>(folder.write("outside/spy.obj", test::lShapedModel()));
     const auto object = [&](const std::string& name, const std::string& asset) {
         static_cast<void>(folder.write("set/configs/objects/" + name + ".object_config.json",
@@ -261,17 +264,20 @@ TEST(Habitat, NeverLooksOutsideOfTheDataset) {
     std::filesystem::create_directory_symlink(folder.path() / "outside",
                                               folder.path() / "set/configs/objects/more");
     std::filesystem::create_symlink(folder.path() / "outside/spy.object_config.json",
-                                    folder.path() / "set/configs/objects/"
-                                                    "linked_config.object_config.json");
+                                    folder.path() /
+                                        "set/configs/objects/"
+                                        "linked_config.object_config.json");
     const Scene scene = imported(scene_file);
     EXPECT_EQ(test::countTargets(scene), 0);
     EXPECT_TRUE(says(scene.report.warnings, "7 models are not in the dataset's folder"));
 
     // The config's own paths lead out, too.
-    static_cast<void>(folder.write("set/flat.scene_dataset_config.json", R"({
+    static_cast<void>(folder.write("set/flat.scene_dataset_config.json",
+                                   R"({
  "stages": {"paths": {".json": ["configs/stages"]}},
- "objects": {"paths": {".json": ["../outside", "../out*/*", ")" + folder.path().string() +
-                                     R"(/outside", "configs/objects/more/*"]},
+ "objects": {"paths": {".json": ["../outside", "../out*/*", ")" +
+                                       folder.path().string() +
+                                       R"(/outside", "configs/objects/more/*"]},
   "configs": [{"template_handle": "dots", "attributes": {"render_asset": "../secret.obj"}}]}})"));
     const Scene again = imported(scene_file);
     EXPECT_EQ(test::countTargets(again), 0);
@@ -308,14 +314,16 @@ TEST(Habitat, ConfigsOfTooManyPathsAreRefused) {
 TEST(Habitat, DamagedFilesAreRefused) {
     const TempFolder folder;
     const std::string deep = R"({"object_instances": )" + std::string(200, '[');
-    for (const char* text : {R"({"stage_instance": 7, "object_instances": {}})",
-                             R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)",
-                             R"({"stage_instance": {"template_name": "none"}})", deep.c_str()}) {
+    for (const char* text :
+         {R"({"stage_instance": 7, "object_instances": {}})",
+          R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)",
+          R"({"stage_instance": {"template_name": "none"}})", deep.c_str()}) {
         const Result<Scene> scene = importScene(writeDataset(folder, text));
         ASSERT_FALSE(scene) << text;
         EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
     }
-    const auto scene_file = writeDataset(folder, R"({"stage_instance": {"template_name": "flat"}})");
+    const auto scene_file =
+        writeDataset(folder, R"({"stage_instance": {"template_name": "flat"}})");
     static_cast<void>(folder.write("set/flat.scene_dataset_config.json",
                                    R"({"stages": )" + std::string(200, '[')));
     const Result<Scene> scene = importScene(scene_file);
