@@ -23,7 +23,7 @@ constexpr std::uint64_t kMostConfigBytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
 constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
 constexpr std::size_t kMostFiles = 100'000;       // of one kind
-constexpr std::size_t kMostMatches = 10'000'000;  // names compared with a pattern
+constexpr std::size_t kMostWork = 10'000'000;     // names listed and compared with a pattern
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
@@ -134,6 +134,7 @@ class Dataset::FolderSearch {
             const std::string part = step.string();
             if (part.empty()) continue;
             std::vector<fs::path> next;
+            work_ += level.size();
             for (const fs::path& folder : level) {
                 if (!isPattern(part)) {
                     next.push_back((folder / part).lexically_normal());
@@ -141,14 +142,13 @@ class Dataset::FolderSearch {
                 }
                 const auto names = list(folder);
                 if (!names) return tl::unexpected(names.error());
-                compared_ += (*names)->size();
-                if (compared_ > kMostMatches) return tooMany("files");
+                work_ += (*names)->size();
                 for (const std::string& name : **names) {
                     const bool fits = part == "*" || part == "**" || fitsPattern(part, name);
-                    if (fits) next.push_back(folder / name);
+                    if (fits && next.size() <= kMostFiles) next.push_back(folder / name);
                 }
             }
-            if (next.size() > kMostFiles) return tooMany("files");
+            if (next.size() > kMostFiles || work_ > kMostWork) return tooMany("files");
             level = std::move(next);
         }
         return level;
@@ -164,6 +164,8 @@ class Dataset::FolderSearch {
             files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
         // A folder that is missing is listed, too: the scene depends on whether it is there.
         if (!fs::exists(status) || fs::is_directory(status)) at->second = files_.namesIn(folder);
+        work_ += at->second.size();
+        if (work_ > kMostWork) return tooMany("files");
         return &at->second;
     }
 
@@ -186,7 +188,7 @@ class Dataset::FolderSearch {
     fs::path root_;
     std::string where_;
     std::map<fs::path, std::vector<std::string>> listings_;
-    std::size_t compared_ = 0;
+    std::size_t work_ = 0;
 };
 
 std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
