@@ -15,16 +15,20 @@ namespace dollytrack {
 /// The same text with a zero before each such point.
 [[nodiscard]] std::vector<std::uint8_t> withLeadingZeros(const std::vector<std::uint8_t>& text);
 
-/// Drops the texture coordinates of each face of an OBJ text that names one which is not there;
-/// assimp gives up the file. Returns how many faces that were.
-std::size_t dropMissingCoordinates(std::vector<std::uint8_t>& text);
+/// Mends lines of an OBJ text that assimp reads wrongly: it skips those that begin with blanks, and
+/// one face that names texture coordinates which are not there costs the whole mesh its own or, as
+/// number 0, the file. Such faces lose theirs and are added to `mended_faces`. Returns whether
+/// anything was changed.
+bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 
-/// Drops blanks behind each <color> of a Collada text, at which assimp gives up the file.
-void dropBlanksBeforeColors(std::vector<std::uint8_t>& text);
+/// Drops blanks behind each <color> of a Collada text, at which assimp gives up the file. Returns
+/// whether there were any.
+bool dropBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
 /// The stream of an OBJ or Collada file as assimp can read it, by the file's extension: assimp
-/// takes ".5" for no number and drops the corner. Takes the stream over and returns it, or one of
-/// the mended text. Adds the faces that lost their texture coordinates to `mended_faces`.
+/// takes ".5" for no number and drops the corner. Takes the stream over and returns it from its
+/// beginning, or one of the mended text where something has to be mended. Adds the faces that lost
+/// their texture coordinates to `mended_faces`.
 [[nodiscard]] Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
                                          std::size_t& mended_faces);
 
