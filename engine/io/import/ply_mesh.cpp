@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -81,9 +82,11 @@ float scaleOfColor(PlyKind kind) {
     return kind == PlyKind::UInt16 ? 1.0F / 65535.0F : 1.0F / 255.0F;
 }
 
+/// The number of an object or class; -1, as of what is not labelled, where it is no whole number.
 std::int64_t idOf(double value) {
     constexpr double kMost = 1e15;
-    return value >= -kMost && value <= kMost ? static_cast<std::int64_t>(value) : 0;
+    const bool whole = value >= -kMost && value <= kMost && value == std::floor(value);
+    return whole ? static_cast<std::int64_t>(value) : -1;
 }
 
 class PlyReader {

@@ -2,6 +2,9 @@
 
 #include "engine/io/trajectories/number_lines.h"
 
+#include <charconv>
+#include <limits>
+
 namespace dollytrack::io {
 namespace {
 
@@ -35,7 +38,11 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
     const auto is = [&](std::size_t i, std::string_view word) {
         return i < words.size() && words[i] == word;
     };
-    if (is(0, "comment") && words.size() == 3 && is(1, "TextureFile")) header.texture = words[2];
+    if (is(0, "comment") && is(1, "TextureFile") && words.size() >= 3) {
+        // All of them lie in one line; the name may hold blanks.
+        const char* const end = words.back().data() + words.back().size();
+        header.texture.assign(words[2].data(), end);
+    }
     if (words.empty() || is(0, "ply") || is(0, "comment") || is(0, "obj_info")) return {};
     if (is(0, "format") && words.size() >= 2) {
         header.format = words[1];
@@ -79,6 +86,23 @@ std::size_t bytesOfPly(PlyKind kind) {
         default:
             return 4;
     }
+}
+
+std::optional<double> plyNumber(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double value = 0.0;
+    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (last != text.data() + text.size() || error == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (error == std::errc()) return value;
+    // Out of range: small by its exponent, else by a zero before the point.
+    const std::size_t exponent = text.find_first_of("eE");
+    const std::size_t first = text.find_first_not_of("-");
+    const bool small = exponent != std::string_view::npos ? text[exponent + 1] == '-'
+                                                          : text[first] == '0' || text[first] == '.';
+    const double size = small ? 0.0 : std::numeric_limits<double>::infinity();
+    return text[0] == '-' ? -size : size;
 }
 
 Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -48,6 +47,10 @@ std::size_t bytesOfPly(PlyKind kind);
 /// The header of a PLY file. Errors: BadInput, one sentence with the line.
 Result<PlyHeader> readPlyHeader(const std::filesystem::path& path, std::string_view bytes);
 
+/// A number of a text file: also "+1.5"; 0 or infinity where it is too small or too large for a
+/// double. Nothing where it is no number.
+std::optional<double> plyNumber(std::string_view text);
+
 /// Numbers one after the other, from text or from bytes.
 class PlyNumbers {
   public:
@@ -67,10 +70,7 @@ class PlyNumbers {
         const std::size_t end = std::min(data_.find_first_of(" \t\r\n", begin), data_.size());
         const std::string_view text = data_.substr(begin, end - begin);
         data_.remove_prefix(end);
-        double value = 0.0;
-        const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || last != text.data() + text.size()) return std::nullopt;
-        return value;
+        return plyNumber(text);
     }
 
     template <class T>
