@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/io/gltf/document.h"
 #include "engine/io/gltf/gltf_mesh.h"
+#include "engine/io/gltf/gltf_nodes.h"
 #include "engine/io/import/raw_scene.h"
 #include "engine/jobs/job.h"
 
@@ -15,15 +16,17 @@ namespace dollytrack::gltf {
 [[nodiscard]] Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside,
                                         const std::string& where, const JobContext& job);
 
-/// A file's triangles with all that its vertices carry, moved to where its nodes put them.
-struct PlacedPrimitives {
+/// The meshes of a file with the colours of their vertices, each once, and where its nodes put them.
+struct ColoredMeshes {
     RawScene scene;  // materials and textures alone
-    std::vector<Primitive> primitives;
+    std::vector<std::vector<Primitive>> meshes;
+    std::vector<MeshPlacement> placements;  // MeshPlacement::mesh is an index into `meshes`
 };
 
-/// The same for readers that need the colours of vertices. Error: BadInput.
-[[nodiscard]] Result<PlacedPrimitives> readPrimitives(std::string file,
+/// The same for readers that need the colours of vertices. Errors: BadInput, Cancelled.
+[[nodiscard]] Result<ColoredMeshes> readColoredMeshes(std::string file,
                                                       const ReadBeside& read_beside,
-                                                      const std::string& where);
+                                                      const std::string& where,
+                                                      const JobContext& job);
 
 }  // namespace dollytrack::gltf
