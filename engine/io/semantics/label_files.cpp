@@ -24,16 +24,21 @@ std::optional<std::string> withoutEnding(const std::string& name, std::string_vi
     return name.substr(0, name.size() - ending.size());
 }
 
+constexpr double kMostNumber = 1e15;  // whole numbers beyond are rounded somewhere
+
 std::optional<std::int64_t> wholeNumber(std::string_view text) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if (!(std::abs(static_cast<double>(value)) < kMostNumber)) return std::nullopt;
     return value;
 }
 
 std::optional<std::int64_t> wholeNumber(const json& value) {
     const std::optional<double> number = io::numberIn(value);
-    if (!number || !(std::abs(*number) < 1e15)) return std::nullopt;
+    if (!number || !(std::abs(*number) < kMostNumber) || *number != std::floor(*number)) {
+        return std::nullopt;
+    }
     return static_cast<std::int64_t>(*number);
 }
 

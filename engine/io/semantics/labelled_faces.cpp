@@ -3,6 +3,7 @@
 #include "engine/scene/labels.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -105,23 +106,30 @@ LabelledFaces byObjects(const std::vector<std::int64_t>& objects,
                         bool nyu40) {
     const std::map<std::int64_t, int> majority =
         nyu40 ? majorityClasses(objects, classes) : std::map<std::int64_t, int>{};
-    LabelledFaces labelled;
+    // Numbers that a file of names passes over are of nothing, as are those below 0.
+    constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
+    const auto numberOf = [&](std::int64_t number) {
+        const bool any = names.categories.empty() || names.categories.contains(number);
+        return number >= 0 && any ? number : kLast;
+    };
+    // By rising number, whatever the order of the faces; what is unlabelled comes last.
     std::map<std::int64_t, std::size_t> index;
-    for (const std::int64_t number : objects) {
-        const auto known = names.categories.find(number);
-        const bool named = known != names.categories.end();
-        // Numbers that a file of names passes over are of nothing, as are those below 0.
-        const bool any = number >= 0 && (named || names.categories.empty());
-        const auto [at, is_new] = index.try_emplace(any ? number : kNone, labelled.objects.size());
-        labelled.of_face.push_back(at->second);
-        if (!is_new) continue;
+    for (const std::int64_t number : objects) index.try_emplace(numberOf(number), 0);
+    LabelledFaces labelled;
+    for (auto& [number, at] : index) {
+        at = labelled.objects.size();
         LabelledObject object;
-        object.target = any;
-        if (named) object.category = known->second;
-        if (const auto found = majority.find(number); any && found != majority.end()) {
+        object.target = number != kLast;
+        const auto known = names.categories.find(number);
+        if (known != names.categories.end()) object.category = known->second;
+        if (const auto found = majority.find(number); found != majority.end()) {
             object.nyu40 = found->second;
         }
         labelled.objects.push_back(std::move(object));
+    }
+    labelled.of_face.reserve(objects.size());
+    for (const std::int64_t number : objects) {
+        labelled.of_face.push_back(index.at(numberOf(number)));
     }
     return labelled;
 }

@@ -1,5 +1,6 @@
 #include "engine/io/semantics/labelled_reader.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/percent_text.h"
@@ -23,8 +24,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
+#include <span>
 #include <unordered_map>
 
 namespace dollytrack::semantics {
@@ -33,6 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostMeshBytes = std::uint64_t{4} << 30U;
+constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 29U;
 
 Result<PlyMesh> readPlyMesh(const fs::path& path) {
     const Result<std::string> bytes = io::readNamedFile(path, kMostMeshBytes);
@@ -102,13 +105,23 @@ RawScene sceneOf(const PlyMesh& mesh, const LabelledFaces& faces, const fs::path
     return scene;
 }
 
+Status checkCount(const LabelledFaces& faces, const fs::path& path) {
+    constexpr std::size_t kMostObjects = 100'000;
+    if (faces.objects.size() <= kMostObjects) return {};
+    return fail(ErrorCode::BadInput,
+                fmt::format("its labels make {} objects, and at most {} can be read; check that "
+                            "they number objects and not faces",
+                            faces.objects.size(), kMostObjects),
+                path.string());
+}
+
 /// The object of each triangle of semantic glTF, as a mesh with numbers: by the colours of its
-/// vertices, else by those of its picture.
+/// picture, else by those of its vertices.
 class ColoredMesh {
   public:
     ColoredMesh(const fs::path& path, const LabelNames& names) : path_(path), names_(names) {}
 
-    Result<PlyMesh> read() {
+    Result<PlyMesh> read(const JobContext& job) {
         Result<std::string> bytes = io::readNamedFile(path_, kMostMeshBytes);
         if (!bytes) return tl::unexpected(bytes.error());
         const io::ConfinedFolder folder(path_.parent_path());
@@ -117,18 +130,22 @@ class ColoredMesh {
             if (!file) return tl::unexpected(file.error());
             return file->readAll(kMostMeshBytes);
         };
-        Result<gltf::PlacedPrimitives> read =
-            gltf::readPrimitives(std::move(*bytes), beside, path_.string());
+        const Result<gltf::ColoredMeshes> read =
+            gltf::readColoredMeshes(std::move(*bytes), beside, path_.string(), job);
         if (!read) return tl::unexpected(read.error());
-        pictures_.resize(read->scene.textures.size());
-        parallelFor(pictures_.size(),
-                    [&](std::size_t i) { decode(read->scene.textures[i], folder, pictures_[i]); });
-        for (const gltf::Primitive& primitive : read->primitives) add(primitive, read->scene);
+        const Objects objects = objectsOf(*read, folder, job);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+        for (const gltf::MeshPlacement& placement : read->placements) {
+            const std::vector<gltf::Primitive>& primitives = read->meshes[placement.mesh];
+            for (std::size_t i = 0; i < primitives.size(); ++i) {
+                add(primitives[i], placement.source_from_mesh, objects[placement.mesh][i]);
+            }
+        }
         if (mesh_.face_sizes.empty()) {
             return fail(ErrorCode::BadInput, "the labelled mesh has no triangles",
                         path_.string());
         }
-        if (known_ == 0) {
+        if (std::ranges::all_of(mesh_.face_objects, [](auto object) { return object == kNone; })) {
             return fail(ErrorCode::BadInput,
                         "no colour of the labelled mesh is one of " +
                             std::to_string(names_.of_color.size()) +
@@ -140,6 +157,44 @@ class ColoredMesh {
     }
 
   private:
+    static constexpr std::int64_t kNone = -1;
+    /// Of each mesh, primitive and triangle.
+    using Objects = std::vector<std::vector<std::vector<std::int64_t>>>;
+
+    /// Pictures are large: only one of them is decoded at a time, for all that it is on.
+    [[nodiscard]] Objects objectsOf(const gltf::ColoredMeshes& read,
+                                    const io::ConfinedFolder& folder, const JobContext& job) const {
+        struct Task {
+            int texture;
+            std::size_t mesh;
+            std::size_t primitive;
+        };
+        std::vector<Task> tasks;
+        Objects objects(read.meshes.size());
+        for (std::size_t m = 0; m < read.meshes.size(); ++m) {
+            objects[m].resize(read.meshes[m].size());
+            for (std::size_t i = 0; i < read.meshes[m].size(); ++i) {
+                tasks.push_back({read.scene.materials[read.meshes[m][i].material].texture, m, i});
+            }
+        }
+        std::ranges::stable_sort(tasks, {}, &Task::texture);
+        Texture picture;
+        int decoded = -1;
+        for (const Task& task : tasks) {
+            if (job.cancelled()) return objects;
+            if (task.texture != decoded) {
+                decoded = task.texture;
+                picture = Texture{};
+                decode(read.scene.textures[static_cast<std::size_t>(decoded)], folder, picture);
+            }
+            const gltf::Primitive& primitive = read.meshes[task.mesh][task.primitive];
+            const bool painted = picture.width > 0 && !primitive.uvs.empty();
+            objects[task.mesh][task.primitive] =
+                painted ? byPicture(primitive, picture) : byVertices(primitive);
+        }
+        return objects;
+    }
+
     static void decode(const TextureRequest& request, const io::ConfinedFolder& folder,
                        Texture& picture) {
         constexpr int kLargestSide = 1 << 14;  // colours are numbers: they must not be averaged
@@ -148,7 +203,7 @@ class ColoredMesh {
         if (encoded.empty()) {
             const Result<io::InputFile> file = folder.open(percentDecoded(request.name));
             if (!file) return;
-            Result<std::string> all = file->readAll(kMostMeshBytes);
+            Result<std::string> all = file->readAll(kMostPictureBytes);
             if (!all) return;
             bytes = std::move(*all);
             encoded = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
@@ -156,58 +211,71 @@ class ColoredMesh {
         if (!io::decodePicture(encoded, kLargestSide, true, picture)) picture = Texture{};
     }
 
-    void add(const gltf::Primitive& primitive, const RawScene& scene) {
-        const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
-        mesh_.positions.insert(mesh_.positions.end(), primitive.positions.begin(),
-                               primitive.positions.end());
-        const int texture = scene.materials[primitive.material].texture;
-        const Texture* picture =
-            texture >= 0 ? &pictures_[static_cast<std::size_t>(texture)] : nullptr;
-        for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-            mesh_.face_sizes.push_back(3);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t index = primitive.indices[i + k];
-                mesh_.face_indices.push_back(index < primitive.positions.size() ? base + index
-                                                                               : 0xFFFFFFFFU);
-            }
-            const auto found = names_.of_color.find(colorOf(primitive, i, picture));
-            known_ += found != names_.of_color.end();
-            mesh_.face_objects.push_back(found == names_.of_color.end() ? -1 : found->second);
-        }
+    [[nodiscard]] std::int64_t objectOf(std::uint32_t color) const {
+        const auto found = names_.of_color.find(color);
+        return found == names_.of_color.end() ? kNone : found->second;
     }
 
-    static std::uint32_t colorOf(const gltf::Primitive& primitive, std::size_t corner,
-                                 const Texture* picture) {
-        const std::size_t count = primitive.positions.size();
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (primitive.indices[corner + k] >= count) return 0xFFFFFFFFU;
+    /// Calls visit(corners) for each triangle; its result is the triangle's object. Those that name
+    /// a vertex which is not there have none.
+    template <class Visit>
+    static std::vector<std::int64_t> ofTriangles(const gltf::Primitive& primitive, Visit&& visit) {
+        std::vector<std::int64_t> objects;
+        for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+            const std::span<const std::uint32_t, 3> corners(&primitive.indices[i], 3);
+            const bool whole = std::ranges::max(corners) < primitive.positions.size();
+            objects.push_back(whole ? visit(corners) : kNone);
         }
-        if (picture == nullptr || picture->width == 0 || primitive.uvs.empty()) {
-            if (primitive.colors.empty()) return 0xFFFFFFFFU;
-            return packedColor(primitive.colors[primitive.indices[corner]]);
+        return objects;
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> byVertices(const gltf::Primitive& primitive) const {
+        std::vector<std::int64_t> of_vertex(primitive.positions.size(), kNone);
+        for (std::size_t i = 0; i < primitive.colors.size(); ++i) {
+            of_vertex[i] = objectOf(packedColor(primitive.colors[i]));
         }
-        Eigen::Vector3f uv = Eigen::Vector3f::Zero();
-        for (std::size_t k = 0; k < 3; ++k) uv += primitive.uvs[primitive.indices[corner + k]];
-        uv /= 3.0F;
-        if (!uv.allFinite()) return 0xFFFFFFFFU;
+        return ofTriangles(primitive, [&](std::span<const std::uint32_t, 3> corners) {
+            const std::int64_t second = of_vertex[corners[1]];
+            return second == of_vertex[corners[2]] ? second : of_vertex[corners[0]];
+        });
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> byPicture(const gltf::Primitive& primitive,
+                                                      const Texture& picture) const {
         const auto pixel = [](float value, int size) {
             const double part = static_cast<double>(value) - std::floor(static_cast<double>(value));
             return std::min(static_cast<int>(part * size), size - 1);
         };
-        const int x = pixel(uv.x(), picture->width);
-        const int y = pixel(1.0F - uv.y(), picture->height);  // rows from the top
-        const std::uint8_t* rgba =
-            &picture->rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(
-                                                                  picture->width) +
-                                static_cast<std::size_t>(x))];
-        return static_cast<std::uint32_t>(rgba[0] << 16 | rgba[1] << 8 | rgba[2]);
+        return ofTriangles(primitive, [&](std::span<const std::uint32_t, 3> corners) {
+            Eigen::Vector3f uv = Eigen::Vector3f::Zero();
+            for (const std::uint32_t corner : corners) uv += primitive.uvs[corner] / 3.0F;
+            if (!uv.allFinite()) return kNone;
+            const auto x = static_cast<std::size_t>(pixel(uv.x(), picture.width));
+            const auto y =
+                static_cast<std::size_t>(pixel(1.0F - uv.y(), picture.height));  // from the top
+            const std::uint8_t* rgba =
+                &picture.rgba[4 * (y * static_cast<std::size_t>(picture.width) + x)];
+            return objectOf(static_cast<std::uint32_t>(rgba[0] << 16 | rgba[1] << 8 | rgba[2]));
+        });
+    }
+
+    void add(const gltf::Primitive& primitive, const Eigen::Affine3d& source_from_mesh,
+             const std::vector<std::int64_t>& objects) {
+        const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
+        for (const Eigen::Vector3f& p : primitive.positions) {
+            mesh_.positions.emplace_back((source_from_mesh * p.cast<double>()).cast<float>());
+        }
+        for (const std::uint32_t index : std::span(primitive.indices).first(3 * objects.size())) {
+            const bool there = index < primitive.positions.size();
+            mesh_.face_indices.push_back(there ? base + index : 0xFFFFFFFFU);
+        }
+        mesh_.face_sizes.insert(mesh_.face_sizes.end(), objects.size(), 3);
+        mesh_.face_objects.insert(mesh_.face_objects.end(), objects.begin(), objects.end());
     }
 
     const fs::path& path_;
     const LabelNames& names_;
-    std::vector<Texture> pictures_;
     PlyMesh mesh_;
-    std::size_t known_ = 0;
 };
 
 Eigen::AlignedBox3d boundsOf(const RawScene& scene) {
@@ -218,77 +286,68 @@ Eigen::AlignedBox3d boundsOf(const RawScene& scene) {
     return box;
 }
 
-/// The two meshes of a scan may be stored with different upward axes: the turn that makes their
-/// boxes most alike.
-Eigen::Affine3d pictureFromLabelled(const RawScene& labelled, const RawScene& pictured) {
-    const Eigen::AlignedBox3d want = boundsOf(pictured);
-    const Eigen::AlignedBox3d have = boundsOf(labelled);
-    Eigen::Affine3d best = Eigen::Affine3d::Identity();
-    if (want.isEmpty() || have.isEmpty()) return best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double quarter : {0.0, -0.5, 0.5}) {
-        Eigen::Affine3d turn = Eigen::Affine3d::Identity();
-        turn.linear() = Eigen::AngleAxisd(quarter * M_PI, Eigen::Vector3d::UnitX())
-                            .toRotationMatrix()
-                            .array()
-                            .round();
-        const Eigen::AlignedBox3d turned = have.transformed(turn);
-        const double apart =
-            (turned.min() - want.min()).norm() + (turned.max() - want.max()).norm();
-        if (apart < least - 1e-6) {
-            least = apart;
-            best = turn;
-        }
+/// The corners of a triangle.
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners cornersOf(const MeshPart& part, const Triangle& triangle, const Eigen::Affine3d& turn) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = turn * part.positions[triangle[k]].cast<double>();
     }
-    return best;
+    return corners;
 }
 
-/// Which of the labelled scene's objects each triangle of another mesh belongs to: that of the same
-/// triangle, else of the nearest surface.
+Eigen::Vector3d middleOf(const Corners& corners) {
+    return (corners[0] + corners[1] + corners[2]) / 3.0;
+}
+
+/// Which of the labelled scene's objects a triangle of another mesh belongs to: that of the same
+/// triangle, else of the nearest surface; where several are equally near, the first of the scene's.
 class NearestObject {
   public:
-    NearestObject(RawScene& labelled, const Eigen::Affine3d& turn)
-        : caster_(moved(labelled, turn, same_)) {}
+    /// Takes the scene's meshes.
+    explicit NearestObject(RawScene& labelled) : caster_(taken(labelled, same_)) {}
 
     /// The object's number from 1 on; 0: none is near.
-    [[nodiscard]] int at(const MeshPart& part, const Triangle& triangle, double radius) const {
-        const auto same = same_.find(cornersOf(part, triangle));
+    [[nodiscard]] int at(const Corners& corners, double radius) const {
+        const auto same = same_.find(keyOf(corners));
         if (same != same_.end()) return same->second;
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-        for (const std::uint32_t i : triangle) middle += part.positions[i].cast<double>() / 3.0;
-        return caster_.closest(middle, radius).object_id;
+        return caster_.closest(middleOf(corners), radius).object_id;
+    }
+
+    /// How far away the nearest surface is; `radius` where there is none within it.
+    [[nodiscard]] double distance(const Eigen::Vector3d& point, double radius) const {
+        return std::min(caster_.closest(point, radius).distance, radius);
     }
 
   private:
     /// A triangle's corners to a thousandth of a unit, in an order of their own.
-    using Corners = std::array<std::array<std::int64_t, 3>, 3>;
-    using ByCorners = std::map<Corners, int>;
+    using Key = std::array<std::array<std::int64_t, 3>, 3>;
+    using ByCorners = std::map<Key, int>;
 
-    static Corners cornersOf(const MeshPart& part, const Triangle& triangle) {
-        Corners corners{};
+    static Key keyOf(const Corners& corners) {
+        Key key{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const Eigen::Vector3f& p = part.positions[triangle[k]];
             for (int axis = 0; axis < 3; ++axis) {
-                corners[k][static_cast<std::size_t>(axis)] =
-                    std::llround(1000.0 * static_cast<double>(p[axis]));
+                key[k][static_cast<std::size_t>(axis)] = std::llround(1000.0 * corners[k][axis]);
             }
         }
-        std::ranges::sort(corners);
-        return corners;
+        std::ranges::sort(key);
+        return key;
     }
 
-    static Scene moved(RawScene& labelled, const Eigen::Affine3d& turn, ByCorners& same) {
-        moveToWorld(labelled.parts, turn);
-        for (std::size_t i = 0; i < labelled.objects.size(); ++i) {
-            for (const std::size_t part : labelled.objects[i].parts) {
+    static Scene taken(RawScene& labelled, ByCorners& same) {
+        std::vector<ObjectDraft> drafts(labelled.objects.size());
+        for (std::size_t i = 0; i < drafts.size(); ++i) {
+            drafts[i].parts = labelled.objects[i].parts;
+            for (const std::size_t part : drafts[i].parts) {
                 for (const Triangle& triangle : labelled.parts[part].triangles) {
-                    same.try_emplace(cornersOf(labelled.parts[part], triangle),
+                    same.try_emplace(keyOf(cornersOf(labelled.parts[part], triangle,
+                                                     Eigen::Affine3d::Identity())),
                                      static_cast<int>(i) + 1);
                 }
             }
         }
-        std::vector<ObjectDraft> drafts(labelled.objects.size());
-        for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].parts = labelled.objects[i].parts;
         Scene scene;
         assembleObjects(labelled.parts, drafts, scene);
         return scene;
@@ -297,6 +356,54 @@ class NearestObject {
     ByCorners same_;  // before caster_, which is made with it
     RayCaster caster_;
 };
+
+/// The mean distance of some triangles of a mesh from the labelled surfaces.
+double meanDistance(const RawScene& pictured, const Eigen::Affine3d& turn,
+                    const NearestObject& nearest, double radius) {
+    constexpr std::size_t kEnough = 2000;
+    std::size_t count = 0;
+    for (const MeshPart& part : pictured.parts) count += part.triangles.size();
+    const std::size_t step = count / kEnough + 1;
+    double sum = 0.0;
+    std::size_t at = 0;
+    for (const MeshPart& part : pictured.parts) {
+        for (const Triangle& triangle : part.triangles) {
+            if (at++ % step > 0) continue;
+            sum += nearest.distance(middleOf(cornersOf(part, triangle, turn)), radius);
+        }
+    }
+    return sum / static_cast<double>((count + step - 1) / step);
+}
+
+/// The two meshes of a scan may be stored with different upward axes: the turn that makes their
+/// boxes most alike; of turns that do so equally well, the one that brings the surfaces together.
+Eigen::Affine3d labelledFromPictured(const Eigen::AlignedBox3d& labelled, const RawScene& pictured,
+                                     const NearestObject& nearest, double radius) {
+    constexpr double kAlike = 0.01;  // of the diagonal
+    const Eigen::AlignedBox3d box = boundsOf(pictured);
+    std::array<Eigen::Affine3d, 3> turns;
+    turns.fill(Eigen::Affine3d::Identity());
+    if (labelled.isEmpty() || box.isEmpty()) return turns[0];
+    turns[1].linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    turns[2].linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    std::array<double, 3> apart{};
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const Eigen::AlignedBox3d turned = box.transformed(turns[i]);
+        apart[i] = (turned.min() - labelled.min()).norm() + (turned.max() - labelled.max()).norm();
+    }
+    const double most = std::ranges::min(apart) + kAlike * box.diagonal().norm();
+    std::optional<std::size_t> best;
+    double least = 0.0;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        if (apart[i] > most) continue;
+        const double mean = meanDistance(pictured, turns[i], nearest, radius);
+        // A room that looks the same either way stays as it is.
+        if (best && mean >= least - 1e-6 * radius) continue;
+        best = i;
+        least = mean;
+    }
+    return turns[best.value_or(0)];
+}
 
 /// The triangles of `part` that belong to one object, as a part of their own.
 MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
@@ -326,38 +433,43 @@ MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
 RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
     constexpr double kReach = 0.02;  // of the scene's diagonal: beyond there is no label
     const double radius = kReach * boundsOf(pictured).diagonal().norm();
-    const Eigen::Affine3d turn = pictureFromLabelled(labelled, pictured);
+    const Eigen::AlignedBox3d labelled_box = boundsOf(labelled);
     const std::vector<SourceObject> objects = labelled.objects;
-    const NearestObject nearest(labelled, turn);
-    std::vector<std::vector<std::vector<std::size_t>>> of_part(pictured.parts.size());
+    const std::size_t none = objects.size();
+    const NearestObject nearest(labelled);
+    const Eigen::Affine3d turn = labelledFromPictured(labelled_box, pictured, nearest, radius);
+    // The triangles of each part by object. Only objects that a part has triangles of take memory.
+    std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(pictured.parts.size());
     parallelFor(pictured.parts.size(), [&](std::size_t p) {
-        of_part[p].resize(objects.size() + 1);
         const MeshPart& part = pictured.parts[p];
         for (std::size_t t = 0; t < part.triangles.size(); ++t) {
             if (t % 4096 == 0 && job.cancelled()) return;
-            const int object = nearest.at(part, part.triangles[t], radius);
-            of_part[p][static_cast<std::size_t>(object)].push_back(t);
+            const int object = nearest.at(cornersOf(part, part.triangles[t], turn), radius);
+            of_part[p][object > 0 ? static_cast<std::size_t>(object) - 1 : none].push_back(t);
         }
     });
+    std::vector<std::vector<std::size_t>> parts_of(objects.size() + 1);
+    for (std::size_t p = 0; p < of_part.size(); ++p) {
+        for (const auto& entry : of_part[p]) parts_of[entry.first].push_back(p);
+    }
     RawScene scene = std::move(pictured);
     const std::vector<MeshPart> parts = std::move(scene.parts);
     scene.parts.clear();
     scene.nodes = {{"", -1, 0}};
     scene.objects.clear();
     std::size_t unlabelled = 0;
-    for (std::size_t i = 1; i <= objects.size() + 1; ++i) {
-        const bool last = i == objects.size() + 1;
+    for (std::size_t i = 0; i <= none; ++i) {
         SourceObject object;
-        if (!last) object = objects[i - 1];
-        if (last) {
+        if (i < none) {
+            object = objects[i];
+        } else {
             object.name = "unlabelled surface";
             object.structure = true;
         }
         object.parts.clear();
-        for (std::size_t p = 0; p < parts.size(); ++p) {
-            const std::vector<std::size_t>& triangles = of_part[p][last ? 0 : i];
-            if (triangles.empty()) continue;
-            if (last) unlabelled += triangles.size();
+        for (const std::size_t p : parts_of[i]) {
+            const std::vector<std::size_t>& triangles = of_part[p].at(i);
+            if (i == none) unlabelled += triangles.size();
             object.parts.push_back(scene.parts.size());
             scene.parts.push_back(pick(parts[p], triangles));
             scene.parts.back().node = static_cast<int>(scene.nodes.size());
@@ -375,6 +487,17 @@ RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
     return scene;
 }
 
+/// ARKitScenes has boxes around objects beside a mesh without labels.
+void noteBoxes(const fs::path& mesh, RawScene& scene) {
+    constexpr std::string_view kEnding = "_3dod_mesh.ply";
+    std::string name = mesh.filename().string();
+    if (!name.ends_with(kEnding)) return;
+    name.replace(name.size() - kEnding.size(), kEnding.size(), "_3dod_annotation.json");
+    if (!io::hasFile(mesh.parent_path() / name)) return;
+    scene.notes.push_back("the boxes of " + cleanText(name) +
+                          " are not read; objects are found by their shape");
+}
+
 }  // namespace
 
 Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job) {
@@ -382,7 +505,7 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
     if (!names) return tl::unexpected(names.error());
     const bool is_ply = lowerExtension(files.labelled) == ".ply";
     Result<PlyMesh> mesh = is_ply ? readPlyMesh(files.labelled)
-                                  : ColoredMesh(files.labelled, *names).read();
+                                  : ColoredMesh(files.labelled, *names).read(job);
     if (!mesh) return tl::unexpected(mesh.error());
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
     if (files.kind == LabelKindOfFile::HabitatText && is_ply && mesh->face_objects.empty() &&
@@ -414,6 +537,7 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
                     "the one that its file of names belongs to",
                     files.labelled.string());
     }
+    if (Status few = checkCount(*faces, files.labelled); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, files.names);
     if (other && !same_vertices) {
         Result<RawScene> pictured = readModel(files.pictured, job);
@@ -434,7 +558,12 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
     if (!mesh) return tl::unexpected(mesh.error());
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
     const std::optional<LabelledFaces> faces = labelFaces(*mesh, {}, false);
-    if (!faces || faces->objects.size() < 2) return sceneOfPly(*mesh);
+    if (!faces || faces->objects.size() < 2) {
+        RawScene scene = sceneOfPly(*mesh);
+        noteBoxes(path, scene);
+        return scene;
+    }
+    if (Status few = checkCount(*faces, path); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, {});
     scene.notes.push_back(
         "the file has numbers of objects or classes without names; name them by --annotations, or "
