@@ -37,7 +37,12 @@ TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
     expectRefused(folder.write("room.blend", "x"), "blender -b in.blend");
     expectRefused(folder.write("room.MAX", "x"), "export FBX or glTF");
-    expectRefused(folder.write("room.skp", "x"), "in SketchUp export glTF");
+    expectRefused(folder.write("room.skp", "x"), "in SketchUp export a 3D model as glTF");
+    expectRefused(folder.write("scan.e57", "x"), "cloudcompare.org");
+    expectRefused(folder.write("scan.laz", "x"), "cloudcompare.org");
+    expectRefused(folder.write("room.3ds", "x"), "assimp export");
+    expectRefused(folder.write("room.wrl", "x"), "open it in Blender and export glTF");
+    expectRefused(folder.write("room.abc", "x"), "lacks Alembic");
 }
 
 TEST(BadInput, KindsAreToldByTheirContent) {

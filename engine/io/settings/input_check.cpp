@@ -51,7 +51,7 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
          {{".ifc", ".ifczip"},
           "ISO-10303-21",
           "this is an IFC building model; convert it with \"assimp export in.ifc out.obj\" "
-          "(Debian's assimp-utils) or IfcConvert"},
+          "(Debian's assimp-utils)"},
          {{".usd", ".usda", ".usdc", ".usdz"},
           "PXR-USDC",
           "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender 4 from "
@@ -60,7 +60,7 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
                        "4 from blender.org and export glTF"},
          {{".skp"},
           "\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p"sv,
-          "SketchUp files cannot be read; in SketchUp export glTF (2024 and later) or Collada"}}};
+          "SketchUp files cannot be read; in SketchUp export a 3D model as glTF (.glb) or Collada"}}};
     for (const Kind& kind : kKinds) {
         const bool named = !extension.empty() && std::ranges::find(kind.extensions, extension) !=
                                                      kind.extensions.end();
@@ -102,15 +102,15 @@ Status checkExtension(const Path& path, const std::string& where) {
     const std::string ext = lowerExtension(path);
     if (ext == ".e57" || ext == ".las" || ext == ".laz") {
         return fail(ErrorCode::BadInput,
-                    "this kind of point cloud cannot be read; convert it to PLY with \"pdal "
-                    "translate in" +
-                        ext + " out.ply\", or open and save it with CloudCompare",
+                    "\"" + ext +
+                        "\" files cannot be read; save it as PLY with CloudCompare from "
+                        "cloudcompare.org (Debian's CloudCompare does not open it)",
                     where);
     }
     if (ext == ".xacro") {
         return fail(ErrorCode::BadInput,
                     "xacro files are macros; expand it with ROS's \"xacro in.urdf.xacro -o "
-                    "out.urdf\" and name the result",
+                    "out.urdf\", or without ROS by PyPI's \"xacrodoc\" with the same options",
                     where);
     }
     const std::vector<std::string> known = sceneExtensions();
@@ -118,12 +118,23 @@ Status checkExtension(const Path& path, const std::string& where) {
     if (const std::string_view advice = adviceFor(ext, {}); !advice.empty()) {
         return fail(ErrorCode::BadInput, std::string(advice), where);
     }
-    static constexpr std::array<std::string_view, 5> kBlenderReads = {".3ds", ".x3d", ".wrl",
-                                                                      ".abc", ".dxf"};
-    if (std::ranges::find(kBlenderReads, ext) != kBlenderReads.end()) {
+    struct Converted {
+        std::string_view extension;
+        std::string_view advice;
+    };
+    static constexpr std::string_view kAssimp =
+        "convert it to OBJ with \"assimp export IN out.obj\" (Debian's assimp-utils)";
+    static constexpr std::string_view kBlender = "open it in Blender and export glTF";
+    static constexpr std::array<Converted, 5> kConverted = {
+        {{".3ds", kAssimp},
+         {".dxf", kAssimp},
+         {".x3d", kBlender},
+         {".wrl", kBlender},
+         {".abc", "open it in Blender 4 from blender.org (Debian's lacks Alembic) and export glTF"}}};
+    for (const Converted& kind : kConverted) {
+        if (ext != kind.extension) continue;
         return fail(ErrorCode::BadInput,
-                    "\"" + ext + "\" files cannot be read; open it in Blender and export glTF",
-                    where);
+                    "\"" + ext + "\" files cannot be read; " + std::string(kind.advice), where);
     }
     for (const Program& program : kPrograms) {
         if (ext != program.extension) continue;
