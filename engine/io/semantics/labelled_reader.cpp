@@ -1,19 +1,18 @@
 #include "engine/io/semantics/labelled_reader.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/geometry/ray_caster.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gltf/gltf_reader.h"
 #include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/import/model_reader.h"
 #include "engine/io/import/ply_mesh.h"
-#include "engine/io/import/scene_assembly.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/pictures/picture_decoder.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/semantics/labelled_faces.h"
+#include "engine/io/semantics/labelled_surface.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
@@ -286,80 +285,9 @@ Eigen::AlignedBox3d boundsOf(const RawScene& scene) {
     return box;
 }
 
-/// The corners of a triangle.
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-Corners cornersOf(const MeshPart& part, const Triangle& triangle, const Eigen::Affine3d& turn) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = turn * part.positions[triangle[k]].cast<double>();
-    }
-    return corners;
-}
-
-Eigen::Vector3d middleOf(const Corners& corners) {
-    return (corners[0] + corners[1] + corners[2]) / 3.0;
-}
-
-/// Which of the labelled scene's objects a triangle of another mesh belongs to: that of the same
-/// triangle, else of the nearest surface; where several are equally near, the first of the scene's.
-class NearestObject {
-  public:
-    /// Takes the scene's meshes.
-    explicit NearestObject(RawScene& labelled) : caster_(taken(labelled, same_)) {}
-
-    /// The object's number from 1 on; 0: none is near.
-    [[nodiscard]] int at(const Corners& corners, double radius) const {
-        const auto same = same_.find(keyOf(corners));
-        if (same != same_.end()) return same->second;
-        return caster_.closest(middleOf(corners), radius).object_id;
-    }
-
-    /// How far away the nearest surface is; `radius` where there is none within it.
-    [[nodiscard]] double distance(const Eigen::Vector3d& point, double radius) const {
-        return std::min(caster_.closest(point, radius).distance, radius);
-    }
-
-  private:
-    /// A triangle's corners to a thousandth of a unit, in an order of their own.
-    using Key = std::array<std::array<std::int64_t, 3>, 3>;
-    using ByCorners = std::map<Key, int>;
-
-    static Key keyOf(const Corners& corners) {
-        Key key{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                key[k][static_cast<std::size_t>(axis)] = std::llround(1000.0 * corners[k][axis]);
-            }
-        }
-        std::ranges::sort(key);
-        return key;
-    }
-
-    static Scene taken(RawScene& labelled, ByCorners& same) {
-        std::vector<ObjectDraft> drafts(labelled.objects.size());
-        for (std::size_t i = 0; i < drafts.size(); ++i) {
-            drafts[i].parts = labelled.objects[i].parts;
-            for (const std::size_t part : drafts[i].parts) {
-                for (const Triangle& triangle : labelled.parts[part].triangles) {
-                    same.try_emplace(keyOf(cornersOf(labelled.parts[part], triangle,
-                                                     Eigen::Affine3d::Identity())),
-                                     static_cast<int>(i) + 1);
-                }
-            }
-        }
-        Scene scene;
-        assembleObjects(labelled.parts, drafts, scene);
-        return scene;
-    }
-
-    ByCorners same_;  // before caster_, which is made with it
-    RayCaster caster_;
-};
-
 /// The mean distance of some triangles of a mesh from the labelled surfaces.
 double meanDistance(const RawScene& pictured, const Eigen::Affine3d& turn,
-                    const NearestObject& nearest, double radius) {
+                    const LabelledSurface& surface, double radius) {
     constexpr std::size_t kEnough = 2000;
     std::size_t count = 0;
     for (const MeshPart& part : pictured.parts) count += part.triangles.size();
@@ -369,7 +297,7 @@ double meanDistance(const RawScene& pictured, const Eigen::Affine3d& turn,
     for (const MeshPart& part : pictured.parts) {
         for (const Triangle& triangle : part.triangles) {
             if (at++ % step > 0) continue;
-            sum += nearest.distance(middleOf(cornersOf(part, triangle, turn)), radius);
+            sum += surface.distance(middleOf(cornersOf(part, triangle, turn)), radius);
         }
     }
     return sum / static_cast<double>((count + step - 1) / step);
@@ -378,7 +306,7 @@ double meanDistance(const RawScene& pictured, const Eigen::Affine3d& turn,
 /// The two meshes of a scan may be stored with different upward axes: the turn that makes their
 /// boxes most alike; of turns that do so equally well, the one that brings the surfaces together.
 Eigen::Affine3d labelledFromPictured(const Eigen::AlignedBox3d& labelled, const RawScene& pictured,
-                                     const NearestObject& nearest, double radius) {
+                                     const LabelledSurface& surface, double radius) {
     constexpr double kAlike = 0.01;  // of the diagonal
     const Eigen::AlignedBox3d box = boundsOf(pictured);
     std::array<Eigen::Affine3d, 3> turns;
@@ -396,7 +324,7 @@ Eigen::Affine3d labelledFromPictured(const Eigen::AlignedBox3d& labelled, const 
     double least = 0.0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         if (apart[i] > most) continue;
-        const double mean = meanDistance(pictured, turns[i], nearest, radius);
+        const double mean = meanDistance(pictured, turns[i], surface, radius);
         // A room that looks the same either way stays as it is.
         if (best && mean >= least - 1e-6 * radius) continue;
         best = i;
@@ -433,18 +361,17 @@ MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
 RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
     constexpr double kReach = 0.02;  // of the scene's diagonal: beyond there is no label
     const double radius = kReach * boundsOf(pictured).diagonal().norm();
-    const Eigen::AlignedBox3d labelled_box = boundsOf(labelled);
     const std::vector<SourceObject> objects = labelled.objects;
     const std::size_t none = objects.size();
-    const NearestObject nearest(labelled);
-    const Eigen::Affine3d turn = labelledFromPictured(labelled_box, pictured, nearest, radius);
+    const LabelledSurface surface(labelled);
+    const Eigen::Affine3d turn = labelledFromPictured(boundsOf(labelled), pictured, surface, radius);
     // The triangles of each part by object. Only objects that a part has triangles of take memory.
     std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(pictured.parts.size());
     parallelFor(pictured.parts.size(), [&](std::size_t p) {
         const MeshPart& part = pictured.parts[p];
         for (std::size_t t = 0; t < part.triangles.size(); ++t) {
             if (t % 4096 == 0 && job.cancelled()) return;
-            const int object = nearest.at(cornersOf(part, part.triangles[t], turn), radius);
+            const int object = surface.objectAt(cornersOf(part, part.triangles[t], turn), radius);
             of_part[p][object > 0 ? static_cast<std::size_t>(object) - 1 : none].push_back(t);
         }
     });
