@@ -1,5 +1,6 @@
 #include "engine/io/import/reachable_files.h"
 
+#include "engine/io/files/guarded_folder.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/io/sandbox/input_record.h"
 
@@ -40,17 +41,27 @@ std::optional<fs::path> ReachableFiles::find(const fs::path& folder,
     return std::nullopt;
 }
 
-bool ReachableFiles::reaches(const fs::path& folder) const {
+bool ReachableFiles::reaches(const fs::path& path) const {
+    const fs::path normal = absoluteNormal(path);
     return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
-        return pathBelow(root, folder.lexically_normal()).has_value();
+        const auto below = pathBelow(root, normal);
+        if (!below) return false;
+        const Result<GuardedFolder> folder = GuardedFolder::open(root);
+        if (!folder || *below == ".") return folder.has_value();
+        const auto found = folder->find(below->string());
+        return found && !S_ISLNK(found->st_mode);
     });
 }
 
 std::vector<std::string> ReachableFiles::namesIn(const fs::path& folder) const {
     constexpr std::size_t kMost = 100'000;
     std::vector<std::string> names;
+    // One that is missing is noted, too: the scene depends on whether it is there.
+    const bool named = std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
+        return pathBelow(root, folder.lexically_normal()).has_value();
+    });
+    if (named) InputRecord::note(InputUse::Listing, folder);
     if (!reaches(folder)) return names;
-    InputRecord::note(InputUse::Listing, folder);
     std::error_code error;
     fs::directory_iterator at(folder, error);
     for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {

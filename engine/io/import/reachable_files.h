@@ -24,8 +24,9 @@ class ReachableFiles {
     [[nodiscard]] std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
                                                             const std::string& name) const;
 
-    /// Whether a folder lies below one of the folders, links aside.
-    [[nodiscard]] bool reaches(const std::filesystem::path& folder) const;
+    /// Whether this file or folder exists below one of the folders. Below them no symbolic link is
+    /// followed, and one is not reached itself.
+    [[nodiscard]] bool reaches(const std::filesystem::path& path) const;
 
     /// The names of the files and folders in a folder that it reaches, sorted; links and names that
     /// begin with a dot are left out, and of very many the rest.
