@@ -85,9 +85,7 @@ Status ModelLibrary::read(const JobContext& job) {
         models_[i] = std::move(*read);
         if (countTriangles(models_[i]) == 0) reasons_[i] = "it holds no triangle";
         fs::path folder = paths_[i].parent_path();
-        if (folder.filename() == "models" || folder.filename() == "meshes") {
-            folder = folder.parent_path();
-        }
+        if (folder.filename() == "models") folder = folder.parent_path();
         for (TextureRequest& texture : models_[i].textures) texture.folder = folder;
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");

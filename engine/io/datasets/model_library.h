@@ -29,7 +29,7 @@ std::optional<std::filesystem::path> findBelow(const std::vector<std::filesystem
                                                const std::filesystem::path& relative);
 
 /// Models read once each, however often they are placed. A model's textures are looked up beside
-/// it, or one folder up where it lies in a folder called "models" or "meshes".
+/// it, or one folder up where it lies in a folder called "models".
 class ModelLibrary {
   public:
     /// Notes that a model will be needed; the same number for the same path.
