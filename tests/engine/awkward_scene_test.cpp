@@ -197,17 +197,19 @@ TEST(AwkwardScene, ObjLinesAreMendedWhereAssimpMisreadsThem) {
 // One face without its texture coordinates leaves the others theirs.
 TEST(AwkwardScene, ObjFacesLoseCoordinatesThatAreNotThere) {
     const TempFolder folder;
-    const Result<RawScene> raw = readModel(
-        folder.write("room.obj",
-                     "v 0 0 0\nv 1 0 0\nv 0 1 0\n  v 0 0 1\nvt 0.25 0.75\nvt 0.5 0.5\n"
-                     "f\t1/1 2/2 3/1\n  f 1/1 2/2 4/1\nf 1/-1 3/-2 4/-7\n"),
-        {});
+    const Result<RawScene> raw =
+        readModel(folder.write("room.obj",
+                               "v 0 0 0\nv 1 0 0\nv 0 1 0\n  v 0 0 1\nvt 0.25 0.75\nvt 0.5 0.5\n"
+                               "f\t1/1 2/2 3/1\n  f 1/1 2/2 4/1\nf 1/-1 3/-2 4/-7\n"),
+                  {});
     ASSERT_TRUE(raw) << describe(raw.error());
     std::size_t triangles = 0;
     bool placed = false;
     for (const MeshPart& part : raw->parts) {
         triangles += part.triangles.size();
-        for (const Eigen::Vector2f& uv : part.uvs) placed |= uv.isApprox(Eigen::Vector2f(0.25F, 0.75F));
+        placed = placed || std::ranges::any_of(part.uvs, [](const Eigen::Vector2f& uv) {
+                     return uv.isApprox(Eigen::Vector2f(0.25F, 0.75F));
+                 });
     }
     EXPECT_EQ(triangles, 3U);
     EXPECT_TRUE(placed);
@@ -218,13 +220,13 @@ TEST(AwkwardScene, ColladaColoursMayBeginWithBlanks) {
     const TempFolder folder;
     for (const char* color : {"<color>1 0 0 1</color>", "<color>\r\n \t1 0 0 1</color>",
                               "<color sid=\"d\"> 1 0 0 1</color>"}) {
-        const Result<RawScene> raw = readModel(
-            folder.write("red.dae",
-                         R"(<?xml version="1.0"?>
+        const Result<RawScene> raw =
+            readModel(folder.write("red.dae",
+                                   R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
 <library_effects><effect id="e"><profile_COMMON><technique sid="t"><lambert><diffuse>)" +
-                             std::string(color) + R"(</diffuse></lambert></technique>
+                                       std::string(color) + R"(</diffuse></lambert></technique>
 </profile_COMMON></effect></library_effects>
 <library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
 <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">
@@ -237,7 +239,7 @@ TEST(AwkwardScene, ColladaColoursMayBeginWithBlanks) {
 <technique_common><instance_material symbol="k" target="#m"/></technique_common></bind_material>
 </instance_geometry></node></visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)"),
-            {});
+                      {});
         ASSERT_TRUE(raw) << color << describe(raw.error());
         ASSERT_EQ(raw->parts.size(), 1U);
         EXPECT_EQ(raw->materials.at(raw->parts[0].material).base_color, Eigen::Vector3f(1, 0, 0))

@@ -61,7 +61,7 @@ void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
     }
 }
 
-/// Reads each mesh that has a placement once; from then on MeshPlacement::mesh is an index into these.
+/// Reads each mesh that has a placement once. MeshPlacement::mesh becomes an index into these.
 std::vector<std::vector<Primitive>> readPlacedMeshes(
     const Document& document, const std::vector<PictureCoordinates>& coordinates, bool keep_colors,
     std::vector<MeshPlacement>& placements, const JobContext& job) {

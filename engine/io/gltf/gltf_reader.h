@@ -16,7 +16,7 @@ namespace dollytrack::gltf {
 [[nodiscard]] Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside,
                                         const std::string& where, const JobContext& job);
 
-/// The meshes of a file with the colours of their vertices, each once, and where its nodes put them.
+/// The meshes of a file with the colours of their vertices, each once, and their placements.
 struct ColoredMeshes {
     RawScene scene;  // materials and textures alone
     std::vector<std::vector<Primitive>> meshes;

@@ -43,7 +43,7 @@ std::size_t nextBarePoint(const std::vector<std::uint8_t>& text, std::size_t at)
     return text.size();
 }
 
-/// Calls visit(begin, line) for each line of an OBJ text; a backslash at its end joins the next one.
+/// Calls visit(begin, line) for each line of an OBJ text. A backslash at its end joins the next.
 template <class Visit>
 void eachObjLine(std::string_view text, Visit&& visit) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -151,8 +151,8 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces) {
         const std::string_view words = withoutIndent(line);
         before += isLineOf("vt", words) ? 1 : 0;
         const bool missing = isLineOf("f", words) && missesCoordinates(words, before, count);
-        const bool indented = words.size() < line.size() &&
-                              words.find_first_of("\r#") != 0 && !words.empty();
+        const bool indented =
+            words.size() < line.size() && words.find_first_of("\r#") != 0 && !words.empty();
         if (!changed && !missing && !indented) return;
         if (!changed) {
             kept.reserve(all.size());

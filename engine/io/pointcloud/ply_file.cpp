@@ -99,8 +99,9 @@ std::optional<double> plyNumber(std::string_view text) {
     // Out of range: small by its exponent, else by a zero before the point.
     const std::size_t exponent = text.find_first_of("eE");
     const std::size_t first = text.find_first_not_of("-");
-    const bool small = exponent != std::string_view::npos ? text[exponent + 1] == '-'
-                                                          : text[first] == '0' || text[first] == '.';
+    const bool small = exponent != std::string_view::npos
+                           ? text[exponent + 1] == '-'
+                           : text[first] == '0' || text[first] == '.';
     const double size = small ? 0.0 : std::numeric_limits<double>::infinity();
     return text[0] == '-' ? -size : size;
 }

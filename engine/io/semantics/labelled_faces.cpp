@@ -95,8 +95,7 @@ std::map<std::int64_t, int> majorityClasses(const std::vector<std::int64_t>& obj
     std::map<std::int64_t, int> majority;
     for (const auto& [object, of] : counts) {
         majority[object] =
-            std::ranges::max_element(of, {}, [](const auto& entry) { return entry.second; })
-                ->first;
+            std::ranges::max_element(of, {}, [](const auto& entry) { return entry.second; })->first;
     }
     return majority;
 }
@@ -155,8 +154,8 @@ LabelledFaces byClasses(const PlyMesh& mesh, const std::vector<std::size_t>& fir
         std::size_t piece = pieces.root(f);
         const bool speck = sizes[piece] < std::min(kSpeck, largest[number]);
         if (speck || !labelled_at_all) piece = kSpecks;
-        const auto [at, is_new] = index.try_emplace({labelled_at_all ? number : kNone, piece},
-                                                    labelled.objects.size());
+        const auto [at, is_new] =
+            index.try_emplace({labelled_at_all ? number : kNone, piece}, labelled.objects.size());
         labelled.of_face.push_back(at->second);
         if (!is_new) continue;
         LabelledObject object;

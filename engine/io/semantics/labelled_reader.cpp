@@ -141,8 +141,7 @@ class ColoredMesh {
             }
         }
         if (mesh_.face_sizes.empty()) {
-            return fail(ErrorCode::BadInput, "the labelled mesh has no triangles",
-                        path_.string());
+            return fail(ErrorCode::BadInput, "the labelled mesh has no triangles", path_.string());
         }
         if (std::ranges::all_of(mesh_.face_objects, [](auto object) { return object == kNone; })) {
             return fail(ErrorCode::BadInput,
@@ -342,8 +341,8 @@ MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
     for (const std::size_t t : triangles) {
         Triangle moved = part.triangles[t];
         for (std::uint32_t& index : moved) {
-            const auto [at, is_new] = renumbered.try_emplace(
-                index, static_cast<std::uint32_t>(picked.positions.size()));
+            const auto [at, is_new] =
+                renumbered.try_emplace(index, static_cast<std::uint32_t>(picked.positions.size()));
             if (is_new) {
                 picked.positions.push_back(part.positions[index]);
                 picked.normals.push_back(part.normals[index]);
@@ -364,7 +363,8 @@ RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
     const std::vector<SourceObject> objects = labelled.objects;
     const std::size_t none = objects.size();
     const LabelledSurface surface(labelled);
-    const Eigen::Affine3d turn = labelledFromPictured(boundsOf(labelled), pictured, surface, radius);
+    const Eigen::Affine3d turn =
+        labelledFromPictured(boundsOf(labelled), pictured, surface, radius);
     // The triangles of each part by object. Only objects that a part has triangles of take memory.
     std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(pictured.parts.size());
     parallelFor(pictured.parts.size(), [&](std::size_t p) {
@@ -431,8 +431,8 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
     const Result<LabelNames> names = readLabelNames(files);
     if (!names) return tl::unexpected(names.error());
     const bool is_ply = lowerExtension(files.labelled) == ".ply";
-    Result<PlyMesh> mesh = is_ply ? readPlyMesh(files.labelled)
-                                  : ColoredMesh(files.labelled, *names).read(job);
+    Result<PlyMesh> mesh =
+        is_ply ? readPlyMesh(files.labelled) : ColoredMesh(files.labelled, *names).read(job);
     if (!mesh) return tl::unexpected(mesh.error());
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
     if (files.kind == LabelKindOfFile::HabitatText && is_ply && mesh->face_objects.empty() &&

@@ -26,9 +26,8 @@ LabelledSurface::LabelledSurface(const RawScene& labelled) {
         for (const std::size_t p : labelled.objects[i].parts) {
             const MeshPart& part = labelled.parts[p];
             for (const Triangle& t : part.triangles) {
-                triangles_.push_back({{part.positions[t[0]], part.positions[t[1]],
-                                       part.positions[t[2]]},
-                                      number});
+                triangles_.push_back(
+                    {{part.positions[t[0]], part.positions[t[1]], part.positions[t[2]]}, number});
                 same_.try_emplace(keyOf(cornersOf(part, t)), number);
             }
         }
@@ -61,7 +60,9 @@ void LabelledSurface::build(std::size_t begin, std::size_t end) {
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [&](std::size_t i) {
+        return triangles_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
     std::nth_element(at(begin), at(middle), at(end), [axis](const Labelled& a, const Labelled& b) {
         const auto sum = [axis](const Labelled& t) {
             return t.corners[0][axis] + t.corners[1][axis] + t.corners[2][axis];
@@ -95,8 +96,8 @@ void LabelledSurface::visitNear(const Eigen::Vector3d& point, const double& reac
         }
         for (std::size_t i = node.begin; i < node.end; ++i) {
             const auto& [a, b, c] = triangles_[i].corners;
-            const Eigen::Vector3d closest = closestOnTriangle(
-                point, a.cast<double>(), b.cast<double>(), c.cast<double>());
+            const Eigen::Vector3d closest =
+                closestOnTriangle(point, a.cast<double>(), b.cast<double>(), c.cast<double>());
             const double distance = (closest - point).norm();
             if (distance <= reach) visit(distance, triangles_[i].object);
         }
@@ -110,9 +111,8 @@ int LabelledSurface::objectAt(const Corners& corners, double radius) const {
     const Eigen::Vector3d point = middleOf(corners);
     const double reach = std::min(distance(point, radius) + kEqual * radius, radius);
     int lowest = std::numeric_limits<int>::max();
-    visitNear(point, reach, [&](double /*distance*/, int object) {
-        lowest = std::min(lowest, object);
-    });
+    visitNear(point, reach,
+              [&](double /*distance*/, int object) { lowest = std::min(lowest, object); });
     return lowest == std::numeric_limits<int>::max() ? 0 : lowest;
 }
 

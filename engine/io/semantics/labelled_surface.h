@@ -41,7 +41,7 @@ class LabelledSurface {
     };
     struct Node {
         Eigen::AlignedBox3f box;
-        std::size_t begin;   // of the triangles in it
+        std::size_t begin;  // of the triangles in it
         std::size_t end;
         std::size_t second;  // child; the first one comes next. 0: a leaf
     };

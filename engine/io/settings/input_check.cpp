@@ -56,14 +56,17 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
           "PXR-USDC",
           "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender 4 from "
           "blender.org and export glTF"},
-         {{}, "#usda", "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender "
-                       "4 from blender.org and export glTF"},
+         {{},
+          "#usda",
+          "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender "
+          "4 from blender.org and export glTF"},
          {{".skp"},
           "\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p"sv,
-          "SketchUp files cannot be read; in SketchUp export a 3D model as glTF (.glb) or Collada"}}};
+          "SketchUp files cannot be read; in SketchUp export a 3D model as glTF (.glb) or "
+          "Collada"}}};
     for (const Kind& kind : kKinds) {
-        const bool named = !extension.empty() && std::ranges::find(kind.extensions, extension) !=
-                                                     kind.extensions.end();
+        const bool named = !extension.empty() &&
+                           std::ranges::find(kind.extensions, extension) != kind.extensions.end();
         if (named || (!head.empty() && head.starts_with(kind.beginning))) return kind.advice;
     }
     return {};
@@ -130,7 +133,8 @@ Status checkExtension(const Path& path, const std::string& where) {
          {".dxf", kAssimp},
          {".x3d", kBlender},
          {".wrl", kBlender},
-         {".abc", "open it in Blender 4 from blender.org (Debian's lacks Alembic) and export glTF"}}};
+         {".abc",
+          "open it in Blender 4 from blender.org and export glTF; Debian's lacks Alembic"}}};
     for (const Converted& kind : kConverted) {
         if (ext != kind.extension) continue;
         return fail(ErrorCode::BadInput,

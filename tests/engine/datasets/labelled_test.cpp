@@ -64,10 +64,10 @@ Triangles trianglesOf(const std::vector<NumberedBox>& boxes) {
 
 /// A room of 4 x 3 x 2.5 m in slabs, two chairs and a lamp.
 std::vector<NumberedBox> numberedRoom(int floor, int wall, int chair, int other, int lamp) {
-    return {{{0, 0, -0.1F}, {4, 3, 0}, floor},        {{0, 0, 0}, {4, 0.1F, 2.5F}, wall},
-            {{0, 2.9F, 0}, {4, 3, 2.5F}, wall},       {{0, 0, 0}, {0.1F, 3, 2.5F}, wall},
-            {{3.9F, 0, 0}, {4, 3, 2.5F}, wall},       {{1, 1, 0}, {1.5F, 1.5F, 0.9F}, chair},
-            {{2.5F, 1, 0}, {3, 1.5F, 0.9F}, other},   {{2, 2, 0}, {2.2F, 2.2F, 1.5F}, lamp}};
+    return {{{0, 0, -0.1F}, {4, 3, 0}, floor},      {{0, 0, 0}, {4, 0.1F, 2.5F}, wall},
+            {{0, 2.9F, 0}, {4, 3, 2.5F}, wall},     {{0, 0, 0}, {0.1F, 3, 2.5F}, wall},
+            {{3.9F, 0, 0}, {4, 3, 2.5F}, wall},     {{1, 1, 0}, {1.5F, 1.5F, 0.9F}, chair},
+            {{2.5F, 1, 0}, {3, 1.5F, 0.9F}, other}, {{2, 2, 0}, {2.2F, 2.2F, 1.5F}, lamp}};
 }
 
 std::string asciiPly(const Triangles& mesh, bool faces_numbered, const std::string& property) {
@@ -109,8 +109,9 @@ TEST(Labelled, ReplicasFacesAreTheObjectsOfItsInfo) {
  {"id": 3, "class_id": 40, "class_name": "floor"}, {"id": 8, "class_name": "wall"},
  {"id": 11, "class_name": "chair"}, {"id": 12, "class_name": "chair"}]})"));
     const Scene scene = imported(path);
-    EXPECT_EQ(trianglesByName(scene),
-              (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"unlabelled", 12}}));
+    EXPECT_EQ(
+        trianglesByName(scene),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"unlabelled", 12}}));
     EXPECT_EQ(find(scene, "chair_2")->nyu40, nyu40FromName("chair"));
     EXPECT_EQ(find(scene, "wall")->role, Role::Structure);
     EXPECT_EQ(find(scene, "unlabelled")->role, Role::Structure) << "40 is not in the list";
@@ -120,13 +121,17 @@ TEST(Labelled, ReplicasFacesAreTheObjectsOfItsInfo) {
 TEST(Labelled, ScanNetsVerticesHaveNyu40Classes) {
     const TempFolder folder;
     // 5 chair, 35 lamp, 2 floor, 1 wall.
-    const std::string labels =
-        asciiPly(trianglesOf(numberedRoom(2, 1, 5, 5, 35)), false, "label");
+    const std::string labels = asciiPly(trianglesOf(numberedRoom(2, 1, 5, 5, 35)), false, "label");
     const auto path = folder.write("scene0000_00_vh_clean_2.labels.ply", labels);
     const Scene alone = imported(path);
-    EXPECT_EQ(trianglesByName(alone),
-              (Counts{{"floor", 12}, {"wall", 12}, {"wall_2", 12}, {"wall_3", 12}, {"wall_4", 12},
-                      {"chair", 12}, {"chair_2", 12}, {"lamp", 12}}));
+    EXPECT_EQ(trianglesByName(alone), (Counts{{"floor", 12},
+                                              {"wall", 12},
+                                              {"wall_2", 12},
+                                              {"wall_3", 12},
+                                              {"wall_4", 12},
+                                              {"chair", 12},
+                                              {"chair_2", 12},
+                                              {"lamp", 12}}));
     // With its segments, objects are those of the aggregation; the class is the labels'.
     std::string segments = "0";
     for (int i = 1; i < 64; ++i) segments += "," + std::to_string(i / 8);
@@ -180,8 +185,8 @@ std::string coloredGlb(const Triangles& mesh) {
     const auto color =
         writer.addAccessor(writer.addView(colors), 5121, "VEC4", mesh.positions.size(), true);
     const auto index = writer.addAccessor(writer.addView(indices), 5125, "SCALAR", indices.size());
-    writer.addMesh("all", {{"attributes", {{"POSITION", position}, {"COLOR_0", color}}},
-                           {"indices", index}});
+    writer.addMesh(
+        "all", {{"attributes", {{"POSITION", position}, {"COLOR_0", color}}}, {"indices", index}});
     return writer.glb();
 }
 
@@ -305,13 +310,10 @@ TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
     add({boxes.begin() + 5, boxes.end()}, true);
     writer.json["scenes"][0]["nodes"].push_back(2);
     writer.json["nodes"].push_back({{"mesh", 1}, {"translation", {0, 0.6, 0}}});
-    const Scene scene =
-        imported(folder.write("house.semantic.glb", writer.glb()), {.unit_m = 1.0});
-    EXPECT_EQ(trianglesByName(scene), (Counts{{"floor", 12},
-                                              {"wall", 48},
-                                              {"chair", 24},
-                                              {"bed side table", 24},
-                                              {"lamp", 24}}));
+    const Scene scene = imported(folder.write("house.semantic.glb", writer.glb()), {.unit_m = 1.0});
+    EXPECT_EQ(
+        trianglesByName(scene),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 24}, {"bed side table", 24}, {"lamp", 24}}));
     // From y = 1 of the first chair to 2.1 of the second.
     const Object* chair = find(scene, "chair");
     ASSERT_NE(chair, nullptr);
@@ -320,16 +322,16 @@ TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
 
 TEST(Labelled, MatterportsFacesAreTheObjectsOfItsHouse) {
     const TempFolder folder;
-    const auto path =
-        folder.write("abc_semantic.ply",
-                     asciiPly(trianglesOf(numberedRoom(0, 1, 2, 3, 4)), true, "object_id"));
+    const auto path = folder.write(
+        "abc_semantic.ply", asciiPly(trianglesOf(numberedRoom(0, 1, 2, 3, 4)), true, "object_id"));
     static_cast<void>(folder.write(
         "abc.house",
         "ASCII 1.1\nC  0  1 floor 2 floor 0 0 0 0 0\nC 1 2 wall 1 wall 0 0 0 0 0\n"
         "C 2 3 dining#chair 3 chair 0 0 0 0 0\nC 3 4 coat#rack 39 objects 0 0 0 0 0\n"
         "O 0 0 0 1 1 1\nO 1 0 1 1 1 1\nO 2 0 2 1 1 1\nO 3 0 2 1 1 1\nO 4 0 3 1 1 1\n"));
-    EXPECT_EQ(trianglesByName(imported(path)),
-              (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"coat rack", 12}}));
+    EXPECT_EQ(
+        trianglesByName(imported(path)),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"coat rack", 12}}));
 }
 
 // The boxes of ARKitScenes are not read, which is said.
@@ -370,8 +372,8 @@ std::string facesNumbered(const std::string& type, const std::vector<std::string
 }
 
 TEST(PlyMesh, NumbersThatAreNotWholeAreNotLabels) {
-    const std::vector<std::string> numbers = {"3",   "nan", "-nan", "inf", "-inf", "1e30",
-                                              "2.5", "-0.5", "-7",  "3.0", "0"};
+    const std::vector<std::string> numbers = {"3",   "nan",  "-nan", "inf", "-inf", "1e30",
+                                              "2.5", "-0.5", "-7",   "3.0", "0"};
     for (const char* type : {"float", "double"}) {
         const Result<PlyMesh> mesh = parsePlyMesh(facesNumbered(type, numbers), "ids.ply");
         ASSERT_TRUE(mesh) << describe(mesh.error());
@@ -479,7 +481,8 @@ TEST(PlyMesh, ReadsStripsAndPlacesOfCorners) {
     ASSERT_TRUE(strips) << describe(strips.error());
     EXPECT_EQ(strips->face_indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 4, 3}));
     const Result<PlyMesh> corners = parsePlyMesh(
-        "ply\nformat ascii 1.0\ncomment TextureFile dark  wood 1.png \r\nelement vertex 3\nproperty float x\n"
+        "ply\nformat ascii 1.0\ncomment TextureFile dark  wood 1.png \r\nelement vertex "
+        "3\nproperty float x\n"
         "property float y\nproperty float z\nelement face 1\n"
         "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n"
         "0 0 0\n1 0 0\n0 1 0\n3 2 0 1 6 0.1 0.2 0.3 0.4 0.5 0.6\n",
