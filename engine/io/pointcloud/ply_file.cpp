@@ -1,5 +1,6 @@
 #include "engine/io/pointcloud/ply_file.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <charconv>
@@ -52,7 +53,11 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         PlyElement element{std::string(words[1]), 0, {}};
         const auto [end, error] =
             std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
-        if (error != std::errc()) return plyFault("The number of elements is none.", where);
+        if (error != std::errc()) {
+            return plyFault("The count of \"" + cleanText(words[1]) +
+                                "\" is no whole number; export the file again.",
+                            where);
+        }
         header.elements.push_back(std::move(element));
         return {};
     }
@@ -62,13 +67,14 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         const std::optional<PlyKind> kind = kindNamed(list ? words[3] : words[1]);
         if (list) property.count = kindNamed(words[2]);
         if (!kind || (list && !property.count)) {
-            return plyFault("The property has no known type.", where);
+            return plyFault("The type of this property is unknown to PLY; export the file again.",
+                            where);
         }
         property.kind = *kind;
         header.elements.back().properties.push_back(std::move(property));
         return {};
     }
-    return plyFault("It is no line of a PLY header.", where);
+    return plyFault("This line does not belong in a PLY header; export the file again.", where);
 }
 
 }  // namespace
@@ -107,12 +113,16 @@ std::optional<double> plyNumber(std::string_view text) {
 }
 
 Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {
-    if (!bytes.starts_with("ply")) return plyFault("It is no PLY file.", path.string());
+    if (!bytes.starts_with("ply"))
+        return plyFault("The file is no PLY file: it does not begin with \"ply\".", path.string());
     PlyHeader header;
     int line = 0;
     while (true) {
         const std::size_t end = bytes.find('\n', header.size);
-        if (end == std::string_view::npos) return plyFault("Its header has no end.", path.string());
+        if (end == std::string_view::npos)
+            return plyFault(
+                "The PLY header has no end_header line; export or download the file again.",
+                path.string());
         const auto words = splitWords(bytes.substr(header.size, end - header.size));
         header.size = end + 1;
         ++line;
@@ -122,7 +132,9 @@ Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {
         }
     }
     if (header.format == "ascii" || header.format.starts_with("binary_")) return header;
-    return plyFault("It is of no known PLY format.", path.string());
+    return plyFault(
+        "The format line names neither ascii nor a binary format; export the file again.",
+        path.string());
 }
 
 }  // namespace dollytrack::io

@@ -27,8 +27,8 @@ constexpr std::size_t kOpacity = 9;
 /// The place of a property among x y z, red green blue, nx ny nz, opacity; -1: of no interest. A
 /// Gaussian splat's f_dc, the constant term of its colour, stands where the colour does.
 int slotOf(std::string_view name, bool splats) {
-    static constexpr std::array<std::string_view, 10> kPoint = {
-        "x", "y", "z", "red", "green", "blue", "nx", "ny", "nz", ""};
+    static constexpr std::array<std::string_view, 10> kPoint = {"x",    "y",  "z",  "red", "green",
+                                                                "blue", "nx", "ny", "nz",  ""};
     static constexpr std::array<std::string_view, 10> kSplat = {
         "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "", "", "", "opacity"};
     const auto& names = splats ? kSplat : kPoint;
@@ -122,7 +122,8 @@ Status readVertices(const PlyElement& element, PlyNumbers& numbers, const fs::pa
     for (std::size_t i = 0; i < element.count; ++i) {
         Slots values{};
         if (!readElement(element, slots, numbers, values)) {
-            return wrong(fmt::format("It ends within {} {} of {}, or a number of that is none.",
+            return wrong(fmt::format("The file ends within {} {} of {}, or a value there is no "
+                                     "number; export or download it again.",
                                      element.name, i, element.count),
                          path.string());
         }
@@ -147,16 +148,19 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
     for (const PlyElement& element : header->elements) {
         if (element.properties.empty() || element.count > bytes.size()) {
             if (element.count == 0) continue;
-            return wrong(fmt::format("It says that it holds {} of '{}', and is too short for that.",
-                                     element.count, element.name),
-                         path.string());
+            return wrong(
+                fmt::format("The header says {} elements of '{}', which the file is too short "
+                            "for; export or download it again.",
+                            element.count, element.name),
+                path.string());
         }
         if (Status read = readVertices(element, numbers, path, cloud); !read) {
             return tl::unexpected<Error>(read.error());
         }
         if (element.name == "vertex") break;  // faces are of no interest
     }
-    if (cloud.points.empty()) return wrong("There is no point in it.", path.string());
+    if (cloud.points.empty())
+        return wrong("The file holds no points with finite x, y and z.", path.string());
     return cloud;
 }
 

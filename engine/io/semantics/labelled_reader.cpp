@@ -451,17 +451,18 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
         if (same_vertices) mesh->colors = std::move(pictured->colors);
     }
     if (!names->segments.empty() && names->segments.size() != mesh->positions.size()) {
-        return fail(ErrorCode::BadInput,
-                    fmt::format("it says the segments of {} vertices, and the mesh has {}; the two "
-                                "files do not belong together",
-                                names->segments.size(), mesh->positions.size()),
-                    files.segments.string());
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("it lists segments of {} vertices, and the mesh has {} vertices; the two "
+                        "files do not belong together",
+                        names->segments.size(), mesh->positions.size()),
+            files.segments.string());
     }
     const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names, files.nyu40);
     if (!faces) {
         return fail(ErrorCode::BadInput,
-                    "the faces of the labelled mesh have no numbers (object_id, label); it is not "
-                    "the one that its file of names belongs to",
+                    "the labelled mesh has no numbers of objects (object_id, label); download it "
+                    "again together with its file of names",
                     files.labelled.string());
     }
     if (Status few = checkCount(*faces, files.labelled); !few) return tl::unexpected(few.error());
