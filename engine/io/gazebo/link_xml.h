@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,22 +16,34 @@
 
 namespace dollytrack::gazebo {
 
-/// Reads an XML file of at most 64 MiB. Error: BadInput, with the place.
-[[nodiscard]] Result<pugi::xml_document> readXml(const std::filesystem::path& path);
+/// XML of all files of one scene together, in bytes.
+constexpr std::uint64_t kMostXmlBytes = std::uint64_t{64} << 20U;
 
-/// The finite numbers of a text, separated by blanks; nothing where something else is in it.
+/// An XML file and its size.
+struct XmlFile {
+    pugi::xml_document document;
+    std::uint64_t bytes = 0;
+};
+
+/// Reads an XML file of at most `most` bytes. Errors: BadInput, with the place: damaged, too large,
+/// or not expanded by xacro.
+[[nodiscard]] Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most);
+
+/// The text of an element without the blanks around it.
+[[nodiscard]] std::string textOf(const pugi::xml_node& node);
+
+/// The finite numbers of a text, separated by blanks; nothing where it holds anything else. Numbers
+/// too small for a double are 0.
 [[nodiscard]] std::optional<std::vector<double>> numbersOf(std::string_view text);
 
-/// As many numbers as asked for; nothing where there are others.
+/// Three numbers; nothing where the text holds others.
 [[nodiscard]] std::optional<Eigen::Vector3d> vectorOf(std::string_view text);
 
-/// A turn about the fixed axes x, y and z, in this order; radians.
-[[nodiscard]] Eigen::Quaterniond turnOf(const Eigen::Vector3d& roll_pitch_yaw);
+/// Rotation about the fixed axes x, y and z, in this order; radians.
+[[nodiscard]] Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_yaw);
 
-/// A colour of three or four sRGB numbers of 0 to 1 as a linear one; nothing where it is none.
+/// A linear colour from three or four sRGB numbers of 0 to 1, the fourth of which is the opacity;
+/// nothing where the text is no colour.
 [[nodiscard]] std::optional<Eigen::Vector4f> colorOf(std::string_view text);
-
-/// Whether an XML text is full of xacro's macros, which have to be expanded first.
-[[nodiscard]] bool holdsXacro(std::string_view text);
 
 }  // namespace dollytrack::gazebo

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::gazebo {
 namespace {
@@ -20,7 +22,13 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepestModel = 16;
 constexpr std::size_t kMostSdfVisuals = 100'000;
-constexpr std::size_t kMostModels = 20'000;
+constexpr std::size_t kMostIncludes = 20'000;
+constexpr std::size_t kMostFrames = 1'000'000;
+constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;
+constexpr int kDeepestFrames = 200;
+
+/// Elements that poses may be relative to. Of those with the same name, the first kind is meant.
+constexpr std::array<std::string_view, 5> kKinds = {"link", "frame", "model", "include", "joint"};
 
 /// Gazebo's own materials, as sRGB.
 std::optional<Eigen::Vector4f> namedColor(std::string_view name) {
@@ -53,32 +61,87 @@ std::optional<Eigen::Vector4f> namedColor(std::string_view name) {
     return std::nullopt;
 }
 
+/// A model or world with the links, frames, joints and models in it.
+struct Scope;
+
+/// Anything that has a pose and that other poses may be relative to.
+struct Frame {
+    explicit Frame(const pugi::xml_node& xml) : node(xml) {}
+
+    [[nodiscard]] bool is(std::string_view kind) const { return kind == node.name(); }
+
+    pugi::xml_node node;                         // <link>, <frame>, <joint>, <model>, <include>
+    std::unique_ptr<Scope> model;                // of models, and of includes that were found
+    std::optional<std::size_t> link;             // of links: index into SdfReader::links_
+    enum class State { New, Busy, Known } state = State::New;
+    Eigen::Affine3d scope_from_frame = Eigen::Affine3d::Identity();
+};
+
+struct Scope {
+    pugi::xml_node node;  // <model> or <world>
+    fs::path path;        // of the file that it is written in
+    std::string name;     // clean text; empty: the world
+    const Scope* parent = nullptr;
+    int depth = 0;
+    std::vector<Frame> frames;
+    std::map<std::string, std::size_t, std::less<>> by_name;  // indices into `frames`
+};
+
 class SdfReader {
   public:
-    explicit SdfReader(const ModelPath& files) : files_(files) {}
+    SdfReader(const ModelPath& files, const JobContext& job) : files_(files), job_(job) {}
 
-    Status read(const pugi::xml_node& sdf, const fs::path& path) {
+    /// `bytes`: of the file at `path`.
+    Status read(const pugi::xml_node& sdf, const fs::path& path, std::uint64_t bytes) {
+        xml_bytes_ = expanded_bytes_ = bytes;
         const pugi::xml_node world = sdf.child("world");
-        const Scope scope{path, Eigen::Affine3d::Identity(), {}, 0};
-        if (world) return readChildren(world, scope);
-        if (const pugi::xml_node model = sdf.child("model")) {
-            return readModelNode(model, scope, {});
+        const pugi::xml_node model = sdf.child("model");
+        if (!world && !model) {
+            return wrong("the file holds neither a <world> nor a <model>; name a world or model",
+                         path);
         }
-        return wrong("the file holds neither a <world> nor a <model>", path);
+        scene_.path = path;
+        scene_.node = world ? world : sdf;
+        if (Status opened = openChildren(scene_, !world); !opened) return opened;
+        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
+        joinLinks(scene_);
+        if (world.child("state").child("model")) {
+            warnings_.emplace_back(
+                "the <state> of the world is ignored, models stand at their own <pose>; copy the "
+                "poses that matter from <state> to the models");
+        }
+        return {};
     }
 
-    [[nodiscard]] const std::vector<LinkObject>& links() const { return links_; }
+    /// The objects: each link, or the links that joints hold together.
+    [[nodiscard]] std::vector<LinkObject> objects() const {
+        std::map<std::size_t, std::size_t> number;  // in `objects`, by the first link
+        std::vector<std::size_t> first = first_;
+        std::map<const Scope*, std::size_t> objects_in;
+        std::vector<LinkObject> objects;
+        std::vector<const Scope*> scopes;
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            const std::size_t root = first[i] = first[first[i]];  // it comes before i
+            if (links_[i].visuals.empty()) continue;
+            const auto [at, is_new] = number.try_emplace(root, objects.size());
+            if (is_new) {
+                objects.push_back({links_[root].name, {}});
+                scopes.push_back(scope_of_link_[root]);
+                ++objects_in[scopes.back()];
+            }
+            std::vector<Visual>& into = objects[at->second].visuals;
+            into.insert(into.end(), links_[i].visuals.begin(), links_[i].visuals.end());
+        }
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            if (objects_in[scopes[i]] == 1) objects[i].name = scopes[i]->name;
+        }
+        return objects;
+    }
+
     [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    /// Where one is: the file, the pose of the world or model, and the models around.
-    struct Scope {
-        fs::path path;
-        Eigen::Affine3d scene_from_scope;
-        std::string name;  // of the outermost model; empty in the world
-        int depth = 0;
-    };
-
     static tl::unexpected<Error> wrong(std::string message, const fs::path& path) {
         return fail(ErrorCode::BadInput, std::move(message), path.string());
     }
@@ -87,7 +150,7 @@ class SdfReader {
         return cleanText(node.attribute("name").value());
     }
 
-    /// What a <pose> says, aside from what it counts from.
+    /// What a <pose> says, aside from what it is relative to.
     static std::optional<Eigen::Affine3d> poseIn(const pugi::xml_node& node) {
         const pugi::xml_node pose = node.child("pose");
         const auto numbers = numbersOf(pose.child_value());
@@ -97,161 +160,263 @@ class SdfReader {
         Eigen::Affine3d result = Eigen::Affine3d::Identity();
         if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
             if (n.size() != 7) return std::nullopt;
-            const Eigen::Quaterniond turn(n[6], n[3], n[4], n[5]);
-            if (!(turn.norm() > 1e-9)) return std::nullopt;
-            result = Eigen::Translation3d(n[0], n[1], n[2]) * turn.normalized();
+            const Eigen::Quaterniond rotation(n[6], n[3], n[4], n[5]);
+            if (!(rotation.norm() > 1e-9)) return std::nullopt;
+            result = Eigen::Translation3d(n[0], n[1], n[2]) * rotation.normalized();
             return result;
         }
         if (n.size() != 6) return std::nullopt;
-        Eigen::Vector3d turn(n[3], n[4], n[5]);
-        if (pose.attribute("degrees").as_bool()) turn *= M_PI / 180.0;
-        result = Eigen::Translation3d(n[0], n[1], n[2]) * turnOf(turn);
+        Eigen::Vector3d angles(n[3], n[4], n[5]);
+        if (pose.attribute("degrees").as_bool()) angles *= M_PI / 180.0;
+        result = Eigen::Translation3d(n[0], n[1], n[2]) * rotationFromRollPitchYaw(angles);
         return result;
     }
 
-    /// The pose of a link, frame or model within its scope, along relative_to and attached_to.
-    static Result<Eigen::Affine3d> poseWithin(const pugi::xml_node& scope,
-                                              const pugi::xml_node& node, const fs::path& path) {
-        Eigen::Affine3d pose = Eigen::Affine3d::Identity();
-        pugi::xml_node at = node;
-        for (int step = 0; step < 64; ++step) {
-            const auto own = poseIn(at);
-            if (!own) return wrong("a <pose> of '" + nameOf(at) + "' is none", path);
-            pose = *own * pose;
-            std::string from = at.child("pose").attribute("relative_to").value();
-            const std::string_view kind = at.name();
-            if (from.empty() && kind == "frame") from = at.attribute("attached_to").value();
-            if (from.empty() && kind == "joint") from = at.child_value("child");
-            if (from.empty() || from == "__model__" || from == "world") return pose;
-            pugi::xml_node next;
-            for (const char* list : {"link", "frame", "model", "joint", "include"}) {
-                if (!next) next = scope.find_child_by_attribute(list, "name", from.c_str());
-            }
-            for (const pugi::xml_node& include : scope.children("include")) {
-                if (!next && from == include.child_value("name")) next = include;
-            }
-            if (!next) {
-                return wrong("the frame '" + cleanText(from) + "' that a pose counts from is not "
-                                                               "there",
-                             path);
-            }
-            at = next;
-        }
-        return wrong("poses count from one another in a circle", path);
+    static tl::unexpected<Error> badPose(const std::string& of, const fs::path& path) {
+        return wrong("the <pose> of " + of + " is not six numbers; correct it", path);
     }
 
-    Status readChildren(const pugi::xml_node& parent, const Scope& scope) {
-        for (const pugi::xml_node& child : parent.children()) {
+    /// Finds the frames of a world or model, and opens the models in it. `first_only`: of the
+    /// models of a file without a world.
+    Status openChildren(Scope& scope, bool first_only = false) {
+        if (scope.depth > kDeepestModel) {
+            return wrong("models lie within models more than 16 deep; leave some out", scope.path);
+        }
+        for (const pugi::xml_node& child : scope.node.children()) {
             const std::string_view kind = child.name();
-            if (kind != "model" && kind != "include") continue;
-            const auto pose = poseWithin(parent, child, scope.path);
-            if (!pose) return tl::unexpected(pose.error());
-            const Scope inner{scope.path, scope.scene_from_scope * *pose, scope.name,
-                              scope.depth + 1};
-            Status read =
-                kind == "model" ? readModel(child, inner) : readInclude(child, inner);
-            if (!read) return read;
+            if (first_only ? kind != "model"
+                           : std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
+                continue;
+            }
+            if (++frames_ > kMostFrames) {
+                return wrong("the world has more than 1,000,000 links, joints, frames and models; "
+                             "leave some out",
+                             scope.path);
+            }
+            scope.frames.emplace_back(child);
+            if (first_only) break;
+        }
+        const auto isModel = [](const Frame& frame) {
+            return frame.is("model") || frame.is("include");
+        };
+        const auto models = std::count_if(scope.frames.begin(), scope.frames.end(), isModel);
+        // A model that holds nothing but one model gives it its name.
+        const bool wraps = models == 1 && !scope.node.child("link");
+        for (Frame& frame : scope.frames) {
+            if (!isModel(frame)) continue;
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            Status opened = frame.is("model") ? openModel(frame.node, scope.path, scope, frame)
+                                              : openInclude(scope, frame);
+            if (!opened) return opened;
+            if (!frame.model) continue;
+            const std::string given = cleanText(textOf(frame.node.child("name")));
+            if (frame.is("include") && !given.empty()) frame.model->name = given;
+            const bool inherits = wraps || frame.model->name.empty();
+            if (inherits && !scope.name.empty()) frame.model->name = scope.name;
+            if (Status inner = openChildren(*frame.model); !inner) return inner;
+        }
+        // Before SDF 1.7 frames of different kinds might share a name; links come first.
+        for (const std::string_view kind : kKinds) {
+            for (std::size_t i = 0; i < scope.frames.size(); ++i) {
+                const Frame& frame = scope.frames[i];
+                if (!frame.is(kind)) continue;
+                std::string name = frame.node.attribute("name").value();
+                if (kind == "include") name = textOf(frame.node.child("name"));
+                if (kind == "include" && name.empty() && frame.model) {
+                    name = frame.model->node.attribute("name").value();
+                }
+                if (!name.empty()) scope.by_name.try_emplace(std::move(name), i);
+            }
         }
         return {};
     }
 
-    /// A model at the top of a file, whose own pose counts unless an <include> gives another.
-    Status readModelNode(const pugi::xml_node& model, Scope scope, const std::string& name) {
-        const auto pose = poseIn(model);
-        if (!pose) return wrong("the <pose> of '" + nameOf(model) + "' is none", scope.path);
-        if (scope.depth == 0 || !own_pose_overridden_) {
-            scope.scene_from_scope = scope.scene_from_scope * *pose;
-        }
-        own_pose_overridden_ = false;
-        if (!name.empty()) scope.name = name;
-        return readModel(model, scope);
+    static Status openModel(const pugi::xml_node& model, const fs::path& path, const Scope& around,
+                            Frame& frame) {
+        frame.model = std::make_unique<Scope>();
+        frame.model->node = model;
+        frame.model->path = path;
+        frame.model->name = nameOf(model);
+        frame.model->parent = &around;
+        frame.model->depth = around.depth + 1;
+        return {};
     }
 
-    Status readInclude(const pugi::xml_node& include, const Scope& scope) {
-        const std::string uri = include.child_value("uri");
+    Status openInclude(const Scope& scope, Frame& frame) {
+        const std::string uri = textOf(frame.node.child("uri"));
         const auto file = files_.findModel(scope.path.parent_path(), uri);
-        if (!file || ++models_ > kMostModels) {
-            if (file) return wrong("the world has more than 20,000 models", scope.path);
+        if (!file) {
             missing_.push_back(cleanText(uri));
             return {};
         }
-        auto at = documents_.find(*file);
-        if (at == documents_.end()) {
-            Result<pugi::xml_document> read = readXml(*file);
-            if (!read) return tl::unexpected(read.error());
-            at = documents_
-                     .emplace(*file, std::make_unique<pugi::xml_document>(std::move(*read)))
-                     .first;
+        if (++includes_ > kMostIncludes) {
+            return wrong("the world includes more than 20,000 models; leave some out", scope.path);
         }
-        const pugi::xml_node model = at->second->child("sdf").child("model");
-        if (!model) return wrong("the file that is included holds no <model>", *file);
-        // An <include> in a model of its own stands for that model.
-        std::string name = scope.name;
-        if (name.empty()) name = cleanText(include.child_value("name"));
-        if (name.empty()) name = nameOf(model);
-        own_pose_overridden_ = static_cast<bool>(include.child("pose"));
-        return readModelNode(model, {*file, scope.scene_from_scope, name, scope.depth}, name);
-    }
-
-    Status readModel(const pugi::xml_node& model, const Scope& scope) {
-        if (scope.depth > kDeepestModel) {
-            return wrong("models lie within models more than 16 deep; does one include itself?",
+        for (const Scope* around = &scope; around != nullptr; around = around->parent) {
+            if (around->path != *file) continue;
+            return wrong("the model '" + cleanText(uri) +
+                             "' includes itself, perhaps through others; remove that <include>",
                          scope.path);
         }
-        Scope inner = scope;
-        if (inner.name.empty()) inner.name = nameOf(model);
-        if (Status read = readLinks(model, inner); !read) return read;
-        return readChildren(model, inner);
+        auto at = documents_.find(*file);
+        if (at == documents_.end()) {
+            Result<XmlFile> read = readXml(*file, kMostXmlBytes - xml_bytes_);
+            if (!read) return tl::unexpected(read.error());
+            xml_bytes_ += read->bytes;
+            at = documents_.emplace(*file, std::make_unique<XmlFile>(std::move(*read))).first;
+        }
+        expanded_bytes_ += at->second->bytes;
+        if (expanded_bytes_ > kMostExpandedBytes) {
+            return wrong("the models that are included, counted each time, are more than 1 GiB of "
+                         "XML; leave some out",
+                         scope.path);
+        }
+        const pugi::xml_node sdf = at->second->document.child("sdf");
+        const pugi::xml_node model = sdf.child("model");
+        if (model) return openModel(model, *file, scope, frame);
+        if (sdf.child("light") || sdf.child("actor")) return {};  // as model://sun
+        return wrong("the file is included as a model and holds no <model>; name another file",
+                     *file);
     }
 
-    Status readLinks(const pugi::xml_node& model, const Scope& scope) {
-        std::vector<LinkObject> links;
-        std::map<std::string, std::size_t> numbers;
-        for (const pugi::xml_node& link : model.children("link")) {
-            const auto pose = poseWithin(model, link, scope.path);
-            if (!pose) return tl::unexpected(pose.error());
-            LinkObject object{nameOf(link), {}};
-            for (const pugi::xml_node& visual : link.children("visual")) {
-                if (++visuals_ > kMostSdfVisuals) {
-                    return wrong("the world has more than 100,000 visuals", scope.path);
-                }
-                Status read = addVisual(visual, scope, scope.scene_from_scope * *pose, object);
-                if (!read) return read;
-            }
-            numbers.try_emplace(object.name, links.size());
-            links.push_back(std::move(object));
+    /// The frames that a name as "gripper::finger" goes through, the last of which it means; none
+    /// where there is no such frame.
+    static std::vector<std::pair<Scope*, Frame*>> locate(Scope& scope, std::string_view name) {
+        constexpr std::size_t kLongestName = 4096;
+        if (name.size() > kLongestName) return {};
+        if (const auto at = scope.by_name.find(name); at != scope.by_name.end()) {
+            return {{&scope, &scope.frames[at->second]}};
         }
-        joinLinks(model, numbers, links);
-        std::erase_if(links, [](const LinkObject& link) { return link.visuals.empty(); });
-        if (links.size() == 1) links.front().name = scope.name;
-        for (LinkObject& link : links) links_.push_back(std::move(link));
+        for (auto colons = name.find("::"); colons != name.npos;
+             colons = name.find("::", colons + 2)) {
+            const auto at = scope.by_name.find(name.substr(0, colons));
+            if (at == scope.by_name.end()) continue;
+            Frame& outer = scope.frames[at->second];
+            if (!outer.model) continue;
+            auto inner = locate(*outer.model, name.substr(colons + 2));
+            if (inner.empty()) continue;
+            inner.insert(inner.begin(), {&scope, &outer});
+            return inner;
+        }
         return {};
     }
 
-    /// Links that joints hold together become one: the first takes the others' visuals.
-    static void joinLinks(const pugi::xml_node& model,
-                          const std::map<std::string, std::size_t>& numbers,
-                          std::vector<LinkObject>& links) {
-        std::vector<std::size_t> first(links.size());
-        for (std::size_t i = 0; i < first.size(); ++i) first[i] = i;
-        const auto root = [&](std::size_t i) {
-            while (first[i] != i) i = first[i] = first[first[i]];
-            return i;
-        };
-        for (const pugi::xml_node& joint : model.children("joint")) {
-            const auto parent = numbers.find(cleanText(joint.child_value("parent")));
-            const auto child = numbers.find(cleanText(joint.child_value("child")));
-            if (parent == numbers.end() || child == numbers.end()) continue;
-            const std::size_t a = root(parent->second);
-            const std::size_t b = root(child->second);
-            first[std::max(a, b)] = std::min(a, b);
+    /// The pose of the frame that a name means, in the scope that names it.
+    static Result<Eigen::Affine3d> poseOfName(Scope& scope, const std::string& name, int depth) {
+        Eigen::Affine3d pose = Eigen::Affine3d::Identity();
+        if (name.empty() || name == "__model__" || name == "world") return pose;
+        const auto steps = locate(scope, name);
+        if (steps.empty()) {
+            return wrong("a <pose> is relative to '" + cleanText(name) +
+                             "', which is not there; correct the name",
+                         scope.path);
         }
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            if (root(i) == i) continue;
-            std::vector<Visual>& into = links[root(i)].visuals;
-            into.insert(into.end(), std::make_move_iterator(links[i].visuals.begin()),
-                        std::make_move_iterator(links[i].visuals.end()));
-            links[i].visuals.clear();
+        for (const auto& [around, frame] : steps) {
+            const auto step = poseOf(*around, *frame, depth + 1);
+            if (!step) return step;
+            pose = pose * *step;
+        }
+        return pose;
+    }
+
+    /// The pose of a frame in its scope. Each is computed once.
+    static Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth = 0) {
+        if (frame.state == Frame::State::Known) return frame.scope_from_frame;
+        if (frame.state == Frame::State::Busy || depth > kDeepestFrames) {
+            return wrong("the pose of '" + nameOf(frame.node) +
+                             "' is relative to itself, or to more than 200 others in a row; "
+                             "correct relative_to",
+                         scope.path);
+        }
+        frame.state = Frame::State::Busy;
+        // An <include> without a pose keeps that of the model.
+        pugi::xml_node node = frame.node;
+        if (frame.is("include") && frame.model && !node.child("pose")) node = frame.model->node;
+        const auto own = poseIn(node);
+        if (!own) return badPose("'" + nameOf(node) + "'", scope.path);
+        std::string from = node.child("pose").attribute("relative_to").value();
+        if (from.empty() && frame.is("frame")) from = node.attribute("attached_to").value();
+        if (from.empty() && frame.is("joint")) from = textOf(node.child("child"));
+        const auto base = poseOfName(scope, from, depth);
+        if (!base) return base;
+        frame.scope_from_frame = *base * *own;
+        if (frame.model) {
+            // The pose is that of this frame of the model instead of the model's own.
+            std::string placed = textOf(frame.node.child("placement_frame"));
+            if (placed.empty()) {
+                placed = frame.model->node.attribute("placement_frame").value();
+            }
+            const auto within = poseOfName(*frame.model, placed, depth);
+            if (!within) return within;
+            frame.scope_from_frame = frame.scope_from_frame * within->inverse(Eigen::Isometry);
+        }
+        frame.state = Frame::State::Known;
+        return frame.scope_from_frame;
+    }
+
+    Status placeLinks(Scope& scope, const Eigen::Affine3d& scene_from_scope) {
+        for (Frame& frame : scope.frames) {
+            if (!frame.is("link")) continue;
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            const auto pose = poseOf(scope, frame);
+            if (!pose) return tl::unexpected(pose.error());
+            LinkObject object{nameOf(frame.node), {}};
+            for (const pugi::xml_node& visual : frame.node.children("visual")) {
+                if (++visuals_ > kMostSdfVisuals) {
+                    return wrong("the world has more than 100,000 visuals; leave some out",
+                                 scope.path);
+                }
+                Status read = addVisual(visual, scope, scene_from_scope, *pose, object);
+                if (!read) return read;
+            }
+            frame.link = links_.size();
+            links_.push_back(std::move(object));
+            scope_of_link_.push_back(&scope);
+            first_.push_back(*frame.link);
+        }
+        for (Frame& frame : scope.frames) {
+            if (!frame.model) continue;
+            const auto pose = poseOf(scope, frame);
+            if (!pose) return tl::unexpected(pose.error());
+            if (Status read = placeLinks(*frame.model, scene_from_scope * *pose); !read) {
+                return read;
+            }
+        }
+        return {};
+    }
+
+    /// The link that a joint names, also by a frame that is attached to it.
+    static std::optional<std::size_t> linkOf(Scope& scope, std::string name) {
+        constexpr int kMostSteps = 16;
+        Scope* around = &scope;
+        for (int step = 0; step < kMostSteps; ++step) {
+            const auto steps = locate(*around, name);
+            if (steps.empty()) return std::nullopt;
+            const auto [inner, frame] = steps.back();
+            if (frame->link) return frame->link;
+            if (!frame->is("frame")) return std::nullopt;
+            name = frame->node.attribute("attached_to").value();
+            around = inner;
+        }
+        return std::nullopt;
+    }
+
+    std::size_t firstOf(std::size_t link) {
+        while (first_[link] != link) link = first_[link] = first_[first_[link]];
+        return link;
+    }
+
+    /// Links that joints hold together become one object, named by the first.
+    void joinLinks(Scope& scope) {
+        for (Frame& frame : scope.frames) {
+            if (frame.model) joinLinks(*frame.model);
+            if (!frame.is("joint")) continue;
+            const auto parent = linkOf(scope, textOf(frame.node.child("parent")));
+            const auto child = linkOf(scope, textOf(frame.node.child("child")));
+            if (!parent || !child) continue;
+            const std::size_t a = firstOf(*parent);
+            const std::size_t b = firstOf(*child);
+            first_[std::max(a, b)] = std::min(a, b);
         }
     }
 
@@ -260,13 +425,21 @@ class SdfReader {
         return numbers && numbers->size() == 1 ? numbers->front() : 0.0;
     }
 
-    Status addVisual(const pugi::xml_node& node, const Scope& scope, const Eigen::Affine3d& link,
+    Status addVisual(const pugi::xml_node& node, Scope& scope,
+                     const Eigen::Affine3d& scene_from_scope, const Eigen::Affine3d& link,
                      LinkObject& object) {
         const auto pose = poseIn(node);
-        if (!pose) return wrong("the <pose> of a visual is none", scope.path);
+        if (!pose) return badPose("a visual of '" + object.name + "'", scope.path);
+        Eigen::Affine3d base = link;
+        const std::string from = node.child("pose").attribute("relative_to").value();
+        if (!from.empty()) {
+            const auto named = poseOfName(scope, from, 0);
+            if (!named) return tl::unexpected(named.error());
+            base = *named;
+        }
         Visual visual;
         visual.folder = scope.path.parent_path();
-        visual.scene_from_visual = link * *pose;
+        visual.scene_from_visual = scene_from_scope * base * *pose;
         visual.color = colorIn(node);
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
@@ -274,11 +447,16 @@ class SdfReader {
             const auto factors = scale ? vectorOf(scale.child_value())
                                        : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
             if (!factors || !(std::abs(factors->prod()) > 0.0)) {
-                return wrong("the scale of a mesh is none", scope.path);
+                return wrong("the <scale> of a mesh of '" + object.name +
+                                 "' is not three numbers other than 0; correct it",
+                             scope.path);
             }
             visual.scale = *factors;
-            visual.uri = mesh.child_value("uri");
-            visual.submesh = cleanText(mesh.child("submesh").child_value("name"));
+            visual.uri = textOf(mesh.child("uri"));
+            const pugi::xml_node submesh = mesh.child("submesh");
+            visual.submesh = cleanText(textOf(submesh.child("name")));
+            const std::string center = textOf(submesh.child("center"));
+            visual.center_submesh = center == "true" || center == "1";
         } else if (const pugi::xml_node box = geometry.child("box")) {
             visual.shape = Visual::Shape::Box;
             visual.size = vectorOf(box.child_value("size")).value_or(Eigen::Vector3d::Zero());
@@ -307,7 +485,8 @@ class SdfReader {
             return {};
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrong("a visual of '" + object.name + "' has no size above 0", scope.path);
+            return wrong("the size of a visual of '" + object.name + "' is not above 0; correct it",
+                         scope.path);
         }
         object.visuals.push_back(std::move(visual));
         return {};
@@ -316,7 +495,7 @@ class SdfReader {
     static std::optional<Eigen::Vector4f> colorIn(const pugi::xml_node& visual) {
         const pugi::xml_node material = visual.child("material");
         std::optional<Eigen::Vector4f> color = colorOf(material.child_value("diffuse"));
-        if (!color) color = namedColor(material.child("script").child_value("name"));
+        if (!color) color = namedColor(textOf(material.child("script").child("name")));
         if (!color) color = colorOf(material.child_value("ambient"));
         const auto hidden = numbersOf(visual.child_value("transparency"));
         if (hidden && hidden->size() == 1 && hidden->front() > 0.0 && hidden->front() < 1.0) {
@@ -327,12 +506,19 @@ class SdfReader {
     }
 
     const ModelPath& files_;
+    const JobContext& job_;
+    Scope scene_;
     std::vector<LinkObject> links_;
+    std::vector<const Scope*> scope_of_link_;
+    std::vector<std::size_t> first_;  // of the links that joints hold together, as a forest
     std::vector<std::string> missing_;
-    std::map<fs::path, std::unique_ptr<pugi::xml_document>> documents_;
+    std::vector<std::string> warnings_;
+    std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
+    std::uint64_t xml_bytes_ = 0;       // of all files, each counted once
+    std::uint64_t expanded_bytes_ = 0;  // the same, counted each time that one is included
+    std::size_t frames_ = 0;
     std::size_t visuals_ = 0;
-    std::size_t models_ = 0;
-    bool own_pose_overridden_ = false;
+    std::size_t includes_ = 0;
 };
 
 }  // namespace
@@ -344,20 +530,27 @@ bool likeSdf(std::string_view head) {
 
 Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
                          const JobContext& job) {
-    const Result<pugi::xml_document> document = readXml(path);
-    if (!document) return tl::unexpected(document.error());
-    pugi::xml_node sdf = document->child("sdf");
-    if (!sdf) sdf = document->child("gazebo");
+    const Result<XmlFile> xml = readXml(path, kMostXmlBytes);
+    if (!xml) return tl::unexpected(xml.error());
+    pugi::xml_node sdf = xml->document.child("sdf");
+    if (!sdf) sdf = xml->document.child("gazebo");
     if (!sdf) {
-        return fail(ErrorCode::BadInput, "the XML holds no <sdf>, so it is no world of Gazebo",
+        return fail(ErrorCode::BadInput,
+                    "the XML holds no <sdf>, so it is no world of Gazebo; name a world or model",
                     path.string());
     }
     const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options.model_folders)));
-    SdfReader reader(files);
-    if (Status read = reader.read(sdf, io::absoluteNormal(path)); !read) {
+    SdfReader reader(files, job);
+    if (Status read = reader.read(sdf, io::absoluteNormal(path), xml->bytes); !read) {
         return tl::unexpected(read.error());
     }
-    return sceneOfLinks(reader.links(), files, reader.missing(), path.string(), job);
+    Result<RawScene> scene =
+        sceneOfLinks(reader.objects(), files, reader.missing(), path.string(), job);
+    if (scene) {
+        scene->warnings.insert(scene->warnings.end(), reader.warnings().begin(),
+                               reader.warnings().end());
+    }
+    return scene;
 }
 
 }  // namespace dollytrack::gazebo

@@ -4,6 +4,7 @@
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/visuals.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -14,26 +15,30 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostVisuals = 100'000;
+constexpr std::size_t kMostLinks = 100'000;
 
 class UrdfReader {
   public:
-    explicit UrdfReader(const fs::path& path) : path_(path) {}
+    UrdfReader(const fs::path& path, const JobContext& job) : path_(path), job_(job) {}
 
     Result<std::vector<LinkObject>> read(const pugi::xml_node& robot) {
         for (const pugi::xml_node& material : robot.children("material")) keepColor(material);
         for (const pugi::xml_node& joint : robot.children("joint")) {
             const std::string child = joint.child("child").attribute("link").value();
             joints_.try_emplace(child, joint);
+            if (joints_.size() > kMostLinks) return tooMany("joints");
         }
         std::vector<LinkObject> links;
         std::size_t visuals = 0;
         for (const pugi::xml_node& link : robot.children("link")) {
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            if (links.size() >= kMostLinks) return tooMany("links");
             const std::string name = link.attribute("name").value();
             const auto pose = poseOf(name);
             if (!pose) return tl::unexpected(pose.error());
             LinkObject object{cleanText(name), {}};
             for (const pugi::xml_node& visual : link.children("visual")) {
-                if (++visuals > kMostVisuals) return wrong("it has more than 100,000 visuals");
+                if (++visuals > kMostVisuals) return tooMany("visuals");
                 auto read = visualOf(visual, *pose);
                 if (!read) return tl::unexpected(read.error());
                 if (*read) object.visuals.push_back(std::move(**read));
@@ -48,6 +53,10 @@ class UrdfReader {
         return fail(ErrorCode::BadInput, std::move(message), path_.string());
     }
 
+    [[nodiscard]] tl::unexpected<Error> tooMany(const std::string& what) const {
+        return wrong("the robot has more than 100,000 " + what + "; split it into several files");
+    }
+
     void keepColor(const pugi::xml_node& material) {
         if (const auto color = colorOf(material.child("color").attribute("rgba").value())) {
             colors_[material.attribute("name").value()] = *color;
@@ -58,23 +67,36 @@ class UrdfReader {
         const pugi::xml_node origin = node.child("origin");
         const auto place = vectorOf(origin.attribute("xyz").as_string("0 0 0"));
         const auto turn = vectorOf(origin.attribute("rpy").as_string("0 0 0"));
-        if (!place || !turn) return wrong("an <origin> does not hold three numbers");
-        return Eigen::Affine3d(Eigen::Translation3d(*place) * turnOf(*turn));
+        if (!place || !turn) return wrong("the xyz or rpy of an <origin> is not three numbers; correct it");
+        return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*turn));
     }
 
-    /// The link's pose: the origins of the joints up to the root.
+    /// The link's pose: the origins of the joints from the root on, each link's computed once.
     Result<Eigen::Affine3d> poseOf(const std::string& link) {
-        Eigen::Affine3d pose = Eigen::Affine3d::Identity();
+        std::vector<std::pair<std::string, pugi::xml_node>> chain;  // from the link up
         std::set<std::string> seen;
         std::string at = link;
-        for (auto joint = joints_.find(at); joint != joints_.end(); joint = joints_.find(at)) {
-            if (!seen.insert(at).second) {
-                return wrong("link '" + cleanText(at) + "' hangs on itself");
+        auto known = poses_.find(at);
+        for (; known == poses_.end(); known = poses_.find(at)) {
+            const auto joint = joints_.find(at);
+            if (joint == joints_.end()) {
+                known = poses_.try_emplace(at, Eigen::Affine3d::Identity()).first;
+                break;
             }
-            const auto origin = originOf(joint->second);
-            if (!origin) return origin;
-            pose = *origin * pose;
+            if (!seen.insert(at).second) {
+                return wrong("the joints form a circle at link '" + cleanText(at) +
+                             "'; each link needs a path to the root");
+            }
+            chain.emplace_back(at, joint->second);
             at = joint->second.child("parent").attribute("link").value();
+        }
+        Eigen::Affine3d pose = known->second;
+        std::reverse(chain.begin(), chain.end());
+        for (const auto& [name, joint] : chain) {
+            const auto origin = originOf(joint);
+            if (!origin) return origin;
+            pose = pose * *origin;
+            poses_.try_emplace(name, pose);
         }
         return pose;
     }
@@ -98,7 +120,9 @@ class UrdfReader {
         };
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
             const auto scale = vectorOf(mesh.attribute("scale").as_string("1 1 1"));
-            if (!scale || !(std::abs(scale->prod()) > 0.0)) return wrong("a mesh's scale is none");
+            if (!scale || !(std::abs(scale->prod()) > 0.0)) {
+                return wrong("the scale of a mesh is not three numbers other than 0; correct it");
+            }
             visual.scale = *scale;
             visual.uri = mesh.attribute("filename").value();
         } else if (const pugi::xml_node box = geometry.child("box")) {
@@ -115,13 +139,15 @@ class UrdfReader {
             return std::optional<Visual>();
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrong("a box, cylinder or sphere has no size above 0");
+            return wrong("the size of a box, cylinder or sphere is not above 0; correct it");
         }
         return std::optional<Visual>(std::move(visual));
     }
 
     const fs::path& path_;
+    const JobContext& job_;
     std::map<std::string, pugi::xml_node> joints_;  // by the link that hangs on it
+    std::map<std::string, Eigen::Affine3d> poses_;  // of links, in the root's frame
     std::map<std::string, Eigen::Vector4f> colors_;
 };
 
@@ -134,14 +160,15 @@ bool likeUrdf(std::string_view head) {
 
 Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& files,
                                const JobContext& job) {
-    const Result<pugi::xml_document> document = readXml(path);
-    if (!document) return tl::unexpected(document.error());
-    const pugi::xml_node robot = document->child("robot");
+    const Result<XmlFile> xml = readXml(path, kMostXmlBytes);
+    if (!xml) return tl::unexpected(xml.error());
+    const pugi::xml_node robot = xml->document.child("robot");
     if (!robot) {
-        return fail(ErrorCode::BadInput, "the XML holds no <robot>, so it is no URDF file",
+        return fail(ErrorCode::BadInput,
+                    "the XML holds no <robot>, so it is no URDF file; name a robot's file",
                     path.string());
     }
-    const Result<std::vector<LinkObject>> links = UrdfReader(path).read(robot);
+    const Result<std::vector<LinkObject>> links = UrdfReader(path, job).read(robot);
     if (!links) return tl::unexpected(links.error());
     return sceneOfLinks(*links, ModelPath(files), {}, path.string(), job);
 }

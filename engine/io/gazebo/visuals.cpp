@@ -4,6 +4,7 @@
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/percent_text.h"
+#include "engine/io/gazebo/link_xml.h"
 #include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/scene_format.h"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kMostFoldersUp = 4;
 constexpr std::uint64_t kMostConfigBytes = std::uint64_t{1} << 20U;
 
-/// The folders of a file from the nearest on, up to the root of what may be read.
+/// A folder and at most four around it, the nearest first; never the root of the file system.
 std::vector<fs::path> foldersAround(const fs::path& folder) {
     std::vector<fs::path> around;
     fs::path at = folder;
@@ -36,6 +37,20 @@ std::vector<fs::path> foldersAround(const fs::path& folder) {
         at = at.parent_path();
     }
     return around;
+}
+
+/// The name of the package in a package.xml; the description's file in a model.config.
+std::string nameIn(const fs::path& config) {
+    const Result<std::string> text = io::readNamedFile(config, kMostConfigBytes);
+    pugi::xml_document document;
+    if (!text || !document.load_buffer(text->data(), text->size())) return {};
+    if (const pugi::xml_node package = document.child("package")) {
+        return textOf(package.child("name"));
+    }
+    // Of several versions the last one named is the newest.
+    std::string file;
+    for (const pugi::xml_node& sdf : document.child("model").children("sdf")) file = textOf(sdf);
+    return file;
 }
 
 /// "model://chair/meshes/chair.dae" as "chair/meshes/chair.dae"; whether there was such a scheme.
@@ -127,13 +142,35 @@ void paint(const Eigen::Vector4f& color, Material& material) {
     material.opacity = opacity > 0.0F ? opacity : 1.0F;
 }
 
-/// The part of a model that a submesh's name picks, by nodes and meshes.
-RawScene pickSubmesh(const RawScene& model, const std::string& name) {
-    RawScene picked = model;
-    std::erase_if(picked.parts, [&](const MeshPart& part) {
-        return part.name != name && model.nodes[static_cast<std::size_t>(part.node)].name != name;
-    });
-    return picked;
+using Submeshes = std::map<std::string, std::vector<std::size_t>>;
+
+/// The parts of a model by the names of their meshes and nodes; all of them by the empty name.
+Submeshes submeshesOf(const RawScene& model) {
+    Submeshes parts;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const std::string& mesh = model.parts[i].name;
+        const std::string& node =
+            model.nodes[static_cast<std::size_t>(model.parts[i].node)].name;
+        parts[""].push_back(i);
+        if (!mesh.empty()) parts[mesh].push_back(i);
+        if (!node.empty() && node != mesh) parts[node].push_back(i);
+    }
+    return parts;
+}
+
+/// Meshes in "meshes" have their textures beside that folder, mostly in "materials/textures".
+void lookUpTexturesAroundMeshes(const ModelPath& files, RawScene& model) {
+    for (TextureRequest& texture : model.textures) {
+        const fs::path folder = texture.folder;
+        std::string name = texture.name;
+        std::replace(name.begin(), name.end(), '\\', '/');
+        if (folder.filename() != "meshes" || fs::path(name).is_absolute() ||
+            !files.reaches(folder.parent_path())) {
+            continue;
+        }
+        texture.folder = folder.parent_path();
+        texture.name = (folder.filename() / name).lexically_normal().string();
+    }
 }
 
 class SceneOfLinks {
@@ -148,21 +185,32 @@ class SceneOfLinks {
     Result<RawScene> build(const std::vector<LinkObject>& links,
                            const std::vector<std::string>& missing_models) {
         missing_ = missing_models;
+        std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
         std::map<const Visual*, std::size_t> wanted;
         for (const LinkObject& link : links) {
+            if (job_.cancelled()) return cancelled();
             for (const Visual& visual : link.visuals) {
                 if (visual.shape != Visual::Shape::Mesh) continue;
-                const auto file = files_.find(visual.folder, visual.uri);
-                if (file) {
-                    wanted[&visual] = library_.add(*file);
+                const auto [at, is_new] = found.try_emplace({visual.folder, visual.uri});
+                if (is_new) {
+                    const auto file = files_.find(visual.folder, visual.uri);
+                    if (file) at->second = library_.add(*file);
+                }
+                if (at->second) {
+                    wanted[&visual] = *at->second;
                 } else {
                     missing_.push_back(visual.uri);
                 }
             }
         }
         if (Status read = library_.read(job_); !read) return tl::unexpected(read.error());
+        for (const auto& [name, number] : found) {
+            RawScene* model = number ? library_.model(*number) : nullptr;
+            if (model != nullptr) lookUpTexturesAroundMeshes(files_, *model);
+        }
         io::ObjectNames names;
         for (const LinkObject& link : links) {
+            if (job_.cancelled()) return cancelled();
             SourceObject object;
             object.name = names.next(link.name.empty() ? "link" : link.name);
             for (const Visual& visual : link.visuals) {
@@ -185,50 +233,73 @@ class SceneOfLinks {
             unreadable_.push_back(visual.uri);
             return {};
         }
-        // The same mesh in the same colour is added once.
-        const auto key = std::tuple(number, visual.submesh,
-                                    visual.color ? colorText(*visual.color) : std::string());
-        auto at = placements_.find(key);
-        if (at == placements_.end()) {
-            const RawScene* shown = model;
-            if (!visual.submesh.empty() || visual.color) {
-                changed_.push_back(std::make_unique<RawScene>(
-                    visual.submesh.empty() ? *model : pickSubmesh(*model, visual.submesh)));
-                shown = changed_.back().get();
-                for (Material& material : changed_.back()->materials) {
-                    if (visual.color && material.texture < 0) paint(*visual.color, material);
-                }
-            }
-            at = placements_.try_emplace(key, Placed{shown, ModelPlacement(*shown, scene_)}).first;
+        const auto [known, is_new] = submeshes_.try_emplace(number);
+        if (is_new) known->second = submeshesOf(*model);
+        const auto picked = known->second.find(visual.submesh);
+        if (picked == known->second.end()) {
+            unmatched_.push_back(visual.uri + ": " + visual.submesh);
+            return {};
         }
-        if (Status fits = budget_.take(*at->second.model, where_); !fits) return fits;
+        const std::vector<std::size_t>& parts = picked->second;
+        std::size_t triangles = 0;
+        for (const std::size_t part : parts) triangles += model->parts[part].triangles.size();
+        if (Status fits = budget_.take(triangles, where_); !fits) return fits;
         // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
         const double unit = model->file_unit_m.value_or(1.0);
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
         scaled.linear() = (unit * visual.scale).asDiagonal();
-        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled), object);
+        if (visual.center_submesh) {
+            Eigen::AlignedBox3d box;
+            for (const std::size_t part : parts) box.extend(model->parts[part].bounds.cast<double>());
+            scaled = scaled * Eigen::Translation3d(-box.center());
+        }
+        ModelPlacement& placement = placements_.try_emplace(number, *model, scene_).first->second;
+        append(placement.place(object.name, visual.scene_from_visual * scaled, parts),
+               visual.color, object);
         return {};
     }
 
     Status placeShape(const Visual& visual, SourceObject& object) {
-        RawScene shape = shapeScene(visual.shape);
-        if (Status fits = budget_.take(shape, where_); !fits) return fits;
-        if (visual.color) paint(*visual.color, shape.materials.front());
+        auto at = shapes_.find(visual.shape);
+        if (at == shapes_.end()) {
+            auto shape = std::make_unique<RawScene>(shapeScene(visual.shape));
+            ModelPlacement placement(*shape, scene_);
+            at = shapes_.emplace(visual.shape, Shape{std::move(shape), placement}).first;
+        }
+        if (Status fits = budget_.take(*at->second.model, where_); !fits) return fits;
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
         scaled.linear() = visual.size.asDiagonal();
-        append(ModelPlacement(shape, scene_).place(object.name, visual.scene_from_visual * scaled),
-               object);
+        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled),
+               visual.color, object);
         return {};
     }
 
-    static void append(const std::vector<std::size_t>& parts, SourceObject& object) {
+    /// Adds parts to an object, in the visual's own colour where it has one.
+    void append(const std::vector<std::size_t>& parts, const std::optional<Eigen::Vector4f>& color,
+                SourceObject& object) {
         object.parts.insert(object.parts.end(), parts.begin(), parts.end());
+        if (!color) return;
+        for (const std::size_t part : parts) {
+            scene_.parts[part].material = painted(scene_.parts[part].material, *color);
+        }
     }
 
-    static std::string colorText(const Eigen::Vector4f& color) {
-        std::string text;
-        for (int i = 0; i < 4; ++i) text += std::to_string(color[i]) + " ";
-        return text;
+    /// The number of the material in this colour, which other visuals of the same mesh do not get.
+    /// Textured materials keep their texture.
+    std::uint32_t painted(std::uint32_t number, const Eigen::Vector4f& color) {
+        if (scene_.materials[number].texture >= 0) return number;
+        const auto next = static_cast<std::uint32_t>(scene_.materials.size());
+        const auto [at, is_new] =
+            painted_.try_emplace({number, color[0], color[1], color[2], color[3]}, next);
+        if (is_new) {
+            scene_.materials.push_back(scene_.materials[number]);
+            paint(color, scene_.materials.back());
+        }
+        return at->second;
+    }
+
+    static tl::unexpected<Error> cancelled() {
+        return fail(ErrorCode::Cancelled, "import was cancelled");
     }
 
     Result<RawScene> finish() {
@@ -240,20 +311,24 @@ class SceneOfLinks {
             names.erase(std::unique(names.begin(), names.end()), names.end());
             scene_.warnings.push_back(io::counted(count, one, many) + ": " + io::listOf(names));
         };
-        say(missing_, "model or mesh is not there and was left out, name its folder with --models",
-            "models or meshes are not there and were left out, name their folder with --models");
-        say(unreadable_, "mesh cannot be read and was left out",
-            "meshes cannot be read and were left out");
+        say(missing_,
+            "model or mesh was not found and is left out; give the folder around it with --models",
+            "models or meshes were not found and are left out; give the folder around them with "
+            "--models");
+        say(unreadable_, "mesh cannot be read and is left out; export it again",
+            "meshes cannot be read and are left out; export them again");
+        say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
+            "submeshes are not in their meshes and are left out; correct their names");
         if (scene_.objects.empty()) {
-            std::string message = "no link has a visual that can be drawn";
+            std::string message = "no link has a visual that can be drawn, so there is no scene";
             for (const std::string& warning : scene_.warnings) message += "; " + warning;
             return fail(ErrorCode::BadInput, message, where_);
         }
         return std::move(scene_);
     }
 
-    struct Placed {
-        const RawScene* model;
+    struct Shape {
+        std::unique_ptr<RawScene> model;  // stays where it is, as its placement needs
         ModelPlacement placement;
     };
 
@@ -263,10 +338,14 @@ class SceneOfLinks {
     RawScene scene_;
     io::ModelLibrary library_;
     io::TriangleBudget budget_;
-    std::map<std::tuple<std::size_t, std::string, std::string>, Placed> placements_;
-    std::vector<std::unique_ptr<RawScene>> changed_;
+    std::map<std::size_t, ModelPlacement> placements_;  // by number in the library
+    std::map<Visual::Shape, Shape> shapes_;
+    std::map<std::size_t, Submeshes> submeshes_;
+    /// Numbers of materials, by the number of the material before and the colour.
+    std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
     std::vector<std::string> missing_;
     std::vector<std::string> unreadable_;
+    std::vector<std::string> unmatched_;
 };
 
 }  // namespace
@@ -283,16 +362,28 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
     for (const fs::path& root : files_.folders()) {
         if (auto found = files_.find(root, name)) return found;
     }
-    // The scene may lie within the model or package that it names, under another folder's name.
-    const auto slash = name.find('/');
-    const std::string within = slash == std::string::npos ? "" : name.substr(slash + 1);
+    if (!package && !model) return std::nullopt;
+    // The scene may lie within the model or package that it names: a folder around has its name.
+    const std::size_t slash = std::min(name.find('/'), name.size());
+    const std::string within = name.substr(std::min(slash + 1, name.size()));
+    const std::string owner = name.substr(0, slash);
     for (const fs::path& around : foldersAround(folder)) {
         if (auto found = files_.find(around, name)) return found;
-        if ((package || model) && !within.empty()) {
-            if (auto found = files_.find(around, within)) return found;
-        }
+        // A package may lie in a folder of another name; package.xml says what it is called.
+        if (!package || within.empty()) continue;
+        const auto xml = files_.find(around, "package.xml");
+        const std::string called = xml ? nameOf(*xml) : std::string();
+        if (!called.empty() && called != owner) return std::nullopt;
+        if (auto found = files_.find(around, within)) return found;
+        if (xml) return std::nullopt;
     }
     return std::nullopt;
+}
+
+const std::string& ModelPath::nameOf(const fs::path& config) const {
+    const auto [at, is_new] = names_.try_emplace(config);
+    if (is_new) at->second = nameIn(config);
+    return at->second;
 }
 
 std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::string& uri) const {
@@ -301,16 +392,7 @@ std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::
     const std::string ending = lowerExtension(name);
     if (ending == ".sdf" || ending == ".urdf" || ending == ".world") return find(folder, name);
     if (const auto config = find(folder, name + "/model.config")) {
-        const Result<std::string> text = io::readNamedFile(*config, kMostConfigBytes);
-        pugi::xml_document document;
-        if (text && document.load_buffer(text->data(), text->size())) {
-            // Of several versions the last one named is the newest.
-            std::string file;
-            for (const pugi::xml_node& sdf : document.child("model").children("sdf")) {
-                file = sdf.child_value();
-            }
-            if (auto found = files_.find(config->parent_path(), file)) return found;
-        }
+        if (auto found = files_.find(config->parent_path(), nameOf(*config))) return found;
     }
     return find(folder, name + "/model.sdf");
 }

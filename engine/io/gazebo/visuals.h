@@ -22,7 +22,8 @@ struct Visual {
     Eigen::Vector3d size = Eigen::Vector3d::Ones();  // of shapes: x, y, z of the box around it, m
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // of meshes
     std::string uri;                                  // of meshes
-    std::string submesh;                              // the mesh of that name alone; empty: all
+    std::string submesh;           // the mesh of that name alone; empty: all
+    bool center_submesh = false;   // move the middle of its bounding box to the mesh's origin
     std::filesystem::path folder;                     // of the file that names the mesh
     Eigen::Affine3d scene_from_visual = Eigen::Affine3d::Identity();
     std::optional<Eigen::Vector4f> color;  // linear red, green, blue; opacity
@@ -35,7 +36,7 @@ struct LinkObject {
 };
 
 /// Looks up what model://, package://, file:// and plain names mean, below the folders that may be
-/// read.
+/// read. For one thread.
 class ModelPath {
   public:
     explicit ModelPath(io::ReachableFiles files) : files_(std::move(files)) {}
@@ -43,13 +44,20 @@ class ModelPath {
     /// The file that a name in a file of `folder` means.
     [[nodiscard]] std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
                                                             const std::string& uri) const;
+    /// Whether this file or folder may be read.
+    [[nodiscard]] bool reaches(const std::filesystem::path& path) const {
+        return files_.reaches(path);
+    }
     /// The description of the model that an <include> names: a file, or a folder with a
     /// model.config or model.sdf.
     [[nodiscard]] std::optional<std::filesystem::path> findModel(
         const std::filesystem::path& folder, const std::string& uri) const;
 
   private:
+    const std::string& nameOf(const std::filesystem::path& config) const;
+
     io::ReachableFiles files_;
+    mutable std::map<std::filesystem::path, std::string> names_;  // in files read so far
 };
 
 /// The folders that a world or robot may name files of: those given, `models`, `meshes` and the
@@ -57,8 +65,8 @@ class ModelPath {
 [[nodiscard]] std::vector<std::filesystem::path> foldersOfWorld(
     const std::filesystem::path& scene, const std::vector<std::filesystem::path>& given);
 
-/// Makes a scene of the links: z up, metres. Meshes that are not there are named in a warning, and
-/// nothing stands in their place. Errors: BadInput, when there is nothing to draw; Cancelled.
+/// Makes a scene of the links: z up, metres. Meshes and submeshes that are not there are named in a
+/// warning, and nothing stands in their place. Errors: BadInput, when there is nothing to draw; Cancelled.
 [[nodiscard]] Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links,
                                             const ModelPath& files,
                                             const std::vector<std::string>& missing_models,

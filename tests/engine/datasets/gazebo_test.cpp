@@ -1,10 +1,16 @@
+#include "engine/io/gazebo/link_xml.h"
+#include "engine/io/import/reachable_files.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace dollytrack {
 namespace {
@@ -97,13 +103,198 @@ TEST(Gazebo, ModelsComeFromTheFoldersThatAreGiven) {
     EXPECT_NE(find(imported(folder.path() / "elsewhere/shared/sofa/model.sdf"), "sofa"), nullptr);
 }
 
+// Frames, nested models, included models and a joint, named from outside with "::".
+TEST(Gazebo, PosesAreRelativeToNestedFrames) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const std::string box =
+        "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual>";
+    const Scene scene = imported(folder.write("room.world", world(R"(
+ <model name="arm"><pose>0 0 5 0 0 0</pose>
+  <link name="base">)" + box + R"(</link>
+  <link name="far"><pose relative_to="grip::tool::tip">0 0 1 0 0 0</pose>)" + box + R"(</link>
+  <model name="grip"><pose degrees="1">10 0 0 0 0 90</pose>
+   <link name="palm">)" + box + R"(</link>
+   <model name="tool"><frame name="tip"><pose>2 0 0 0 0 0</pose></frame></model></model>
+  <joint name="wrist" type="fixed"><parent>base</parent><child>grip::palm</child></joint></model>
+ <model name="shelf" placement_frame="top"><pose>0 20 3 0 0 0</pose>
+  <frame name="top"><pose>0 0 2 0 0 0</pose></frame>
+  <link name="board"><visual name="v"><pose relative_to="top">0 0 1 0 0 0</pose><geometry>
+   <box><size>1 1 1</size></box></geometry></visual></link></model>
+ <include><uri>model://sofa</uri><name>couch</name><placement_frame>link</placement_frame>
+  <pose>0 30 0 0 0 0</pose></include>
+ <model name="cup"><pose relative_to="couch::link">0 0 4 0 0 0</pose><link name="l">)" + box +
+        R"(</link></model>
+ <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
+    // The wrist holds the palm, which stands turned at x = 10, to the base.
+    expectAround(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
+    EXPECT_EQ(find(scene, "palm"), nullptr);
+    expectAround(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
+    // The shelf's top is at its pose, and the board's visual one above.
+    expectAround(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
+    expectAround(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
+    expectAround(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
+    EXPECT_TRUE(says(scene.report.warnings, "<state>"));
+}
+
+TEST(Gazebo, NestedModelsKeepTheirNames) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const Scene scene = imported(folder.write("room.world", world(R"(<model name="corner">
+ <include><uri>model://sofa</uri></include>
+ <model name="stool"><pose>5 0 0 0 0 0</pose><link name="l"><visual name="v"><geometry>
+  <sphere><radius>1</radius></sphere></geometry></visual></link></model></model>)")));
+    EXPECT_NE(find(scene, "sofa"), nullptr);
+    EXPECT_NE(find(scene, "stool"), nullptr);
+}
+
+// Parts "seat" (a box at x = 4) and "back" (at x = 10).
+TEST(Gazebo, SubmeshesAreCentredOrMissed) {
+    const TempFolder folder;
+    const auto box = [](const std::string& name, int first, double x) {
+        std::string text = "o " + name + "\n";
+        for (int i = 0; i < 8; ++i) {
+            text += "v " + std::to_string(x + (i & 1)) + " " + std::to_string(i >> 1 & 1) + " " +
+                    std::to_string(i >> 2) + "\n";
+        }
+        for (const auto& face : {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                 {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
+            text += "f";
+            for (const int corner : face) text += " " + std::to_string(corner + first);
+            text += "\n";
+        }
+        return text;
+    };
+    static_cast<void>(folder.write("chair.obj", box("seat", 0, 4.0) + box("back", 8, 10.0)));
+    const auto model = [](const std::string& name, const std::string& submesh) {
+        return "<model name='" + name + "'><link name='l'><visual name='v'><geometry><mesh><uri> "
+               "chair.obj </uri><submesh>" + submesh + "</submesh></mesh></geometry></visual></link></model>";
+    };
+    const Scene scene = imported(folder.write(
+        "room.world", world(model("placed", "<name>seat</name>") +
+                            model("centred", "<name>back</name><center>true</center>") +
+                            model("none", "<name>leg</name>"))));
+    expectAround(scene, "placed", {4, 0, 0}, {5, 1, 1});
+    expectAround(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    EXPECT_EQ(find(scene, "none"), nullptr);
+    EXPECT_TRUE(says(scene.report.warnings, "chair.obj: leg"));
+}
+
+// 0.5 in sRGB is 0.2140 in linear light, whatever program converts it.
+TEST(Gazebo, ColoursStayWithTheirVisual) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("l.obj", test::lShapedModel()));
+    const auto model = [](const std::string& name, const std::string& material) {
+        return "<model name='" + name + "'><link name='l'><visual name='v'><geometry><mesh><uri>"
+               "l.obj</uri></mesh></geometry>" + material + "</visual></link></model>";
+    };
+    const std::string grey = "<material><diffuse>0.5 0.5 +0.5 1</diffuse></material>";
+    const Scene scene = imported(
+        folder.write("room.world", world(model("plain", "") + model("grey", grey) +
+                                         model("grey_too", grey) + model("plain_too", ""))));
+    const auto materialOf = [&](const std::string& name) {
+        const Object* object = find(scene, name);
+        return object == nullptr ? 0U : scene.triangle_material[object->first_triangle];
+    };
+    EXPECT_EQ(materialOf("plain"), materialOf("plain_too"));
+    EXPECT_EQ(materialOf("grey"), materialOf("grey_too"));
+    ASSERT_NE(materialOf("plain"), materialOf("grey"));
+    const Eigen::Vector3f color = scene.materials[materialOf("grey")].base_color;
+    EXPECT_LT((color - Eigen::Vector3f::Constant(0.2140F)).norm(), 1e-3F) << color.transpose();
+    EXPECT_GT(scene.materials[materialOf("plain")].base_color.x(), 0.3F);
+}
+
+// A mesh of the same file name in another model is another mesh.
+TEST(Gazebo, ModelsDoNotTakeFilesOfOthers) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    static_cast<void>(folder.write("models/lamp/meshes/l.obj", test::lShapedModel()));
+    static_cast<void>(folder.write("models/lamp/model.sdf", R"(<sdf version="1.6"><model name="lamp">
+ <link name="own"><visual name="v"><geometry><mesh><uri>model://lamp/meshes/l.obj</uri></mesh></geometry></visual></link>
+ <link name="other"><visual name="v"><geometry><mesh><uri>model://desk/meshes/l.obj</uri></mesh></geometry></visual></link>
+</model></sdf>)"));
+    const Scene scene = imported(folder.path() / "models/lamp/model.sdf");
+    EXPECT_EQ(scene.objects.size(), 1U);
+    EXPECT_TRUE(says(scene.report.warnings, "model://desk/meshes/l.obj"));
+}
+
+TEST(Gazebo, LightsThatAreIncludedAreLeftOut) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    static_cast<void>(folder.write("models/sun/model.sdf",
+                                   "<sdf version='1.6'><light name='sun' type='point'/></sdf>"));
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world("<include><uri>model://sun</uri></include><include><uri>model://sofa</uri></include>")));
+    EXPECT_EQ(scene.objects.size(), 1U);
+}
+
+// Links within a folder may be used; those that lead out may not.
+TEST(ReachableFiles, StopAtLinksThatLeadOut) {
+    const TempFolder folder;
+    const auto secret = folder.write("outside/secret.obj", "v 0 0 0\n");
+    const auto own = folder.write("scene/chairs/chair.obj", "v 0 0 0\n").parent_path();
+    const auto scene = own.parent_path();
+    std::filesystem::create_directory_symlink(secret.parent_path(), scene / "link");
+    std::filesystem::create_symlink(secret, scene / "secret.obj");
+    const io::ReachableFiles files({scene});
+    EXPECT_TRUE(files.find(scene, "chairs/chair.obj"));
+    EXPECT_TRUE(files.find(own, "../chairs/chair.obj"));
+    for (const char* name : {"link/secret.obj", "secret.obj", "../outside/secret.obj", "/etc/passwd"}) {
+        EXPECT_FALSE(files.find(scene, name)) << name;
+    }
+    EXPECT_TRUE(files.reaches(scene));
+    EXPECT_TRUE(files.reaches(own));
+    EXPECT_TRUE(files.reaches(own / "chair.obj"));
+    for (const auto& path : {scene / "link", scene / "link/secret.obj", scene / "secret.obj",
+                             scene / "../outside", scene / "nothing"}) {
+        EXPECT_FALSE(files.reaches(path)) << path;
+    }
+    EXPECT_EQ(files.namesIn(scene), std::vector<std::string>{"chairs"});
+    EXPECT_TRUE(files.namesIn(scene / "link").empty());
+}
+
+TEST(Gazebo, NumbersAreReadAsWritten) {
+    const auto numbers = gazebo::numbersOf(" +1.5\t-2e1, 1e-400 1e-310\n");
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(*numbers, (std::vector<double>{1.5, -20.0, 0.0, 1e-310}));
+    for (const char* text : {"1e400", "nan", "inf", "+-1", "++1", "+", "1.5m", "0x10"}) {
+        EXPECT_FALSE(gazebo::numbersOf(text)) << text;
+    }
+}
+
+// Roll by 90 degrees takes y to z, then yaw by 90 degrees takes x to y: worked out by hand.
+TEST(Gazebo, AnglesTurnAboutFixedAxes) {
+    const Eigen::Quaterniond rotation =
+        gazebo::rotationFromRollPitchYaw({M_PI / 2, 0.0, M_PI / 2});
+    EXPECT_LT((rotation * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-12);
+    EXPECT_LT((rotation * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((rotation * Vector3d::UnitZ() - Vector3d::UnitX()).norm(), 1e-12);
+    // Pitch by 90 degrees takes x to -z, which yaw leaves there, and z to x, which it takes to y.
+    const Eigen::Quaterniond other = gazebo::rotationFromRollPitchYaw({0.0, M_PI / 2, M_PI / 2});
+    EXPECT_LT((other * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((other * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
+}
+
 TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     const TempFolder folder;
+    // b includes c, and c includes b.
+    for (const std::string name : {"b", "c"}) {
+        static_cast<void>(folder.write(
+            "models/" + name + "/model.sdf",
+            "<sdf version='1.6'><model name='m'><include><uri>model://" +
+                std::string(name == "b" ? "c" : "b") + "</uri></include></model></sdf>"));
+    }
     static_cast<void>(folder.write("models/a/model.sdf",
                                    "<sdf version='1.6'><model name='a'><include><uri>model://a</uri>"
                                    "</include><include><uri>model://a</uri></include></model></sdf>"));
     const char* const kWorlds[] = {
         "<include><uri>model://a</uri></include>",
+        "<include><uri>model://b</uri></include>",
+        "<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
+        "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
+        "<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
+        "<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
         "<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
         "<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
         "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
@@ -116,6 +307,10 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
         ASSERT_FALSE(scene) << text;
         EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
     }
+    const Result<Scene> circle = importScene(
+        folder.write("room.world", world("<include><uri>model://b</uri></include>")));
+    ASSERT_FALSE(circle);
+    EXPECT_NE(circle.error().message.find("includes itself"), std::string::npos);
     const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
     ASSERT_FALSE(damaged);
     EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
@@ -146,7 +341,25 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
  <joint name="1"><parent link="a"/><child link="b"/></joint>
  <joint name="2"><parent link="b"/><child link="a"/></joint></robot>)"));
     ASSERT_FALSE(circle);
-    EXPECT_NE(circle.error().message.find("hangs on itself"), std::string::npos);
+    EXPECT_NE(circle.error().message.find("form a circle"), std::string::npos);
+    // A chain this long would take minutes if each link's pose were computed from the root on.
+    std::string chain = "<link name='0'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+    constexpr int kLinks = 30'000;
+    for (int i = 1; i <= kLinks; ++i) {
+        const std::string number = std::to_string(i);
+        chain += "<joint><origin xyz='0.001 0 0'/><parent link='" + std::to_string(i - 1) +
+                 "'/><child link='" + number + "'/></joint><link name='" + number + "'";
+        chain += i < kLinks ? "/>" : "><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+    }
+    const Scene long_chain =
+        imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
+    expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
+    // Expanded files may mention their macros in a comment.
+    EXPECT_EQ(imported(folder.write("expanded.urdf",
+                                    "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
+                                    "<geometry><sphere radius='1'/></geometry></visual></link></robot>"))
+                  .objects.size(),
+              1U);
     const Result<Scene> macros = importScene(folder.write(
         "m.urdf", "<robot xmlns:xacro='x' name='r'><xacro:include filename='y'/></robot>"));
     ASSERT_FALSE(macros);
