@@ -38,7 +38,8 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
     if (!text) return tl::unexpected(text.error());
     if (text->size() > most) {
         return fail(ErrorCode::BadInput,
-                    "the scene's files hold more than 64 MiB of XML; split the scene", path.string());
+                    "the scene's files hold more than 64 MiB of XML; split the scene",
+                    path.string());
     }
     XmlFile file;
     file.bytes = text->size();

@@ -70,9 +70,9 @@ struct Frame {
 
     [[nodiscard]] bool is(std::string_view kind) const { return kind == node.name(); }
 
-    pugi::xml_node node;                         // <link>, <frame>, <joint>, <model>, <include>
-    std::unique_ptr<Scope> model;                // of models, and of includes that were found
-    std::optional<std::size_t> link;             // of links: index into SdfReader::links_
+    pugi::xml_node node;              // <link>, <frame>, <joint>, <model>, <include>
+    std::unique_ptr<Scope> model;     // of models, and of includes that were found
+    std::optional<std::size_t> link;  // of links: index into SdfReader::links_
     enum class State { New, Busy, Known } state = State::New;
     Eigen::Affine3d scope_from_frame = Eigen::Affine3d::Identity();
 };
@@ -189,9 +189,10 @@ class SdfReader {
                 continue;
             }
             if (++frames_ > kMostFrames) {
-                return wrong("the world has more than 1,000,000 links, joints, frames and models; "
-                             "leave some out",
-                             scope.path);
+                return wrong(
+                    "the world has more than 1,000,000 links, joints, frames and models; "
+                    "leave some out",
+                    scope.path);
             }
             scope.frames.emplace_back(child);
             if (first_only) break;
@@ -267,9 +268,10 @@ class SdfReader {
         }
         expanded_bytes_ += at->second->bytes;
         if (expanded_bytes_ > kMostExpandedBytes) {
-            return wrong("the models that are included, counted each time, are more than 1 GiB of "
-                         "XML; leave some out",
-                         scope.path);
+            return wrong(
+                "the models that are included, counted each time, are more than 1 GiB of "
+                "XML; leave some out",
+                scope.path);
         }
         const pugi::xml_node sdf = at->second->document.child("sdf");
         const pugi::xml_node model = sdf.child("model");
@@ -477,9 +479,9 @@ class SdfReader {
             if (size && size->size() == 2) visual.size = {(*size)[0], (*size)[1], 1.0};
             const auto normal = vectorOf(plane.child_value("normal"));
             if (normal && normal->norm() > 1e-9) {
-                visual.scene_from_visual = visual.scene_from_visual *
-                                           Eigen::Quaterniond::FromTwoVectors(
-                                               Eigen::Vector3d::UnitZ(), normal->normalized());
+                visual.scene_from_visual =
+                    visual.scene_from_visual * Eigen::Quaterniond::FromTwoVectors(
+                                                   Eigen::Vector3d::UnitZ(), normal->normalized());
             }
         } else {
             return {};

@@ -22,7 +22,9 @@ class UrdfReader {
     UrdfReader(const fs::path& path, const JobContext& job) : path_(path), job_(job) {}
 
     Result<std::vector<LinkObject>> read(const pugi::xml_node& robot) {
-        for (const pugi::xml_node& material : robot.children("material")) keepColor(material);
+        for (const pugi::xml_node& material : robot.children("material")) {
+            static_cast<void>(colorOfMaterial(material));
+        }
         for (const pugi::xml_node& joint : robot.children("joint")) {
             const std::string child = joint.child("child").attribute("link").value();
             joints_.try_emplace(child, joint);
@@ -57,17 +59,23 @@ class UrdfReader {
         return wrong("the robot has more than 100,000 " + what + "; split it into several files");
     }
 
-    void keepColor(const pugi::xml_node& material) {
-        if (const auto color = colorOf(material.child("color").attribute("rgba").value())) {
-            colors_[material.attribute("name").value()] = *color;
-        }
+    /// The colour of a <material>, its own or that of the first of its name.
+    std::optional<Eigen::Vector4f> colorOfMaterial(const pugi::xml_node& material) {
+        const std::string name = material.attribute("name").value();
+        const auto own = colorOf(material.child("color").attribute("rgba").value());
+        if (name.empty()) return own;
+        if (own) colors_.try_emplace(name, *own);
+        const auto known = colors_.find(name);
+        return own || known == colors_.end() ? own : std::optional(known->second);
     }
 
     Result<Eigen::Affine3d> originOf(const pugi::xml_node& node) const {
         const pugi::xml_node origin = node.child("origin");
         const auto place = vectorOf(origin.attribute("xyz").as_string("0 0 0"));
         const auto turn = vectorOf(origin.attribute("rpy").as_string("0 0 0"));
-        if (!place || !turn) return wrong("the xyz or rpy of an <origin> is not three numbers; correct it");
+        if (!place || !turn) {
+            return wrong("the xyz or rpy of an <origin> is not three numbers; correct it");
+        }
         return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*turn));
     }
 
@@ -108,10 +116,7 @@ class UrdfReader {
         Visual visual;
         visual.folder = path_.parent_path();
         visual.scene_from_visual = link * *origin;
-        const pugi::xml_node material = node.child("material");
-        keepColor(material);
-        const auto color = colors_.find(material.attribute("name").value());
-        if (material && color != colors_.end()) visual.color = color->second;
+        visual.color = colorOfMaterial(node.child("material"));
 
         const pugi::xml_node geometry = node.child("geometry");
         const auto number = [](const pugi::xml_node& shape, const char* name) {

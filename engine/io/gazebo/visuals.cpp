@@ -149,8 +149,7 @@ Submeshes submeshesOf(const RawScene& model) {
     Submeshes parts;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const std::string& mesh = model.parts[i].name;
-        const std::string& node =
-            model.nodes[static_cast<std::size_t>(model.parts[i].node)].name;
+        const std::string& node = model.nodes[static_cast<std::size_t>(model.parts[i].node)].name;
         parts[""].push_back(i);
         if (!mesh.empty()) parts[mesh].push_back(i);
         if (!node.empty() && node != mesh) parts[node].push_back(i);
@@ -250,12 +249,13 @@ class SceneOfLinks {
         scaled.linear() = (unit * visual.scale).asDiagonal();
         if (visual.center_submesh) {
             Eigen::AlignedBox3d box;
-            for (const std::size_t part : parts) box.extend(model->parts[part].bounds.cast<double>());
+            for (const std::size_t part : parts)
+                box.extend(model->parts[part].bounds.cast<double>());
             scaled = scaled * Eigen::Translation3d(-box.center());
         }
         ModelPlacement& placement = placements_.try_emplace(number, *model, scene_).first->second;
-        append(placement.place(object.name, visual.scene_from_visual * scaled, parts),
-               visual.color, object);
+        append(placement.place(object.name, visual.scene_from_visual * scaled, parts), visual.color,
+               object);
         return {};
     }
 

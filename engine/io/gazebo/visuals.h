@@ -19,12 +19,12 @@ namespace dollytrack::gazebo {
 struct Visual {
     enum class Shape { Mesh, Box, Cylinder, Sphere, Plane };
     Shape shape = Shape::Mesh;
-    Eigen::Vector3d size = Eigen::Vector3d::Ones();  // of shapes: x, y, z of the box around it, m
+    Eigen::Vector3d size = Eigen::Vector3d::Ones();   // of shapes: x, y, z of the box around it, m
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // of meshes
     std::string uri;                                  // of meshes
-    std::string submesh;           // the mesh of that name alone; empty: all
+    std::string submesh;                              // the mesh of that name alone; empty: all
     bool center_submesh = false;   // move the middle of its bounding box to the mesh's origin
-    std::filesystem::path folder;                     // of the file that names the mesh
+    std::filesystem::path folder;  // of the file that names the mesh
     Eigen::Affine3d scene_from_visual = Eigen::Affine3d::Identity();
     std::optional<Eigen::Vector4f> color;  // linear red, green, blue; opacity
 };
@@ -66,7 +66,8 @@ class ModelPath {
     const std::filesystem::path& scene, const std::vector<std::filesystem::path>& given);
 
 /// Makes a scene of the links: z up, metres. Meshes and submeshes that are not there are named in a
-/// warning, and nothing stands in their place. Errors: BadInput, when there is nothing to draw; Cancelled.
+/// warning, and nothing stands in their place. Errors: BadInput, when there is nothing to draw;
+/// Cancelled.
 [[nodiscard]] Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links,
                                             const ModelPath& files,
                                             const std::vector<std::string>& missing_models,

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -184,8 +185,10 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
 TEST(Gazebo, ColoursStayWithTheirVisual) {
     const TempFolder folder;
     static_cast<void>(folder.write("l.obj", test::lShapedModel()));
-    const auto model = [](const std::string& name, const std::string& material) {
-        return "<model name='" + name + "'><link name='l'><visual name='v'><geometry><mesh><uri>"
+    int placed = 0;  // apart, since a mesh twice in one place counts once
+    const auto model = [&](const std::string& name, const std::string& material) {
+        return "<model name='" + name + "'><pose>" + std::to_string(5 * placed++) +
+               " 0 0 0 0 0</pose><link name='l'><visual name='v'><geometry><mesh><uri>"
                "l.obj</uri></mesh></geometry>" + material + "</visual></link></model>";
     };
     const std::string grey = "<material><diffuse>0.5 0.5 +0.5 1</diffuse></material>";
@@ -201,7 +204,44 @@ TEST(Gazebo, ColoursStayWithTheirVisual) {
     ASSERT_NE(materialOf("plain"), materialOf("grey"));
     const Eigen::Vector3f color = scene.materials[materialOf("grey")].base_color;
     EXPECT_LT((color - Eigen::Vector3f::Constant(0.2140F)).norm(), 1e-3F) << color.transpose();
-    EXPECT_GT(scene.materials[materialOf("plain")].base_color.x(), 0.3F);
+    const Eigen::Vector3f plain = scene.materials[materialOf("plain")].base_color;
+    EXPECT_GT((plain - color).norm(), 1e-3F) << plain.transpose();
+}
+
+// Two pictures of one name: the mesh's path says which of them is meant.
+TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
+    const TempFolder folder;
+    const std::string head = "P6\n1 1\n255\n";
+    static_cast<void>(folder.write("models/m/meshes/map.ppm", head + "\xFF" + std::string(2, '\0')));
+    static_cast<void>(folder.write("models/m/materials/textures/map.ppm",
+                                   head + std::string(2, '\0') + "\xFF"));
+    std::string links;
+    for (const auto& [name, map] : {std::pair("red", "map.ppm"),
+                                    std::pair("blue", "../materials/textures/map.ppm")}) {
+        const std::string mesh = "models/m/meshes/" + std::string(name);
+        static_cast<void>(folder.write(mesh + ".mtl", "newmtl m\nmap_Kd " + std::string(map) + "\n"));
+        static_cast<void>(folder.write(
+            mesh + ".obj", "mtllib " + std::string(name) +
+                               ".mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                               "f 1/1 2/2 3/3\n"));
+        links += "<link name='" + std::string(name) + "'><pose>" +
+                 (links.empty() ? "0" : "5") + " 0 0 0 0 0</pose><visual name='v'><geometry><mesh><uri>"
+                 "model://m/meshes/" + name + ".obj</uri></mesh></geometry></visual></link>";
+    }
+    const Scene scene =
+        imported(folder.write("room.world", world("<model name='m'>" + links + "</model>")));
+    EXPECT_TRUE(scene.report.textures_missing.empty());
+    for (const auto& [name, channel] : {std::pair("red", 0U), std::pair("blue", 2U)}) {
+        const Object* object = find(scene, name);
+        ASSERT_NE(object, nullptr) << name;
+        const int texture =
+            scene.materials[scene.triangle_material[object->first_triangle]].texture;
+        ASSERT_GE(texture, 0) << name;
+        const auto& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
+        ASSERT_GE(rgba.size(), 4U) << name;
+        EXPECT_EQ(rgba[channel], 255) << name;
+        EXPECT_EQ(rgba[2U - channel], 0) << name;
+    }
 }
 
 // A mesh of the same file name in another model is another mesh.
@@ -354,6 +394,16 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
     const Scene long_chain =
         imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
     expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
+    // A material without a name is its visual's alone.
+    const Scene nameless = imported(folder.write("colors.urdf", R"(<robot name="r">
+ <link name="green"><visual><geometry><box size="1 1 1"/></geometry>
+  <material name=""><color rgba="0 1 0 1"/></material></visual></link>
+ <link name="plain"><visual><origin xyz="5 0 0"/><geometry><box size="1 1 1"/></geometry>
+  <material name=""/></visual></link></robot>)"));
+    const Object* plain = find(nameless, "plain");
+    ASSERT_NE(plain, nullptr);
+    EXPECT_GT(nameless.materials[nameless.triangle_material[plain->first_triangle]].base_color.x(),
+              0.1F);
     // Expanded files may mention their macros in a comment.
     EXPECT_EQ(imported(folder.write("expanded.urdf",
                                     "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
