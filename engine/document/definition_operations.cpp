@@ -1,14 +1,19 @@
 #include "engine/document/change_words.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/regroup.h"
+#include "engine/geometry/contact.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <span>
 
 namespace dollytrack {
 namespace {
+
+constexpr double kTouch_m = 0.005;  // parts of one object touch, or nearly
 
 /// For each object of the scene before a definition (index id - 1) what it is afterwards: one, or
 /// several when it was taken apart.
@@ -109,6 +114,85 @@ bool splitOne(ProjectState& state, Scene& scene, const ObjectRef& object, const 
     return true;
 }
 
+const ObjectRef& largestOf(const Scene& scene, const std::vector<ObjectRef>& parts) {
+    return *std::ranges::max_element(
+        parts, {}, [&](const ObjectRef& ref) { return scene.object(ref.id).box.volume(); });
+}
+
+/// Adds a definition that makes one object of several of `scene`, which the state shows, and
+/// returns what the objects become. `scene` itself stays as it is.
+Successors mergeOne(ProjectState& state, const Scene& scene, ObjectDefinition definition) {
+    // As it stands now, changes of class included, which come after the definition.
+    if (definition.nyu40 == 0) {
+        definition.nyu40 = scene.object(largestOf(scene, definition.objects).id).nyu40;
+    }
+    const auto isPart = [&](int id) {
+        return std::ranges::find(definition.objects, id, &ObjectRef::id) !=
+               definition.objects.end();
+    };
+    // What was said of the parts was not said of the whole.
+    std::erase_if(state.edits.scene.changes, [&](const ObjectChange& change) {
+        return isPart(findObject(scene, change.object));
+    });
+    Successors successors;
+    const int first = definition.objects.front().id;
+    int next = 1;
+    for (const Object& object : scene.objects) {
+        const bool part = isPart(object.id);
+        if (part && object.id != first) {
+            successors.push_back({{first, definition.name}});
+            continue;
+        }
+        successors.push_back({{next++, part ? definition.name : object.name}});
+    }
+    followAll(state.edits, scene, successors);
+    state.edits.scene.definitions.push_back(std::move(definition));
+    return successors;
+}
+
+/// Those of the objects that are joined by gaps of at most `gap_m`, directly or through others of
+/// them: groups of two and more, by rising id.
+std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
+                                               const std::vector<ObjectRef>& objects,
+                                               double gap_m) {
+    struct Part {
+        std::vector<SurfaceView> surfaces;
+        Eigen::AlignedBox3f bounds;
+        std::size_t group;
+    };
+    const auto gap = static_cast<float>(gap_m);
+    std::vector<Part> parts;
+    for (const ObjectRef& ref : objects) {
+        const Object& object = scene.object(ref.id);
+        const std::span triangles(scene.triangles.begin() + object.first_triangle,
+                                  static_cast<std::size_t>(object.triangle_count));
+        Part part{{{scene.positions, triangles}}, {}, parts.size()};
+        for (const Triangle& triangle : triangles) {
+            for (const std::uint32_t corner : triangle) part.bounds.extend(scene.positions[corner]);
+        }
+        parts.push_back(std::move(part));
+    }
+    const auto groupOf = [&](std::size_t i) {
+        while (parts[i].group != i) i = parts[i].group = parts[parts[i].group].group;
+        return i;
+    };
+    for (std::size_t b = 1; b < parts.size(); ++b) {
+        for (std::size_t a = 0; a < b; ++a) {
+            const std::size_t one = groupOf(a), other = groupOf(b);
+            if (one == other || parts[a].bounds.exteriorDistance(parts[b].bounds) > gap) continue;
+            if (findContact(parts[a].surfaces, parts[b].surfaces, gap).empty()) continue;
+            parts[std::max(one, other)].group = std::min(one, other);
+        }
+    }
+    std::map<std::size_t, std::vector<ObjectRef>> by_first;
+    for (std::size_t i = 0; i < parts.size(); ++i) by_first[groupOf(i)].push_back(objects[i]);
+    std::vector<std::vector<ObjectRef>> groups;
+    for (auto& [first, group] : by_first) {
+        if (group.size() > 1) groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
 }  // namespace
 
 std::string merge(ProjectState& state, const OperationContext& context,
@@ -132,39 +216,51 @@ std::string merge(ProjectState& state, const OperationContext& context,
             fmt::format("Another object is called '{}' already.", definition.name));
     }
     if (!fields.good()) return {};
-    if (definition.nyu40 == 0) {
-        // As it stands now, changes of class included, which come after the definition.
-        const auto volume = [&](const ObjectRef& ref) { return scene.object(ref.id).box.volume(); };
-        const auto largest = std::max_element(
-            definition.objects.begin(), definition.objects.end(),
-            [&](const ObjectRef& a, const ObjectRef& b) { return volume(a) < volume(b); });
-        definition.nyu40 = scene.object(largest->id).nyu40;
-    }
-    std::vector<ObjectChange>& changes = state.edits.scene.changes;
-    const auto isPart = [&](int id) {
-        return std::any_of(definition.objects.begin(), definition.objects.end(),
-                           [&](const ObjectRef& ref) { return ref.id == id; });
-    };
-    // What was said of the parts was not said of the whole.
-    std::erase_if(changes, [&](const ObjectChange& change) {
-        return isPart(findObject(scene, change.object));
-    });
-    Successors successors;
-    const int first = definition.objects.front().id;
-    int next = 1;
-    for (const Object& object : scene.objects) {
-        const bool part = isPart(object.id);
-        if (part && object.id != first) {
-            successors.push_back({{first, definition.name}});
-            continue;
-        }
-        successors.push_back({{next++, part ? definition.name : object.name}});
-    }
-    followAll(state.edits, scene, successors);
     std::string name =
         fmt::format("Make {} of {}", definition.name, listInWords(definition.objects));
-    state.edits.scene.definitions.push_back(std::move(definition));
+    mergeOne(state, scene, std::move(definition));
     return name;
+}
+
+std::string group(ProjectState& state, const OperationContext& context,
+                  const OperationReader& fields) {
+    const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
+    const JsonReader said = fields.field(fields.has("object") ? "object" : "class");
+    const std::string name = fields.has("name") ? fields.field("name").text() : "";
+    const double gap_m = fields.has("gap_m") ? fields.field("gap_m").number(0.0, 10.0) : kTouch_m;
+    if (fields.good()) refuseMoved(state, context, objects, said);
+    if (!fields.good()) return {};
+    std::vector<std::vector<ObjectRef>> groups = findGroups(context.scene, objects, gap_m);
+    if (groups.empty()) {
+        said.refuse(
+            fmt::format("No two of these {} objects are within {} m of each other; raise "
+                        "gap_m.",
+                        objects.size(), gap_m));
+        return {};
+    }
+    Scene scene = context.scene;
+    std::vector<std::string> names;
+    if (!name.empty()) names = pieceNames(scene, name, groups.size());
+    std::size_t parts = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        parts += groups[i].size();
+        const std::string largest = scene.object(largestOf(scene, groups[i]).id).name;
+        const Successors successors =
+            mergeOne(state, scene,
+                     {ObjectDefinition::Kind::Merge,
+                      groups[i],
+                      !names.empty()                       ? names[i]
+                      : isTaken(scene, largest, groups[i]) ? pieceNames(scene, largest, 1)[0]
+                                                           : largest,
+                      0,
+                      {}});
+        std::vector<int> ids;
+        for (const ObjectRef& ref : groups[i]) ids.push_back(ref.id);
+        const ObjectDefinition& made = state.edits.scene.definitions.back();
+        for (std::size_t k = i + 1; k < groups.size(); ++k) follow(groups[k], scene, successors);
+        mergeObjects(scene, ids, made.name, made.nyu40);
+    }
+    return fmt::format("Make {} objects of {}", groups.size(), parts);
 }
 
 std::string split(ProjectState& state, const OperationContext& context,

@@ -22,6 +22,7 @@ std::string resetObject(ProjectState&, const OperationContext&, const OperationR
 
 // New objects: definition_operations.cpp
 std::string merge(ProjectState&, const OperationContext&, const OperationReader&);
+std::string group(ProjectState&, const OperationContext&, const OperationReader&);
 std::string split(ProjectState&, const OperationContext&, const OperationReader&);
 
 // The plan: plan_operations.cpp, region_operations.cpp

@@ -186,14 +186,24 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                           points().viewpoints.observation_points, around_moves(), params.smoothing,
                           job);
     };
-    const auto withContext = [&](const SmoothPath& path) {
+    const auto withContext = [&](const SmoothPath& path, const std::vector<SmoothPath>& all) {
         const KeyViews at(points().viewpoints.position_points,
                           points().viewpoints.observation_points, pitch);
         const auto pose = [&](const SmoothPath::Key& key) { return at.pose(key); };
-        return withContextViews(path, pose, around, params.gaze, params.timing);
+        std::size_t keys = 0;
+        for (const SmoothPath& each : all) keys += each.keys.size();
+        TimingParams share = params.timing;  // the budget of frames, shared by the paths' keys
+        if (share.max_frames > 0 && keys > path.keys.size()) {
+            const double part = static_cast<double>(path.keys.size()) / static_cast<double>(keys);
+            share.max_frames = std::max(1, static_cast<int>(share.max_frames * part));
+        }
+        return withContextViews(path, pose, around, params.gaze, share);
     };
     const TrajectoryMaker maker{
-        [&](const CameraPath& path) { return smoothOne(path).map(withContext); },
+        [&](const CameraPath& path) {
+            return smoothOne(path).map(
+                [&](const SmoothPath& made) { return withContext(made, *smoothing); });
+        },
         [&](const std::vector<SmoothPath>& smooth) { return timed(smooth, params.timing); },
         [&](const SmoothPath& part) { return timed({part}, timing_of_part); }};
     const auto smoothAll =
@@ -208,7 +218,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     };
     const auto withContextAll = [&](const std::vector<SmoothPath>& all) {
         std::vector<SmoothPath> made;
-        for (const SmoothPath& path : all) made.push_back(withContext(path));
+        for (const SmoothPath& path : all) made.push_back(withContext(path, all));
         return made;
     };
     return run("targets", targets, std::tuple(views.version(), params.targets, params.viewpoints),

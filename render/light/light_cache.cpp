@@ -165,9 +165,9 @@ void writeProgram(Writer& write) {
 }  // namespace
 
 std::optional<LightCache> LightCache::ofUser() {
-    const std::optional<io::UserCache> cache = io::userCache("light");
+    std::optional<io::UserCache> cache = io::userCache("light");
     if (!cache) return std::nullopt;
-    return LightCache(cache->folder, cache->most_bytes);
+    return LightCache(std::move(cache->folder), cache->most_bytes);
 }
 
 std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
@@ -188,9 +188,7 @@ std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
 }
 
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
-    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
-    if (!folder) return std::nullopt;
-    const Result<io::InputFile> file = folder->openInput(key + kExtension);
+    const Result<io::InputFile> file = folder_.openInput(key + kExtension);
     if (!file) return std::nullopt;
     const Result<std::string> bytes = file->readAll(most_bytes_);
     if (!bytes || bytes->size() < kSumLength) return std::nullopt;
@@ -210,10 +208,8 @@ void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     visitVolume(write, volume);
     write.bytes += io::sha256Of(write.bytes);
     if (write.bytes.size() > most_bytes_) return;
-    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(folder_);
-    if (!folder) return;
-    io::makeCacheRoom(*folder, {kExtension}, most_bytes_ - write.bytes.size());
-    (void)folder->write(key + kExtension, write.bytes, io::Durability::Renamed);
+    io::makeCacheRoom(folder_, {kExtension}, most_bytes_ - write.bytes.size());
+    (void)folder_.write(key + kExtension, write.bytes, io::Durability::Renamed);
 }
 
 LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const LightRig& rig,

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/io/files/guarded_folder.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "render/light/light_rig.h"
 #include "render/light/light_volume.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -19,7 +19,7 @@ class LightCache {
     [[nodiscard]] static std::optional<LightCache> ofUser();
 
     /// The oldest files go where all would be larger than `most_bytes`.
-    LightCache(std::filesystem::path folder, std::uint64_t most_bytes)
+    LightCache(io::GuardedFolder folder, std::uint64_t most_bytes)
         : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
     /// Names what bakeLightVolume() gives: by all that the scene and the light are, and by this
@@ -32,7 +32,7 @@ class LightCache {
     void keep(const std::string& key, const LightVolume& volume) const;
 
   private:
-    std::filesystem::path folder_;
+    io::GuardedFolder folder_;
     std::uint64_t most_bytes_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/geometry/ray_caster.h"
+#include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "render/verify/finding.h"
 #include "render/verify/read/frame_images.h"
@@ -22,8 +23,8 @@ struct Subject {
 struct CheckWork {
     /// Looks at one frame. Called from many threads, each with another frame.
     std::function<void(FrameImages& images, Findings& findings)> frame;
-    /// Called once, after all frames.
-    std::function<void(Findings& findings)> finish;
+    /// Called once, after all frames. Returns early when the job is cancelled.
+    std::function<void(Findings& findings, const JobContext& job)> finish;
 };
 
 /// A row of the one table of checks.

@@ -103,8 +103,9 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
     for (std::size_t c = 0; c < works.size(); ++c) {
         if (job.cancelled()) return cancelled();
         if (!works[c].finish) continue;
-        guarded(results[c].findings, {}, [&] { works[c].finish(results[c].findings); });
+        guarded(results[c].findings, {}, [&] { works[c].finish(results[c].findings, job); });
     }
+    if (job.cancelled()) return cancelled();
     return results;
 }
 

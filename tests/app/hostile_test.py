@@ -463,6 +463,17 @@ class Program(FolderCase):
         self.assertEqual(info(), first)
         entries()[0].write_bytes(b"damaged")
         self.assertEqual(info(), first)
+        # A link in the place of a folder of the cache is not followed, not even to make room.
+        pictures = self.folder / "pictures"
+        pictures.mkdir()
+        (pictures / "mine.scene").write_bytes(bytes(3 << 20))
+        os.utime(pictures / "mine.scene", (1, 1))
+        for name in ["scenes", "."]:
+            place = cache / "dollytrack" / name
+            shutil.rmtree(place)
+            pathlib.Path(os.path.normpath(place)).symlink_to(pictures)
+            self.assertEqual(info(DOLLYTRACK_CACHE_MB="1"), first)
+            self.assertEqual(os.listdir(pictures), ["mine.scene"])
         # No folder to write to.
         self.assertEqual(info(XDG_CACHE_HOME="/proc/nowhere"), first)
         self.assertEqual(info(XDG_CACHE_HOME="relative", HOME="/proc/nowhere"), first)

@@ -141,6 +141,20 @@ class Limits(FolderCase):
         scene.write_text("mtllib beneath.mtl\n" + self.room.read_text())
         self.assertNotIn("not opened", run("info", scene).stdout)
 
+    def test_missing_files_of_materials_are_reported(self):
+        scene = self.folder / "grey" / "grey.obj"
+        scene.parent.mkdir()
+        os.mkfifo(scene.parent / "pipe.mtl")
+        (scene.parent / "beneath.mtl").write_text("newmtl oak\n")
+        for name, missing in [("/no/such.mtl", "such.mtl"), ("no.mtl", "no.mtl"),
+                              ("pipe.mtl", "pipe.mtl"), ("grey.mtl", "grey.mtl"),
+                              ("beneath.mtl", None), (None, None)]:
+            lines = [f"mtllib {name}\n"] if name else []
+            scene.write_text("".join(lines) + self.room.read_text())
+            told = re.findall(r"files of materials are missing or cannot be read: (.*)",
+                              run("info", scene).stdout)
+            self.assertEqual(told, [missing] if missing else [], name)
+
     def test_repeated_warnings_are_folded(self):
         objects = [{"name": f"thing {i}", "nodes": [f"node {i}"]} for i in range(20_000)]
         scene = self.folder / "many.obj"

@@ -293,6 +293,18 @@ class HandMade(ParentCase):
         (copy / "dataset.json").unlink()
         os.mkfifo(copy / "dataset.json")
         self.refuses("verify", copy, words=["dataset.json", "not an ordinary file"])
+        done = self.runs("export", self.project, "--out", copy)
+        self.assertEqual(done.code, 6, done.output)
+        self.assertIn("not an ordinary file", done.output)
+        shutil.rmtree(copy)
+
+    def test_files_of_a_dataset_that_are_far_too_large(self):
+        copy = self.work / "out"
+        shutil.copytree(self.dataset, copy)
+        os.truncate(copy / "frames.csv", 1 << 40)  # takes no room on the disk
+        done = self.runs("verify", copy)
+        self.assertEqual(done.code, 4, done.output)
+        self.assertIn("1099511627776 bytes", done.output)
         shutil.rmtree(copy)
 
     def test_a_stored_plan_of_the_wrong_form_is_refused_before_anything_is_rendered(self):

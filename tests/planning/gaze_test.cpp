@@ -102,6 +102,27 @@ TEST(ContextViews, KeepToBudgetAndPitchBand) {
     }
 }
 
+TEST(ContextViews, PathsOfTwoRoomsShareTheBudget) {
+    test::SceneBuilder builder;
+    for (const double x : {0.0, 10.0}) {
+        builder.room({x, 0, 0}, {x + 9.0, 5, 2.6});
+        for (int i = 0; i < 8; ++i) {
+            const std::string name = std::to_string(static_cast<int>(x) + i);
+            builder.object("south " + name).box({x + 0.9 + i, 0.3, 0.3}, {0.3, 0.3, 0.6});
+            builder.object("north " + name).box({x + 1.3 + i, 4.7, 0.4}, {0.4, 0.3, 0.8});
+        }
+    }
+    const Scene scene = builder.build();
+    for (const int max_frames : {3, 20, 30, 40, 60, 80}) {
+        PlanParams params;  // with room views and context views
+        params.timing.max_frames = max_frames;
+        const auto plan = planOf(scene, params);
+        EXPECT_EQ(plan->smooth_paths.size(), max_frames < 20 ? 1U : 2U) << max_frames;
+        EXPECT_LE(plan->trajectory.frames.size(), static_cast<std::size_t>(max_frames));
+        EXPECT_GT(plan->trajectory.frames.size(), 0U);
+    }
+}
+
 TEST(ContextViews, AreNoneForACameraThatLooksAlongItsMotion) {
     PlanParams params;
     params.body.camera_preset = CameraPreset::Robot;

@@ -32,6 +32,7 @@ class LightCacheTest : public testing::Test {
         volume_ = bakeLightVolume(scene_, rays_, rig_, coarse());
     }
 
+    io::GuardedFolder cacheFolder() const { return *io::GuardedFolder::open(folder_.path()); }
     std::size_t files() const {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
     }
@@ -44,7 +45,7 @@ class LightCacheTest : public testing::Test {
 };
 
 TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
-    const LightCache cache(folder_.path(), kPlenty);
+    const LightCache cache(cacheFolder(), kPlenty);
     const std::string key = LightCache::keyOf(scene_, rig_, coarse());
     EXPECT_FALSE(cache.find(key));
     cache.keep(key, volume_);
@@ -103,7 +104,7 @@ TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {
 }
 
 TEST_F(LightCacheTest, PassesOverWhatIsDamagedOrCutOff) {
-    const LightCache cache(folder_.path(), kPlenty);
+    const LightCache cache(cacheFolder(), kPlenty);
     cache.keep("one", volume_);
     const fs::path file = fs::directory_iterator(folder_.path())->path();
     const auto size = fs::file_size(file);
@@ -123,9 +124,9 @@ TEST_F(LightCacheTest, PassesOverWhatIsDamagedOrCutOff) {
 }
 
 TEST_F(LightCacheTest, TheOldestMakesRoom) {
-    LightCache(folder_.path(), kPlenty).keep("a", volume_);
+    LightCache(cacheFolder(), kPlenty).keep("a", volume_);
     const auto size = fs::file_size(folder_.path() / "a.light");
-    const LightCache cache(folder_.path(), 2 * size + size / 2);
+    const LightCache cache(cacheFolder(), 2 * size + size / 2);
     const auto age = [&](const char* key, int hours) {
         fs::last_write_time(folder_.path() / (std::string(key) + ".light"),
                             fs::file_time_type::clock::now() - std::chrono::hours(hours));
@@ -139,7 +140,7 @@ TEST_F(LightCacheTest, TheOldestMakesRoom) {
     EXPECT_FALSE(cache.find("b"));
     EXPECT_TRUE(cache.find("c"));
     EXPECT_EQ(files(), 2U);
-    LightCache(folder_.path(), size - 1).keep("d", volume_);  // never fits
+    LightCache(cacheFolder(), size - 1).keep("d", volume_);  // never fits
     EXPECT_EQ(files(), 2U);
 }
 

@@ -1,8 +1,11 @@
 #include "ui/panels/selection/selection_panel.h"
 
+#include "engine/document/apply_scene_edits.h"
 #include "engine/document/operation.h"
+#include "engine/document/regroup.h"
 #include "tests/support/scene_builder.h"
 #include "tests/ui/screen.h"
+#include "ui/panels/selection/selection_details.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -96,6 +99,7 @@ class SelectionPanelTest : public testing::Test {
         view.measured = true;
         view.edits = &state.edits;
         view.track_time_s = track_time_s;
+        if (!piece_sizes_m.empty()) view.piece_sizes_m = &piece_sizes_m;
         const SelectionActions now = drawSelectionPanel(view, memory);
         if (now.edit.asks()) {
             asked.push_back(now.edit);
@@ -131,6 +135,7 @@ class SelectionPanelTest : public testing::Test {
     int frame = -1;
     bool framed = false;
     double track_time_s = 0.0;
+    std::vector<double> piece_sizes_m;
     test::Screen screen{[this] { draw(); }, 340, 1000};
 };
 
@@ -202,6 +207,31 @@ TEST_F(SelectionPanelTest, KeysAreSetWhereTheObjectIsAndTakenAway) {
     EXPECT_EQ(change().track[0].time_s, 0.0);
     ASSERT_TRUE(screen.click("selection.remove_track"));
     EXPECT_TRUE(state.edits.scene.changes.empty());
+}
+
+TEST_F(SelectionPanelTest, ASplitTellsItsPiecesAndTakesLimits) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 4, 2.6});
+    auto& heap = builder.object("heap");
+    for (int i = 0; i < 4; ++i)
+        heap.box({1.0 + i, 1, 0.5}, Eigen::Vector3d::Constant(0.5 - 0.1 * i));
+    scene = builder.build();
+    plan = {};
+    piece_sizes_m = pieceSizes(scene, scene.objects.back());
+    show(Selection::ofObject(scene.objects.back().id));
+    SelectionView told;
+    told.piece_sizes_m = &piece_sizes_m;
+    EXPECT_EQ(splitText(told, memory.split), "Makes 4 objects of it, the smallest 0.2 m");
+    ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0.35")) << screen.names();
+    EXPECT_EQ(splitText(told, memory.split),
+              "Makes 2 objects of it, the smallest 0.4 m; 2 smaller pieces stay with the nearest");
+    ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0.45"));
+    EXPECT_FALSE(screen.enabled("selection.split"));
+    ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0"));
+    ASSERT_TRUE(screen.typeInto("selection.split.max_pieces", "3"));
+    ASSERT_TRUE(screen.click("selection.split"));
+    EXPECT_EQ(asked.back().operation["max_pieces"], 3);
+    EXPECT_EQ(applySceneEdits(scene, state.edits.scene)->objects.size(), scene.objects.size() + 2);
 }
 
 TEST_F(SelectionPanelTest, CapturedObjectLeadsToItsFrameAndPoint) {

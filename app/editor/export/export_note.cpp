@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
-#include <regex>
+#include <string_view>
 #include <utility>
 
 namespace dollytrack::editor {
@@ -23,14 +24,45 @@ using nlohmann::json;
 
 constexpr std::array<const char*, 3> kEnds = {"editor_died", "editor_left", "settled"};
 
-/// The mark in the name of a file as exportFile() makes them; empty: it is not ours. What is half
-/// written has ".tmp.<process>" behind.
+constexpr std::string_view kDigits = "0123456789";
+
+/// Removes "-17" from the end of a text; false where it does not end so.
+bool removeNumber(std::string_view& text) {
+    const std::size_t last = text.find_last_not_of(kDigits);
+    if (last == std::string_view::npos || last + 1 == text.size() || text[last] != '-') {
+        return false;
+    }
+    text.remove_suffix(text.size() - last);
+    return true;
+}
+
+bool removeEnding(std::string_view& text, std::string_view ending) {
+    if (!text.ends_with(ending)) return false;
+    text.remove_suffix(ending.size());
+    return true;
+}
+
+/// The mark in the name of a file as exportFile() makes them, [HOST-]NUMBER-NUMBER; empty: it is
+/// not ours. What is half written has ".tmp.<process>" behind.
 std::string markOf(const fs::path& file) {
-    static const std::regex kName(
-        "export-((?:[A-Za-z0-9_.]+-)?[0-9]+-[0-9]+)-[0-9]+\\.(?:dolly|json)(?:\\.tmp\\.[0-9]+)?");
-    std::smatch parts;
-    const std::string name = file.filename().string();
-    return std::regex_match(name, parts, kName) ? parts[1].str() : std::string();
+    const std::string whole = file.filename().string();
+    std::string_view name = whole;
+    const std::size_t half = name.rfind(".tmp.");
+    if (half != std::string_view::npos && half + 5 < name.size() &&
+        name.find_first_not_of(kDigits, half + 5) == std::string_view::npos) {
+        name = name.substr(0, half);
+    }
+    constexpr std::string_view kBegin = "export-";
+    if (!name.starts_with(kBegin)) return {};
+    name.remove_prefix(kBegin.size());
+    if (!removeEnding(name, ".dolly") && !removeEnding(name, ".json")) return {};
+    if (!removeNumber(name)) return {};
+    const std::string mark(name);
+    if (!removeNumber(name)) return {};
+    if (name.find_first_not_of(kDigits) == std::string_view::npos) return name.empty() ? "" : mark;
+    if (!removeNumber(name) || name.empty()) return {};
+    const auto in_host = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
+    return std::ranges::all_of(name, in_host) ? mark : "";
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ Error writeError(int error_number, const std::filesystem::path& path) {
                 return "a folder stands where the file should go; choose another name";
             case ENAMETOOLONG:
                 return "the name is too long; choose a shorter one";
+            case ENXIO:
+                return "this is not an ordinary file; remove it or choose another folder";
             case EFBIG:
                 return "the file grows beyond the limit set for this process or file system";
             default:

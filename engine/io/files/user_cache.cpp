@@ -1,5 +1,7 @@
 #include "engine/io/files/user_cache.h"
 
+#include "engine/core/log.h"
+
 #include <unistd.h>
 
 #include <charconv>
@@ -40,11 +42,16 @@ std::optional<UserCache> userCache(const char* name) {
     const fs::path home = cacheHome();
     const std::uint64_t mebibytes = userMebibytes();
     if (home.empty() || mebibytes == 0) return std::nullopt;
-    const fs::path folder = home / "dollytrack" / name;
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) return std::nullopt;
-    return UserCache{folder, mebibytes << 20U};
+    Result<GuardedFolder> folder = GuardedFolder::makeBelow(home / "dollytrack" / name, home);
+    if (!folder) {
+        std::error_code error;
+        if (fs::is_symlink(folder.error().where, error)) {
+            log::warn("cache", describe(folder.error()) + "; nothing is kept there");
+        }
+        return std::nullopt;
+    }
+    if (::access(folder->path().c_str(), R_OK | W_OK | X_OK) != 0) return std::nullopt;
+    return UserCache{std::move(*folder), mebibytes << 20U};
 }
 
 }  // namespace dollytrack::io

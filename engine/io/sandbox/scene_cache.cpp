@@ -51,10 +51,8 @@ std::span<const std::uint8_t> bytesOf(std::string_view text) {
 /// A file of this user, mapped for reading.
 class MappedEntry {
   public:
-    MappedEntry(const fs::path& folder, const std::string& name) {
-        const Result<GuardedFolder> guarded = GuardedFolder::open(folder);
-        if (!guarded) return;
-        Result<FileDescriptor> file = guarded->openFile(name, O_RDONLY);
+    MappedEntry(const GuardedFolder& folder, const std::string& name) {
+        Result<FileDescriptor> file = folder.openFile(name, O_RDONLY);
         struct stat status {};
         if (!file || ::fstat(file->get(), &status) != 0 || status.st_uid != ::geteuid() ||
             status.st_size <= 0) {
@@ -130,9 +128,9 @@ bool hasSettled(const FileIdentity& file, std::chrono::nanoseconds settled) {
 }  // namespace
 
 std::optional<SceneCache> SceneCache::ofUser() {
-    const std::optional<UserCache> cache = userCache("scenes");
+    std::optional<UserCache> cache = userCache("scenes");
     if (!cache) return std::nullopt;
-    return SceneCache(cache->folder, cache->most_bytes);
+    return SceneCache(std::move(cache->folder), cache->most_bytes);
 }
 
 std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
@@ -176,8 +174,7 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     const Result<InputFile> after = openNamedFile(scene);
     // Whether it is kept changes nothing but the time that the next reading takes.
     if (after && after->identity() == before) {
-        const Result<GuardedFolder> folder = GuardedFolder::open(folder_);
-        if (folder) (void)folder->write(known, digestText(name, *digest), Durability::Renamed);
+        (void)folder_.write(known, digestText(name, *digest), Durability::Renamed);
     }
     return digest;
 }
@@ -202,16 +199,14 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
     const std::size_t size = sizeof(head) + list.size() + frame.size();
     if (size > most_bytes_) return false;
-    const Result<GuardedFolder> folder = GuardedFolder::open(folder_);
-    if (!folder) return false;
-    makeCacheRoom(*folder, {kExtension, kDigestExtension}, most_bytes_ - size);
+    makeCacheRoom(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(size);
     const auto* first = reinterpret_cast<const std::uint8_t*>(&head);
     bytes.insert(bytes.end(), first, first + sizeof(head));
     bytes.insert(bytes.end(), list.begin(), list.end());
     bytes.insert(bytes.end(), frame.begin(), frame.end());
-    return folder->write(key + kExtension, bytes).has_value();
+    return folder_.write(key + kExtension, bytes).has_value();
 }
 
 }  // namespace dollytrack::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/files/guarded_folder.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/kept_inputs.h"
@@ -27,7 +28,7 @@ class SceneCache {
     /// So long a file has to have lain when it is hashed for its digest to be known from then on.
     static constexpr std::chrono::seconds kSettled{120};
 
-    SceneCache(std::filesystem::path folder, std::uint64_t most_bytes,
+    SceneCache(GuardedFolder folder, std::uint64_t most_bytes,
                std::chrono::seconds settled = kSettled)
         : folder_(std::move(folder)), most_bytes_(most_bytes), settled_(settled) {}
 
@@ -56,7 +57,7 @@ class SceneCache {
               std::span<const std::uint8_t> frame) const;
 
   private:
-    std::filesystem::path folder_;
+    GuardedFolder folder_;
     std::uint64_t most_bytes_;
     std::chrono::seconds settled_;
 };

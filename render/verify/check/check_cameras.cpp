@@ -341,7 +341,7 @@ CheckWork beginCameras(const Subject& subject, Findings& findings) {
             if (subject.rays) frame.checkScene(subject, found);
         }
     };
-    work.finish = [&subject, cameras](Findings& found) {
+    work.finish = [&subject, cameras](Findings& found, const JobContext&) {
         for (const CameraRays& one : *cameras) {
             const StoredCamera& camera = one.camera;
             const auto path = [&](const char* image, int frame) {

@@ -241,7 +241,7 @@ CheckWork beginColmap(const Subject& subject, Findings& findings) {
             (*sightings)[static_cast<std::size_t>(images.frame())] = look(dataset, *points, images);
         };
     }
-    work.finish = [&subject, points, sightings](Findings& found) {
+    work.finish = [&subject, points, sightings](Findings& found, const JobContext&) {
         judgeByDepth(*sightings, found);
         for (const Point& point : *points) {
             const auto wrong = [&](std::string what, std::string expected) {

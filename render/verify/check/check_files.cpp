@@ -86,6 +86,15 @@ bool staysInside(const std::string& name) {
     return true;
 }
 
+/// No file of such a dataset is larger; reading one that is could take hours.
+std::uintmax_t mostBytes(const StoredDataset& dataset) {
+    constexpr std::uintmax_t kOfTables = std::uintmax_t{1} << 32U;
+    constexpr std::uintmax_t kOfPixel = 256;  // of all images of a frame, in one HDF5 file
+    const auto pixels = static_cast<std::uintmax_t>(dataset.lens.width) *
+                        static_cast<std::uintmax_t>(dataset.lens.height);
+    return kOfTables + kOfPixel * pixels * dataset.frames.size();
+}
+
 }  // namespace
 
 CheckWork beginFiles(const Subject& subject, Findings& findings) {
@@ -96,11 +105,13 @@ CheckWork beginFiles(const Subject& subject, Findings& findings) {
     }
     findForeign(dataset, findings);
     CheckWork work;
-    work.finish = [&dataset](Findings& all) {
+    work.finish = [&dataset](Findings& all, const JobContext& job) {
         const std::vector<std::pair<std::string, std::string>> files(dataset.sha256s.begin(),
                                                                      dataset.sha256s.end());
         std::vector<Findings> found(files.size());
+        const std::uintmax_t most_bytes = mostBytes(dataset);
         parallelFor(files.size(), [&](std::size_t i) {
+            if (job.cancelled()) return;
             const auto& [name, said] = files[i];
             const auto tell = [&, &name = name](std::string what, std::string expected) {
                 found[i].add({name, frameOf(name), {}, std::move(what), std::move(expected)});
@@ -109,7 +120,11 @@ CheckWork beginFiles(const Subject& subject, Findings& findings) {
             if (!staysInside(name)) return tell("a path out of the folder", "a file in it");
             const fs::path path = dataset.folder / name;
             if (!fs::exists(path, error)) return tell("missing", "a file");
-            const Result<std::string> is = io::sha256OfFile(path);
+            const std::uintmax_t size = fs::file_size(path, error);
+            if (!error && size > most_bytes) {
+                return tell(fmt::format("{} bytes", size), fmt::format("at most {}", most_bytes));
+            }
+            const Result<std::string> is = io::sha256OfFile(path, job);
             if (!is) return tell("it cannot be read", "a file");
             if (*is != said) tell("SHA-256 " + *is, said);
         });

@@ -204,7 +204,7 @@ CheckWork beginFrames(const Subject& subject, Findings& findings) {
         table->clearances_m[static_cast<std::size_t>(images.frame())] =
             FrameRays(subject, frame, frame.pose).clearance();
     };
-    work.finish = [&subject, table](Findings& found) {
+    work.finish = [&subject, table](Findings& found, const JobContext&) {
         FramesReport report(*table, found);
         compareMotion(subject, *table, report);
         compareLight(subject.dataset, *table, report);

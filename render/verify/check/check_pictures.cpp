@@ -15,7 +15,7 @@ CheckWork beginPictures(const Subject& subject, Findings& /*findings*/) {
         if (!picture || !ids) return;
         judge->look(static_cast<std::size_t>(images.frame()), *picture, *ids);
     };
-    work.finish = [judge, &dataset](Findings& findings) {
+    work.finish = [judge, &dataset](Findings& findings, const JobContext&) {
         judge->judge({[](int frame) { return imageFile("rgb", frame); },
                       [&](int frame) {
                           FrameImages images(dataset, frame);

@@ -217,6 +217,42 @@ TEST(Operation, PatternsAndClassesNameSeveralObjects) {
               std::string::npos);
 }
 
+TEST(Operation, AGroupIsMadeOfWhatTouches) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 4, 2.6});  // 1..6
+    builder.object("seats").box({1, 1, 0.45}, {0.4, 0.4, 0.1}).box({3, 1, 0.45}, {0.4, 0.4, 0.1});
+    for (const double x : {0.85, 1.15, 2.85, 3.15, 5.0}) {
+        const std::string name = "leg " + std::to_string(static_cast<int>(100 * x));
+        builder.object(name).box({x, 1, 0.2}, {0.05, 0.05, 0.398});
+    }
+    builder.object("lamp").box({1, 1.25, 0.45}, {0.09, 0.09, 0.1});  // 5 mm from a seat
+    Editing editing;
+    editing.imported = builder.build();
+    ASSERT_TRUE(editing.apply({
+        {{"op", "exclude"}, {"object", "leg 500"}},
+        {{"op", "split"}, {"object", "seats"}},
+        {{"op", "group"}, {"object", {"seats*", "leg*"}}, {"name", "chair"}},
+    }));
+    const Scene scene = editing.scene();
+    expectWellFormed(scene);
+    std::vector<std::string> names;
+    for (std::size_t i = 6; i < scene.objects.size(); ++i) names.push_back(scene.objects[i].name);
+    EXPECT_EQ(names, (std::vector<std::string>{"chair_1", "chair_2", "leg 500", "lamp"}));
+    EXPECT_EQ(scene.object(7).triangle_count, 36U);  // a seat and two legs of 12
+    EXPECT_NEAR(scene.object(8).box.center.x(), 3.0, 0.01);
+    EXPECT_EQ(scene.object(9).role, Role::Excluded);
+    EXPECT_EQ(scene.object(10).role, Role::Target);
+
+    // Of a larger gap; by the name of the largest part; saved and read as any definition.
+    ASSERT_TRUE(
+        editing.apply({{{"op", "group"}, {"object", {"chair_*", "lamp"}}, {"gap_m", 0.01}}}));
+    EXPECT_EQ(editing.scene().objects.size(), 9U);
+    EXPECT_EQ(editing.scene().object(7).name, "chair_1");
+    const auto none = editing.apply({{{"op", "group"}, {"object", "chair_*"}}});
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("raise gap_m"), std::string::npos);
+}
+
 TEST(Operation, NumbersFollowWhatDefinitionsDo) {
     Editing editing;
     ASSERT_TRUE(editing.apply({

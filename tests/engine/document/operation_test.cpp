@@ -237,7 +237,7 @@ TEST(Operation, FindsItsObjectsInAChangedSceneOrWarns) {
 }
 
 TEST(Operation, ATableEntryHasEverything) {
-    EXPECT_EQ(listOperations().size(), 30U);
+    EXPECT_EQ(listOperations().size(), 31U);
     for (const OperationInfo& info : listOperations()) {
         EXPECT_NE(info.apply, nullptr);
         EXPECT_FALSE(info.text.empty()) << info.op;

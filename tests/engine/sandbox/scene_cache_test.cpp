@@ -23,7 +23,6 @@ class SceneCacheTest : public testing::Test {
   protected:
     void SetUp() override {
         fs::create_directories(scene_.parent_path());
-        fs::create_directories(cache_folder_);
         put("scene/room.obj", "v 0 0 0");
         put("scene/oak.png", "picture");
     }
@@ -55,7 +54,7 @@ class SceneCacheTest : public testing::Test {
     const io::InputRoots roots_ = io::inputRoots(scene_, {folder_.path() / "models"});
     const fs::path cache_folder_ = folder_.path() / "cache";
     const std::vector<std::uint8_t> frame_ = test::frameOf(test::smallReadScene());
-    const SceneCache cache_{cache_folder_, 1 << 20};
+    const SceneCache cache_{*io::GuardedFolder::make(cache_folder_), 1 << 20};
     bool lists_ = false;
 };
 
@@ -102,7 +101,7 @@ TEST_F(SceneCacheTest, NoticesNewNamesWhereNamesWereLookedFor) {
 }
 
 TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
-    const SceneCache at_once(cache_folder_, 1 << 20, std::chrono::seconds(0));
+    const SceneCache at_once(*io::GuardedFolder::open(cache_folder_), 1 << 20, std::chrono::seconds(0));
     const auto digests = [&] {
         std::vector<fs::path> files;
         for (const auto& file : fs::directory_iterator(cache_folder_)) {
@@ -187,7 +186,7 @@ TEST_F(SceneCacheTest, PassesOverDamagedEntries) {
 TEST_F(SceneCacheTest, TheOldestMakeRoom) {
     ASSERT_TRUE(keep(cache_, "a"));
     const auto size = fs::file_size(entry("a"));
-    const SceneCache small(cache_folder_, 3 * size);
+    const SceneCache small(*io::GuardedFolder::open(cache_folder_), 3 * size);
     ASSERT_TRUE(keep(small, "b"));
     ASSERT_TRUE(keep(small, "c"));
     const auto now = fs::file_time_type::clock::now();
@@ -199,7 +198,7 @@ TEST_F(SceneCacheTest, TheOldestMakeRoom) {
     EXPECT_TRUE(fs::exists(entry("a")));
     EXPECT_FALSE(fs::exists(entry("b")));
     EXPECT_TRUE(fs::exists(entry("c")));
-    EXPECT_FALSE(keep(SceneCache(cache_folder_, size / 2), "e"));
+    EXPECT_FALSE(keep(SceneCache(*io::GuardedFolder::open(cache_folder_), size / 2), "e"));
 }
 
 TEST_F(SceneCacheTest, NoticesWhatChangesInFoldersOfModels) {
