@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/files/file_source.h"
+#include "engine/io/import/obj_numbers.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -23,9 +24,8 @@ constexpr std::size_t kLeastMaterialBytes = 8;
 /// is not there.
 class AssimpFiles : public Assimp::IOSystem {
   public:
-    /// `files` and `mended_faces` have to outlive this object; see mendText().
-    AssimpFiles(const FileSource& files, std::size_t& mended_faces)
-        : files_(files), mended_faces_(mended_faces) {}
+    /// `files` and `defects` have to outlive this object.
+    AssimpFiles(const FileSource& files, TextDefects& defects) : files_(files), defects_(defects) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -34,7 +34,7 @@ class AssimpFiles : public Assimp::IOSystem {
 
   private:
     const FileSource& files_;
-    std::size_t& mended_faces_;
+    TextDefects& defects_;
 };
 
 }  // namespace dollytrack

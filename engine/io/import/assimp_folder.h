@@ -1,11 +1,11 @@
 #pragma once
 
+#include "engine/io/import/obj_numbers.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
-#include <cstddef>
 #include <filesystem>
 
 namespace dollytrack::io {
@@ -14,8 +14,8 @@ namespace dollytrack::io {
 /// read only.
 class AssimpFolder : public Assimp::IOSystem {
   public:
-    /// `mended_faces` has to outlive this object; see mendText().
-    AssimpFolder(std::filesystem::path scene, std::size_t& mended_faces);
+    /// `defects` has to outlive this object.
+    AssimpFolder(std::filesystem::path scene, TextDefects& defects);
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
@@ -28,7 +28,7 @@ class AssimpFolder : public Assimp::IOSystem {
   private:
     std::filesystem::path scene_;
     ConfinedFolder folder_;
-    std::size_t& mended_faces_;
+    TextDefects& defects_;
 };
 
 }  // namespace dollytrack::io

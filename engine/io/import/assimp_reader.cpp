@@ -8,6 +8,8 @@
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
+#include <fmt/format.h>
+
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -19,9 +21,11 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string_view>
 #include <thread>
 
@@ -359,9 +363,30 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     return raw;
 }
 
+void noteDefects(TextDefects& defects, const Path& path, std::vector<std::string>& notes) {
+    if (const std::size_t faces = defects.mended_faces; faces > 0) {
+        notes.push_back(
+            fmt::format("{} texture coordinates that are not in the file; without them "
+                        "{} one colour of the picture",
+                        faces == 1 ? "1 face names" : fmt::format("{} faces name", faces),
+                        faces == 1 ? "it has" : "they have"));
+    }
+    std::set<std::string>& missing = defects.missing_materials;
+    // assimp tries the file of the model's own name in place of each that is missing.
+    if (missing.size() > 1) missing.erase(path.stem().string() + ".mtl");
+    constexpr std::ptrdiff_t kMostNamed = 10;
+    if (missing.empty()) return;
+    const auto end = std::next(missing.begin(),
+                               std::min(kMostNamed, static_cast<std::ptrdiff_t>(missing.size())));
+    notes.push_back(fmt::format(
+        "files of materials are missing or cannot be read: {}{}",
+        fmt::join(missing.begin(), end, ", "),
+        end == missing.end() ? "" : fmt::format(" and {} more", missing.size() - kMostNamed)));
+}
+
 /// Reads `path` with an importer that is set up to find it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
-                      const std::size_t& mended_faces, const JobContext& job) {
+                      TextDefects& defects, const JobContext& job) {
     const std::string where = path.string();
     try {
         keepOurReaders(*importer);
@@ -379,13 +404,7 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
                         where);
         }
         Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
-        if (raw && mended_faces > 0) {
-            raw->notes.push_back(std::to_string(mended_faces) +
-                                 (mended_faces == 1 ? " face names" : " faces name") +
-                                 " texture coordinates that are not in the file; without them " +
-                                 (mended_faces == 1 ? "it has" : "they have") +
-                                 " one colour of the picture");
-        }
+        if (raw) noteDefects(defects, path, raw->notes);
         static BackgroundDisposal disposal;
         disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
@@ -403,17 +422,17 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
 Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
     // The importer may live on after this function, but opens nothing then.
-    std::size_t mended_faces = 0;
-    importer->SetIOHandler(new io::AssimpFolder(path, mended_faces));  // the importer owns it
-    return read(std::move(importer), path, mended_faces, job);
+    TextDefects defects;
+    importer->SetIOHandler(new io::AssimpFolder(path, defects));  // the importer owns it
+    return read(std::move(importer), path, defects, job);
 }
 
 Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
                                 const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    std::size_t mended_faces = 0;
-    importer->SetIOHandler(new AssimpFiles(files, mended_faces));  // the importer owns it
-    return read(std::move(importer), name, mended_faces, job);
+    TextDefects defects;
+    importer->SetIOHandler(new AssimpFiles(files, defects));  // the importer owns it
+    return read(std::move(importer), name, defects, job);
 }
 
 }  // namespace dollytrack

@@ -204,6 +204,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);
+            mended_faces = 0;  // assimp may open the scene's file more than once
             changed = mendObjLines(text, mended_faces) || changed;
         }
     }

@@ -4,10 +4,32 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace dollytrack {
+
+/// What was wrong in the text files of a model.
+struct TextDefects {
+    std::size_t mended_faces = 0;             // see mendObjLines()
+    std::set<std::string> missing_materials;  // names of .mtl files that could not be opened
+
+    /// assimp looks for one file in several folders; it is missing when it is in none.
+    void noteMaterial(const std::filesystem::path& file, bool opened) {
+        const std::string name = file.filename().string();
+        if (opened) {
+            opened_.insert(name);
+            missing_materials.erase(name);
+        } else if (!opened_.contains(name)) {
+            missing_materials.insert(name);
+        }
+    }
+
+  private:
+    std::set<std::string> opened_;
+};
 
 /// Whether a text has numbers without a digit before the point, ".5" or "-.5".
 [[nodiscard]] bool hasBarePoints(const std::vector<std::uint8_t>& text);

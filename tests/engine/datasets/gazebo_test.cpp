@@ -4,6 +4,7 @@
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -161,7 +162,7 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
         for (const auto& face : {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
                                  {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
             text += "f";
-            for (const int corner : face) text += " " + std::to_string(corner + first);
+            for (const int corner : face) text += fmt::format(" {}", corner + first);
             text += "\n";
         }
         return text;

@@ -7,6 +7,7 @@
 #include "tests/support/imported_scene.h"
 #include "tests/support/temp_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -134,7 +135,7 @@ TEST(Labelled, ScanNetsVerticesHaveNyu40Classes) {
                                               {"lamp", 12}}));
     // With its segments, objects are those of the aggregation; the class is the labels'.
     std::string segments = "0";
-    for (int i = 1; i < 64; ++i) segments += "," + std::to_string(i / 8);
+    for (int i = 1; i < 64; ++i) segments += fmt::format(",{}", i / 8);
     static_cast<void>(folder.write("scene0000_00_vh_clean_2.0.010000.segs.json",
                                    R"({"segIndices": [)" + segments + "]}"));
     static_cast<void>(folder.write("scene0000_00.aggregation.json", R"({"segGroups": [
@@ -280,7 +281,9 @@ TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
         std::vector<std::uint8_t> pixels;
         for (int i = 0; i < 5; ++i) {
             const int number = backwards ? 5 - i : i + 1;
-            pixels.insert(pixels.end(), {static_cast<std::uint8_t>(10 * number), 0x20, 0xF0});
+            pixels.push_back(static_cast<std::uint8_t>(10 * number));
+            pixels.push_back(0x20);
+            pixels.push_back(0xF0);
         }
         const auto png = io::encodePng(5, 1, io::PngFormat::Rgb8, pixels);
         const std::string bytes(png->begin(), png->end());
