@@ -3,6 +3,8 @@
 #include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/habitat/habitat_reader.h"
+#include "engine/io/import/reachable_files.h"
 #include "engine/io/import/scene_format.h"
 
 #include <fmt/ranges.h>
@@ -160,6 +162,10 @@ struct NameParts {
 NameParts namePartsOf(const fs::path& path) {
     NameParts parts;
     parts.own = path.stem().string();
+    // "apt_0.scene_instance.json" is called "apt_0".
+    for (const std::string_view kind : {".scene_instance", ".stage_config"}) {
+        if (parts.own.ends_with(kind)) parts.own.resize(parts.own.size() - kind.size());
+    }
     if (path.has_extension()) parts.ending = path.extension().string().substr(1);
     for (const std::string& folder : partsOf(path.parent_path())) {
         if (folder != "." && folder != ".." && folder != "/") {
@@ -208,6 +214,32 @@ std::vector<std::string> namesApart(std::vector<NameParts> alike) {
     return names;
 }
 
+/// A dataset config of Habitat stands for each of its scenes. Several configs may list the same.
+Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
+                                                 const fs::path& base) {
+    const fs::path root = io::absoluteNormal(base.empty() ? fs::path(".") : base);
+    std::vector<SceneFile> all;
+    std::set<fs::path> added;
+    const auto add = [&](SceneFile file) {
+        if (added.insert(io::absoluteNormal(root / file.path)).second) {
+            all.push_back(std::move(file));
+        }
+    };
+    for (SceneFile& file : files) {
+        if (!file.path.string().ends_with(".scene_dataset_config.json")) {
+            add(std::move(file));
+            continue;
+        }
+        const auto scenes = habitat::scenesOfDataset(base / file.path);
+        if (!scenes) return tl::unexpected<Error>(scenes.error());
+        for (const fs::path& scene : *scenes) {
+            const fs::path relative = scene.lexically_relative(root);
+            add({file.path.is_absolute() || relative.empty() ? scene : relative, {}});
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 bool isPattern(const std::string& text) {
@@ -221,7 +253,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
         if (!fs::exists(base / path, error)) {
             return fail(ErrorCode::BadInput, "there is no file '" + pattern + "'");
         }
-        return std::vector<SceneFile>{{path, {}}};
+        return withDatasetScenes(std::vector<SceneFile>{{path, {}}}, base);
     }
     // The folders without wildcards are gone into, not looked for.
     Parts parts = partsOf(path);
@@ -240,7 +272,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
                     fmt::format("'{}' names no scene; scenes are {} and .dolly files", pattern,
                                 fmt::join(sceneExtensions(), ", ")));
     }
-    return found;
+    return withDatasetScenes(std::move(found), base);
 }
 
 bool matches(const fs::path& path, const std::string& pattern) {

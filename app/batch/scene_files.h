@@ -18,9 +18,10 @@ struct SceneFile {
 [[nodiscard]] bool isPattern(const std::string& text);
 
 /// The scenes and projects that a pattern names, in natural order: `*` and `?` within a name, `**`
-/// for any number of folders. A text without wildcards is one file, of whatever kind. Names that
-/// begin with a dot are not looked at. Error: BadInput where nothing is found, or a folder cannot
-/// be read.
+/// for any number of folders. A text without wildcards is one file, of whatever kind. A dataset
+/// config of Habitat stands for each of its scenes. Names that begin with a dot are not looked at.
+/// Each file is named once. Error: BadInput where nothing is found, a folder cannot be read, or a
+/// dataset config cannot be used.
 [[nodiscard]] Result<std::vector<SceneFile>> filesMatching(const std::string& pattern,
                                                            const std::filesystem::path& base);
 

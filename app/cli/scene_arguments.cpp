@@ -332,7 +332,9 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--models", arguments.models,
                     "Folder with the models of a scene made of models (3D-FUTURE-model, "
-                    "ShapeNetCore.v2); may be repeated")
+                    "ShapeNetCore.v2, Gazebo's models); may be repeated, or several with colons "
+                    "between (\"$GAZEBO_MODEL_PATH\")")
+        ->delimiter(':')
         ->check(CLI::ExistingDirectory.description(""))
         ->type_name("DIR")
         ->allow_extra_args(false);

@@ -59,6 +59,27 @@ TEST(SceneFiles, PatternsFindScenesInNaturalOrder) {
     EXPECT_TRUE(found("none.obj", folder.path())[0].starts_with("error: "));
 }
 
+TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
+    const test::TempFolder folder;
+    const std::string config = R"({"scene_instances": {"paths": {".json": ["scenes/*"]}}})";
+    for (const char* name : {"set/plain", "set/lit"}) {
+        static_cast<void>(folder.write(std::string(name) + ".scene_dataset_config.json", config));
+    }
+    for (const char* name : {"flat", "attic"}) {
+        static_cast<void>(folder.write(std::string("set/scenes/") + name + ".scene_instance.json",
+                                       R"({"stage_instance": {"template_name": "s"}})"));
+    }
+    using Names = std::vector<std::string>;
+    const Names scenes = {"set/scenes/attic.scene_instance.json",
+                          "set/scenes/flat.scene_instance.json"};
+    EXPECT_EQ(found("set/*.scene_dataset_config.json", folder.path()), scenes);
+    EXPECT_EQ(found("set/lit.scene_dataset_config.json", folder.path()), scenes);
+    EXPECT_EQ(namesOf(scenes), (Names{"attic", "flat"}));
+    static_cast<void>(folder.write("set/lit.scene_dataset_config.json", "{"));
+    EXPECT_TRUE(
+        found("set/lit.scene_dataset_config.json", folder.path())[0].starts_with("error: "));
+}
+
 // Whose names would be the folder of one job.
 TEST(SceneFiles, NumbersThatTellNamesApartAreNobodysName) {
     const std::vector<std::string> names = namesOf({"a b.obj", "a_b.obj", "a_b_obj-2.x"});

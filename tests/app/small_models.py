@@ -307,6 +307,95 @@ def hdf5(*numbers):
     return bytes_.getvalue()
 
 
+def scene_instance():
+    """A room as a stage, and a box and a drawer in it."""
+    return json.dumps({
+        "stage_instance": {"template_name": "room"}, "semantic_scene_instance": "words",
+        "object_instances": [
+            {"template_name": "chair", "translation": [2, 1, -1], "rotation": [1, 0, 0, 0],
+             "translation_origin": "asset_local", "uniform_scale": 0.25}],
+        "articulated_object_instances": [
+            {"template_name": "drawer", "translation": [3, 1, -3], "uniform_scale": 0.5}]}).encode()
+
+
+def dataset_config():
+    return json.dumps({
+        "stages": {"paths": {".json": ["stages"]}},
+        "objects": {"paths": {".json": ["objects/*"]}, "configs": [
+            {"original_file": "objects/chair.object_config.json", "template_handle": "small",
+             "attributes": {"scale": [0.5, 0.5, 0.5]}}]},
+        "articulated_objects": {"paths": {".urdf": ["urdf"]}},
+        "scene_instances": {"paths": {".json": ["scenes"]}},
+        "semantic_scene_descriptor_instances": {"words": "words.json"}}).encode()
+
+
+def object_config():
+    return b'{"render_asset": "../room.obj", "semantic_id": 5, "up": [0, 0, 1], "front": [0, 1, 0]}'
+
+
+def urdf():
+    return b"""<robot name="drawer"><material name="oak"><color rgba="0.6 0.4 0.3 1"/></material>
+<link name="body"><visual><geometry><box size="1 1 1"/></geometry><material name="oak"/></visual></link>
+<joint name="rail" type="prismatic"><origin xyz="0 0 0.4" rpy="0 0 1.57"/><parent link="body"/>
+<child link="front"/></joint>
+<link name="front"><visual><geometry><mesh filename="../room.obj" scale="0.2 0.2 0.2"/></geometry>
+</visual></link></robot>"""
+
+
+def world():
+    return b"""<?xml version="1.0"?><sdf version="1.7"><world name="flat">
+<include><uri>model://hall</uri></include>
+<model name="table"><pose degrees="true">2 2 0 0 0 90</pose><link name="top"><visual name="v">
+<pose>0 0 0.7 0 0 0</pose><geometry><box><size>1 0.6 0.04</size></box></geometry>
+<material><diffuse>0.5 0.3 0.2 1</diffuse></material></visual></link>
+<link name="foot"><visual name="v"><geometry><cylinder><radius>0.1</radius><length>1.4</length>
+</cylinder></geometry></visual></link>
+<joint name="screw" type="fixed"><parent>top</parent><child>foot</child></joint></model>
+</world></sdf>"""
+
+
+def hall():
+    return b"""<sdf version="1.6"><model name="hall"><link name="link"><visual name="v"><geometry><mesh>
+<uri>model://hall/meshes/room.obj</uri><scale>1 1 1</scale></mesh></geometry></visual></link></model></sdf>"""
+
+
+def labelled_ply(form="ascii"):
+    """The room, each of its sides an object by the numbers of its faces."""
+    head = (f"ply\nformat {form} 1.0\nelement vertex {len(CORNERS)}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {len(TRIANGLES)}\nproperty list uchar int vertex_indices\n"
+            "property int object_id\nend_header\n").encode()
+    if form == "ascii":
+        lines = ["%g %g %g" % c for c in CORNERS]
+        lines += ["3 %d %d %d %d" % (*t, i // 2) for i, t in enumerate(TRIANGLES)]
+        return head + "\n".join(lines).encode() + b"\n"
+    body = b"".join(struct.pack("<3f", *c) for c in CORNERS)
+    return head + body + b"".join(struct.pack("<B4i", 3, *t, i // 2)
+                                  for i, t in enumerate(TRIANGLES))
+
+
+SIDES = ["floor", "ceiling", "wall", "wall", "wall", "wall"]
+
+
+def semantic_info():
+    return json.dumps({"objects": [{"id": i, "class_id": 1, "class_name": name}
+                                   for i, name in enumerate(SIDES)]}).encode()
+
+
+def house():
+    lines = ["ASCII 1.1"] + [f"C {i} {i} {name} 3 {name} 0 0" for i, name in enumerate(SIDES)]
+    return "\n".join(lines + [f"O {i} 0 {i} 1 2 3" for i in range(len(SIDES))]).encode() + b"\n"
+
+
+def segments():
+    return json.dumps({"segIndices": [0, 0, 0, 0, 1, 1, 1, 1]}).encode()
+
+
+def aggregation():
+    return json.dumps({"segGroups": [{"objectId": 1, "segments": [0], "label": "floor"},
+                                     {"objectId": 2, "segments": [1], "label": "ceiling"}]}).encode()
+
+
 def write_beside(folder):
     """What the scenes below need besides themselves."""
     for name, data in {
@@ -317,7 +406,22 @@ def write_beside(folder):
             "ai/_detail/mesh/metadata_objects.csv": b"object_name\nroom\nroom_2\n",
             "ai/_detail/metadata_scene.csv": b"name,value\nmeters_per_asset_unit,0.9\n",
             "ai/_detail/mesh/mesh_objects_si.hdf5": hdf5(4, 5),
-            "ai/_detail/mesh/mesh_objects_sii.hdf5": hdf5(1, 2)}.items():
+            "ai/_detail/mesh/mesh_objects_sii.hdf5": hdf5(1, 2),
+            "hab/room.obj": obj(), "hab/room.mtl": mtl(), "hab/oak.png": png(),
+            "hab/set.scene_dataset_config.json": dataset_config(),
+            "hab/words.json": b'{"classes": [{"id": 5, "name": "chair"}]}',
+            "hab/stages/room.stage_config.json":
+                b'{"render_asset": "../room.obj", "up": [0, 0, 1], "front": [0, 1, 0]}',
+            "hab/objects/chair.object_config.json": object_config(),
+            "hab/urdf/drawer.urdf": urdf(), "hab/scenes/flat.scene_instance.json": scene_instance(),
+            "gz/flat.world": world(), "gz/models/hall/model.sdf": hall(),
+            "gz/models/hall/meshes/room.obj": obj(), "gz/models/hall/meshes/room.mtl": mtl(),
+            "gz/models/hall/meshes/oak.png": png(),
+            "replica/mesh_semantic.ply": labelled_ply(),
+            "replica/info_semantic.json": semantic_info(),
+            "mp3d/a_semantic.ply": labelled_ply("binary_little_endian"), "mp3d/a.house": house(),
+            "scannet/s_vh_clean_2.ply": ply(), "scannet/s.aggregation.json": aggregation(),
+            "scannet/s_vh_clean_2.0.010000.segs.json": segments()}.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
@@ -330,3 +434,17 @@ SCENES = [
     ("ai/_detail/mesh/metadata_objects.csv", lambda: b"object_name\nroom\n\"room 2\"\n",
      "ai/room.obj", 12),
     ("ai/_detail/mesh/mesh_objects_si.hdf5", lambda: hdf5(4, 5), "ai/room.obj", 12)]
+FLAT = "hab/scenes/flat.scene_instance.json"
+SCENES += [
+    (FLAT, scene_instance, FLAT, 48),
+    ("hab/set.scene_dataset_config.json", dataset_config, FLAT, 48),
+    ("hab/objects/chair.object_config.json", object_config, FLAT, 48),
+    ("hab/urdf/drawer.urdf", urdf, FLAT, 48),
+    ("gz/flat.world", world, "gz/flat.world", None),
+    ("gz/models/hall/model.sdf", hall, "gz/flat.world", None),
+    ("replica/mesh_semantic.ply", labelled_ply, "replica/mesh_semantic.ply", 12),
+    ("replica/info_semantic.json", semantic_info, "replica/mesh_semantic.ply", 12),
+    ("mp3d/a_semantic.ply", lambda: labelled_ply("binary_little_endian"), "mp3d/a_semantic.ply", 12),
+    ("mp3d/a.house", house, "mp3d/a_semantic.ply", 12),
+    ("scannet/s.aggregation.json", aggregation, "scannet/s_vh_clean_2.ply", 12),
+    ("scannet/s_vh_clean_2.0.010000.segs.json", segments, "scannet/s_vh_clean_2.ply", 12)]

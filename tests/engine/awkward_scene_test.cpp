@@ -1,3 +1,4 @@
+#include "engine/io/import/model_reader.h"
 #include "engine/io/import/obj_numbers.h"
 #include "engine/io/import/scene_import.h"
 #include "tests/support/imported_scene.h"
@@ -163,6 +164,87 @@ TEST(AwkwardScene, NamesOfFilesKeepTheirPoints) {
     EXPECT_FALSE(hasBarePoints(bytes("mtllib a.5.mtl\nv 0.5 1. -2.5e-3\n")));
     EXPECT_EQ(withLeadingZeros(bytes("mtllib a.5.mtl\nv -.5 1. +.25\n")),
               bytes("mtllib a.5.mtl\nv -0.5 1. +0.25\n"));
+}
+
+// Texts and what becomes of them; an empty one stays as it is, and is not copied.
+TEST(AwkwardScene, ObjLinesAreMendedWhereAssimpMisreadsThem) {
+    struct Case {
+        std::string text, mended;
+        std::size_t faces;
+    };
+    const std::string far = "99999999999999999999";
+    for (const Case& c : std::vector<Case>{
+             {"vt 0 0\nf 1/1 2/1 3/1\n", "", 0},
+             {"vt 0 0\nf 1/2 2/1 3/1\n", "vt 0 0\nf 1 2 3\n", 1},
+             {"vt 0 0\nf\t1/2/7 2/1/8 3/1/9\n", "vt 0 0\nf 1//7 2//8 3//9\n", 1},
+             {"  vt 0 0\n\tf 1/1 2/1 3/1\n", "vt 0 0\nf 1/1 2/1 3/1\n", 0},
+             {" f 1/1 2/0 3\nvt 0 0\n", "f 1 2 3\nvt 0 0\n", 1},
+             {"vt 0 0\nf 1/-1 2/-1 3/-1\nvt 1 1\n", "", 0},
+             // Counted back from the face, not from the end of the file.
+             {"vt 0 0\nf 1/-2 2/-1 3/-1\nvt 1 1\n", "vt 0 0\nf 1 2 3\nvt 1 1\n", 1},
+             {"f 1/2 2/1 3/1\nvt 0 0\nvt 1 1\n", "", 0},
+             {"vt 0 0\nf 1/1 2/1 \\\r\n 3/5\nf 1 2 3\n", "vt 0 0\nf 1 2 3\nf 1 2 3\n", 1},
+             {"f 1/" + far + " 2 3\n", "f 1 2 3\n", 1},
+             {"\n   \n \r\n  # indented\nf 1// 2/ 3\nfo 1/9\n", "", 0}}) {
+        std::vector<std::uint8_t> bytes(c.text.begin(), c.text.end());
+        std::size_t faces = 0;
+        EXPECT_EQ(mendObjLines(bytes, faces), !c.mended.empty()) << c.text;
+        EXPECT_EQ(std::string(bytes.begin(), bytes.end()), c.mended.empty() ? c.text : c.mended);
+        EXPECT_EQ(faces, c.faces) << c.text;
+    }
+}
+
+// One face without its texture coordinates leaves the others theirs.
+TEST(AwkwardScene, ObjFacesLoseCoordinatesThatAreNotThere) {
+    const TempFolder folder;
+    const Result<RawScene> raw =
+        readModel(folder.write("room.obj",
+                               "v 0 0 0\nv 1 0 0\nv 0 1 0\n  v 0 0 1\nvt 0.25 0.75\nvt 0.5 0.5\n"
+                               "f\t1/1 2/2 3/1\n  f 1/1 2/2 4/1\nf 1/-1 3/-2 4/-7\n"),
+                  {});
+    ASSERT_TRUE(raw) << describe(raw.error());
+    std::size_t triangles = 0;
+    bool placed = false;
+    for (const MeshPart& part : raw->parts) {
+        triangles += part.triangles.size();
+        placed = placed || std::ranges::any_of(part.uvs, [](const Eigen::Vector2f& uv) {
+                     return uv.isApprox(Eigen::Vector2f(0.25F, 0.75F));
+                 });
+    }
+    EXPECT_EQ(triangles, 3U);
+    EXPECT_TRUE(placed);
+    EXPECT_TRUE(says(raw->notes, "1 face names texture coordinates that are not in the file"));
+}
+
+TEST(AwkwardScene, ColladaColoursMayBeginWithBlanks) {
+    const TempFolder folder;
+    for (const char* color : {"<color>1 0 0 1</color>", "<color>\r\n \t1 0 0 1</color>",
+                              "<color sid=\"d\"> 1 0 0 1</color>"}) {
+        const Result<RawScene> raw =
+            readModel(folder.write("red.dae",
+                                   R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+<library_effects><effect id="e"><profile_COMMON><technique sid="t"><lambert><diffuse>)" +
+                                       std::string(color) + R"(</diffuse></lambert></technique>
+</profile_COMMON></effect></library_effects>
+<library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">
+0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source="#a" count="3" stride="3">
+<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+</accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/>
+</vertices><triangles count="1" material="k"><input semantic="VERTEX" source="#v" offset="0"/>
+<p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"><bind_material>
+<technique_common><instance_material symbol="k" target="#m"/></technique_common></bind_material>
+</instance_geometry></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>)"),
+                      {});
+        ASSERT_TRUE(raw) << color << describe(raw.error());
+        ASSERT_EQ(raw->parts.size(), 1U);
+        EXPECT_EQ(raw->materials.at(raw->parts[0].material).base_color, Eigen::Vector3f(1, 0, 0))
+            << color;
+    }
 }
 
 /// A shell whose faces look away from the room: what is inside of it is the room all the same.

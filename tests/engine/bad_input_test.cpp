@@ -30,13 +30,34 @@ TEST(BadInput, MissingFileFolderAndEmptyFile) {
 TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     const TempFolder folder;
     expectRefused(folder.write("room.docx", "x"), "scenes are .obj, .fbx");
-    expectRefused(folder.write("room.usdz", "x"), "open it in Blender and export glTF");
-    expectRefused(folder.write("room.world", "x"), "name the mesh");
+    expectRefused(folder.write("room.usdz", "x"), "Blender 4 from blender.org");
+    expectRefused(folder.write("room.ifc", "x"), "assimp export");
+    expectRefused(folder.write("room.urdf.xacro", "<x/>"), "xacro in.urdf.xacro");
     expectRefused(folder.write("room", "x"), "no extension");
     expectRefused(folder.write("room.c4d", "x"), "export FBX or glTF");
-    expectRefused(folder.write("room.blend", "x"), "export FBX or glTF");
+    expectRefused(folder.write("room.blend", "x"), "blender -b in.blend");
     expectRefused(folder.write("room.MAX", "x"), "export FBX or glTF");
-    expectRefused(folder.write("room.skp", "x"), "export FBX or glTF");
+    expectRefused(folder.write("room.skp", "x"), "in SketchUp export a 3D model as glTF");
+    expectRefused(folder.write("scan.e57", "x"), "cloudcompare.org");
+    expectRefused(folder.write("scan.laz", "x"), "cloudcompare.org");
+    expectRefused(folder.write("room.3ds", "x"), "assimp export");
+    expectRefused(folder.write("room.wrl", "x"), "open it in Blender and export glTF");
+    expectRefused(folder.write("room.abc", "x"), "lacks Alembic");
+}
+
+TEST(BadInput, KindsAreToldByTheirContent) {
+    const TempFolder folder;
+    expectRefused(folder.write("room.obj", "BLENDER-v304RENDH"), "blender -b in.blend");
+    expectRefused(folder.write("room.glb", "PXR-USDC"), "blender.org");
+    expectRefused(folder.write("room.stl", "ISO-10303-21;\nHEADER;"), "IFC");
+    expectRefused(folder.write("a.json", "{\"doors\":[{\"assetId\":\"D\",\"room0\":\"r\"}]}"),
+                  "ProcTHOR");
+    expectRefused(folder.write("b.json",
+                               "{\"walls\":[{\"dimensions\":[1],\"confidence\":{},"
+                               "\"transform\":[1]}]}"),
+                  "RoomPlan");
+    expectRefused(folder.write("c.json", "{\"name\": \"a thing\"}"), "no scene that can be read");
+    expectRefused(folder.write("d.json", "[1, 2]"), "no scene that can be read");
 }
 
 // Files of the same name lie in many folders.

@@ -101,7 +101,11 @@ const std::string& ModelLibrary::reason(std::size_t index) const {
 }
 
 Status TriangleBudget::take(const RawScene& model, const std::string& where) {
-    used_ += countTriangles(model);
+    return take(countTriangles(model), where);
+}
+
+Status TriangleBudget::take(std::size_t triangles, const std::string& where) {
+    used_ += triangles;
     if (used_ > kMostTriangles) {
         return fail(ErrorCode::BadInput,
                     "the scene places models of more than " + std::to_string(kMostTriangles) +

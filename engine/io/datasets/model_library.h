@@ -55,6 +55,8 @@ class TriangleBudget {
   public:
     /// Error: BadInput, beyond 6e7 in all.
     Status take(const RawScene& model, const std::string& where);
+    /// The same for a part of a model.
+    Status take(std::size_t triangles, const std::string& where);
 
   private:
     std::size_t used_ = 0;

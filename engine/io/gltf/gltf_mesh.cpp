@@ -119,7 +119,7 @@ std::optional<Eigen::Vector3f> meanOf(const std::vector<Eigen::Vector3f>& colors
 }
 
 Primitive readPrimitive(const Document& document, const Json& source,
-                        const std::vector<PictureCoordinates>& coordinates) {
+                        const std::vector<PictureCoordinates>& coordinates, bool keep_colors) {
     Primitive primitive;
     const std::size_t material = countOr(source, "material", coordinates.size() - 1);
     if (material >= coordinates.size()) {
@@ -147,8 +147,11 @@ Primitive readPrimitive(const Document& document, const Json& source,
     if (attributes.has(set.c_str())) primitive.uvs = attributes.readVectors(set.c_str(), 2);
     placePictures(pictures, primitive.uvs);
     if (attributes.has("COLOR_0")) {
-        const std::vector<Eigen::Vector3f> colors = attributes.readVectors("COLOR_0", 3);
-        if (colors.size() == count && count > 0) primitive.mean_color = meanOf(colors);
+        std::vector<Eigen::Vector3f> colors = attributes.readVectors("COLOR_0", 3);
+        if (colors.size() == count && count > 0) {
+            primitive.mean_color = meanOf(colors);
+            if (keep_colors) primitive.colors = std::move(colors);
+        }
     }
     if (primitive.normals.size() != count) primitive.normals.clear();
     if (primitive.uvs.size() != count) primitive.uvs.clear();
@@ -171,14 +174,15 @@ Primitive readPrimitive(const Document& document, const Json& source,
 }  // namespace
 
 std::vector<Primitive> readMesh(const Document& document, std::size_t mesh,
-                                const std::vector<PictureCoordinates>& coordinates) {
+                                const std::vector<PictureCoordinates>& coordinates,
+                                bool keep_colors) {
     const Json& description = document.entry("meshes", mesh);
     std::string name = cleanText(textOr(description, "name"));
     if (name.empty()) name = "meshes[" + std::to_string(mesh) + "]";
     std::vector<Primitive> primitives;
     const auto& sources = listAt(description, "primitives");
     for (const Json& source : sources) {
-        primitives.push_back(readPrimitive(document, source, coordinates));
+        primitives.push_back(readPrimitive(document, source, coordinates, keep_colors));
         primitives.back().name =
             sources.size() == 1 ? name : name + "-" + std::to_string(primitives.size() - 1);
     }

@@ -22,12 +22,15 @@ struct Primitive {
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
     std::size_t lines = 0;                      // points and lines, which are left out
+    std::vector<Eigen::Vector3f> colors;        // of its vertices, as the file has them; see readMesh
     std::optional<Eigen::Vector3f> mean_color;  // linear, of its vertices; multiplies the material
 };
 
 /// The primitives of a mesh. `coordinates` says of each material where its pictures lie; the last
-/// material is the one of primitives that name none.
+/// material is the one of primitives that name none. Colours of vertices are kept only where
+/// `keep_colors` says so; else primitives have but their mean.
 [[nodiscard]] std::vector<Primitive> readMesh(const Document& document, std::size_t mesh,
-                                              const std::vector<PictureCoordinates>& coordinates);
+                                              const std::vector<PictureCoordinates>& coordinates,
+                                              bool keep_colors);
 
 }  // namespace dollytrack::gltf

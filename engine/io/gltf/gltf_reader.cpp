@@ -61,27 +61,36 @@ void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
     }
 }
 
-RawScene read(const Document& document, const JobContext& job) {
-    RawScene raw;
-    raw.file_unit_m = 1.0;
-    raw.file_up_axis = 'y';
-    const std::vector<PictureCoordinates> coordinates = readMaterials(document, raw);
-    const std::vector<MeshPlacement> placements = placeMeshes(document, raw);
-
+/// Reads each mesh that has a placement once. MeshPlacement::mesh becomes an index into these.
+std::vector<std::vector<Primitive>> readPlacedMeshes(
+    const Document& document, const std::vector<PictureCoordinates>& coordinates, bool keep_colors,
+    std::vector<MeshPlacement>& placements, const JobContext& job) {
     std::vector<std::size_t> used;
     for (const MeshPlacement& placement : placements) used.push_back(placement.mesh);
     std::ranges::sort(used);
     const auto repeated = std::ranges::unique(used);
     used.erase(repeated.begin(), repeated.end());
+    for (MeshPlacement& placement : placements) {
+        const auto at = std::ranges::lower_bound(used, placement.mesh) - used.begin();
+        placement.mesh = static_cast<std::size_t>(at);
+    }
     std::vector<std::vector<Primitive>> meshes(used.size());
     parallelFor(used.size(), [&](std::size_t i) {
-        if (!job.cancelled()) meshes[i] = readMesh(document, used[i], coordinates);
+        if (!job.cancelled()) meshes[i] = readMesh(document, used[i], coordinates, keep_colors);
     });
+    return meshes;
+}
 
+RawScene read(const Document& document, const JobContext& job) {
+    RawScene raw;
+    raw.file_unit_m = 1.0;
+    raw.file_up_axis = 'y';
+    const std::vector<PictureCoordinates> coordinates = readMaterials(document, raw);
+    std::vector<MeshPlacement> placements = placeMeshes(document, raw);
+    const auto meshes = readPlacedMeshes(document, coordinates, false, placements, job);
     std::vector<Task> tasks;
     for (const MeshPlacement& placement : placements) {
-        const auto at = std::ranges::lower_bound(used, placement.mesh) - used.begin();
-        for (const Primitive& primitive : meshes[static_cast<std::size_t>(at)]) {
+        for (const Primitive& primitive : meshes[placement.mesh]) {
             tasks.push_back({&primitive, &placement});
         }
     }
@@ -104,6 +113,22 @@ Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside, const
         RawScene raw = read(document, job);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         return raw;
+    } catch (const Fault& fault) {
+        return fail(ErrorCode::BadInput, fault.what(), where);
+    }
+}
+
+Result<ColoredMeshes> readColoredMeshes(std::string file, const ReadBeside& read_beside,
+                                        const std::string& where, const JobContext& job) {
+    try {
+        const Document document(std::move(file), read_beside);
+        ColoredMeshes all;
+        const std::vector<PictureCoordinates> coordinates = readMaterials(document, all.scene);
+        all.placements = placeMeshes(document, all.scene);
+        all.meshes = readPlacedMeshes(document, coordinates, true, all.placements, job);
+        all.scene.nodes.clear();
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
+        return all;
     } catch (const Fault& fault) {
         return fail(ErrorCode::BadInput, fault.what(), where);
     }

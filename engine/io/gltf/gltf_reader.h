@@ -2,15 +2,31 @@
 
 #include "engine/core/result.h"
 #include "engine/io/gltf/document.h"
+#include "engine/io/gltf/gltf_mesh.h"
+#include "engine/io/gltf/gltf_nodes.h"
 #include "engine/io/import/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <string>
+#include <vector>
 
 namespace dollytrack::gltf {
 
 /// Reads the bytes of a glTF 2.0 file, .gltf or .glb. `where` names it in errors. Error: BadInput.
 [[nodiscard]] Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside,
                                         const std::string& where, const JobContext& job);
+
+/// The meshes of a file with the colours of their vertices, each once, and their placements.
+struct ColoredMeshes {
+    RawScene scene;  // materials and textures alone
+    std::vector<std::vector<Primitive>> meshes;
+    std::vector<MeshPlacement> placements;  // MeshPlacement::mesh is an index into `meshes`
+};
+
+/// The same for readers that need the colours of vertices. Errors: BadInput, Cancelled.
+[[nodiscard]] Result<ColoredMeshes> readColoredMeshes(std::string file,
+                                                      const ReadBeside& read_beside,
+                                                      const std::string& where,
+                                                      const JobContext& job);
 
 }  // namespace dollytrack::gltf

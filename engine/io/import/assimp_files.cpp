@@ -58,11 +58,11 @@ bool AssimpFiles::Exists(const char* name) const {
 Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
     if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
     auto bytes = files_.read(name);
+    const bool material = lowerExtension(name) == ".mtl";
+    if (material) defects_.noteMaterial(name, bytes && *bytes);
     if (!bytes || !*bytes) return nullptr;
-    const bool material = std::string_view(name).ends_with(".mtl");
     if (material && (**bytes).size() < kLeastMaterialBytes) return nullptr;
-    Assimp::IOStream* stream = openBytes(std::move(**bytes));
-    return lowerExtension(name) == ".obj" ? mendObjNumbers(stream) : stream;
+    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), defects_.mended_faces);
 }
 
 }  // namespace dollytrack

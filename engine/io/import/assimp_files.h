@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/files/file_source.h"
+#include "engine/io/import/obj_numbers.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -23,8 +24,8 @@ constexpr std::size_t kLeastMaterialBytes = 8;
 /// is not there.
 class AssimpFiles : public Assimp::IOSystem {
   public:
-    /// `files` has to outlive this object.
-    explicit AssimpFiles(const FileSource& files) : files_(files) {}
+    /// `files` and `defects` have to outlive this object.
+    AssimpFiles(const FileSource& files, TextDefects& defects) : files_(files), defects_(defects) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -33,6 +34,7 @@ class AssimpFiles : public Assimp::IOSystem {
 
   private:
     const FileSource& files_;
+    TextDefects& defects_;
 };
 
 }  // namespace dollytrack

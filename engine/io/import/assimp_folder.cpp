@@ -5,7 +5,6 @@
 #include "engine/io/import/scene_format.h"
 
 #include <algorithm>
-#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -45,8 +44,8 @@ class FileStream : public Assimp::IOStream {
 
 }  // namespace
 
-AssimpFolder::AssimpFolder(std::filesystem::path scene)
-    : scene_(std::move(scene)), folder_(scene_.parent_path()) {}
+AssimpFolder::AssimpFolder(std::filesystem::path scene, TextDefects& defects)
+    : scene_(std::move(scene)), folder_(scene_.parent_path()), defects_(defects) {}
 
 bool AssimpFolder::Exists(const char* file) const {
     return scene_ == file || folder_.has(folder_.relative(file));
@@ -57,11 +56,12 @@ Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     const bool is_scene = scene_ == file;
     Result<InputFile> opened =
         is_scene ? openNamedFile(scene_) : folder_.open(folder_.relative(file));
-    if (!opened) return nullptr;
     const bool material = lowerExtension(file) == ".mtl";
+    if (material) defects_.noteMaterial(file, opened.has_value());
+    if (!opened) return nullptr;
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;
-    auto stream = std::make_unique<FileStream>(std::move(*opened));
-    return lowerExtension(file) == ".obj" ? mendObjNumbers(stream.release()) : stream.release();
+    return mendText(new FileStream(std::move(*opened)), lowerExtension(file),
+                    defects_.mended_faces);
 }
 
 void AssimpFolder::Close(Assimp::IOStream* stream) {

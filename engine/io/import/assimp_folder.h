@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/io/import/obj_numbers.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 #include <assimp/IOStream.hpp>
@@ -13,7 +14,8 @@ namespace dollytrack::io {
 /// read only.
 class AssimpFolder : public Assimp::IOSystem {
   public:
-    explicit AssimpFolder(std::filesystem::path scene);
+    /// `defects` has to outlive this object.
+    AssimpFolder(std::filesystem::path scene, TextDefects& defects);
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
@@ -26,6 +28,7 @@ class AssimpFolder : public Assimp::IOSystem {
   private:
     std::filesystem::path scene_;
     ConfinedFolder folder_;
+    TextDefects& defects_;
 };
 
 }  // namespace dollytrack::io

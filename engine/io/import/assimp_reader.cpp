@@ -8,6 +8,8 @@
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
+#include <fmt/format.h>
+
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -19,9 +21,11 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string_view>
 #include <thread>
 
@@ -36,10 +40,10 @@ std::string extensionOf(const Path& path) {
     return ext;
 }
 
-/// assimp tries every reader it has on a file it does not know; ours are five.
+/// assimp tries every reader it has on a file it does not know; ours are four.
 void keepOurReaders(Assimp::Importer& importer) {
     const auto isOurs = [](std::string_view extensions) {
-        for (const std::string_view ours : {"obj", "fbx", "dae", "ply", "stl"}) {
+        for (const std::string_view ours : {"obj", "fbx", "dae", "stl"}) {
             for (std::size_t at = extensions.find(ours); at != std::string_view::npos;
                  at = extensions.find(ours, at + 1)) {
                 const bool starts = at == 0 || extensions[at - 1] == ' ';
@@ -359,9 +363,30 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     return raw;
 }
 
+void noteDefects(TextDefects& defects, const Path& path, std::vector<std::string>& notes) {
+    if (const std::size_t faces = defects.mended_faces; faces > 0) {
+        notes.push_back(
+            fmt::format("{} texture coordinates that are not in the file; without them "
+                        "{} one colour of the picture",
+                        faces == 1 ? "1 face names" : fmt::format("{} faces name", faces),
+                        faces == 1 ? "it has" : "they have"));
+    }
+    std::set<std::string>& missing = defects.missing_materials;
+    // assimp tries the file of the model's own name in place of each that is missing.
+    if (missing.size() > 1) missing.erase(path.stem().string() + ".mtl");
+    constexpr std::ptrdiff_t kMostNamed = 10;
+    if (missing.empty()) return;
+    const auto end = std::next(missing.begin(),
+                               std::min(kMostNamed, static_cast<std::ptrdiff_t>(missing.size())));
+    notes.push_back(fmt::format(
+        "files of materials are missing or cannot be read: {}{}",
+        fmt::join(missing.begin(), end, ", "),
+        end == missing.end() ? "" : fmt::format(" and {} more", missing.size() - kMostNamed)));
+}
+
 /// Reads `path` with an importer that is set up to find it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
-                      const JobContext& job) {
+                      TextDefects& defects, const JobContext& job) {
     const std::string where = path.string();
     try {
         keepOurReaders(*importer);
@@ -379,6 +404,7 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
                         where);
         }
         Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
+        if (raw) noteDefects(defects, path, raw->notes);
         static BackgroundDisposal disposal;
         disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
@@ -395,15 +421,18 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
 
 Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    importer->SetIOHandler(new io::AssimpFolder(path));  // the importer owns it
-    return read(std::move(importer), path, job);
+    // The importer may live on after this function, but opens nothing then.
+    TextDefects defects;
+    importer->SetIOHandler(new io::AssimpFolder(path, defects));  // the importer owns it
+    return read(std::move(importer), path, defects, job);
 }
 
 Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
                                 const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    importer->SetIOHandler(new AssimpFiles(files));  // the importer owns it
-    return read(std::move(importer), name, job);
+    TextDefects defects;
+    importer->SetIOHandler(new AssimpFiles(files, defects));  // the importer owns it
+    return read(std::move(importer), name, defects, job);
 }
 
 }  // namespace dollytrack

@@ -2,6 +2,7 @@
 
 #include "engine/io/import/mesh_part_builder.h"
 
+#include <numeric>
 #include <utility>
 
 namespace dollytrack {
@@ -22,6 +23,14 @@ void ModelPlacement::addMaterials() {
 
 std::vector<std::size_t> ModelPlacement::place(const std::string& name,
                                                const Eigen::Affine3d& scene_from_model) {
+    std::vector<std::size_t> all(model_.parts.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return place(name, scene_from_model, all);
+}
+
+std::vector<std::size_t> ModelPlacement::place(const std::string& name,
+                                               const Eigen::Affine3d& scene_from_model,
+                                               const std::vector<std::size_t>& parts) {
     if (!added_) addMaterials();
     if (scene_.nodes.empty()) scene_.nodes.push_back({"", -1, 0});
     const int node = static_cast<int>(scene_.nodes.size());
@@ -29,7 +38,8 @@ std::vector<std::size_t> ModelPlacement::place(const std::string& name,
     ++scene_.nodes.front().children;
 
     std::vector<std::size_t> placed;
-    for (const MeshPart& part : model_.parts) {
+    for (const std::size_t index : parts) {
+        const MeshPart& part = model_.parts[index];
         std::vector<Eigen::Vector3f> uvs;
         for (const Eigen::Vector2f& uv : part.uvs) uvs.emplace_back(uv.x(), uv.y(), 0.0F);
         const std::vector<std::uint32_t> sizes(part.triangles.size(), 3);

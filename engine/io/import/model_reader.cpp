@@ -3,6 +3,7 @@
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gltf/gltf_reader.h"
 #include "engine/io/import/assimp_reader.h"
+#include "engine/io/import/ply_mesh.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/confined_folder.h"
 
@@ -20,6 +21,16 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // what a .glb ca
 bool isGltf(const fs::path& path) {
     const std::string extension = lowerExtension(path);
     return extension == ".gltf" || extension == ".glb";
+}
+
+bool isPly(const fs::path& path) {
+    return lowerExtension(path) == ".ply";
+}
+
+Result<RawScene> readPlyBytes(const std::string& bytes, const fs::path& path) {
+    const Result<PlyMesh> mesh = parsePlyMesh(bytes, path);
+    if (!mesh) return tl::unexpected(mesh.error());
+    return sceneOfPly(*mesh);
 }
 
 Result<std::string> readBeside(const io::ConfinedFolder& folder, const std::string& uri) {
@@ -43,9 +54,10 @@ Result<std::string> readBeside(const FileSource& files, const fs::path& folder,
 }  // namespace
 
 Result<RawScene> readModel(const fs::path& path, const JobContext& job) {
-    if (!isGltf(path)) return readWithAssimp(path, job);
+    if (!isGltf(path) && !isPly(path)) return readWithAssimp(path, job);
     Result<std::string> bytes = io::readNamedFile(path, kMostBytes);
     if (!bytes) return tl::unexpected(bytes.error());
+    if (isPly(path)) return readPlyBytes(*bytes, path);
     const io::ConfinedFolder folder(path.parent_path());
     return gltf::readGltf(
         std::move(*bytes), [&](const std::string& uri) { return readBeside(folder, uri); },
@@ -56,7 +68,11 @@ Result<RawScene> readModel(const FileSource& files, const std::string& name,
                            const JobContext& job) {
     const fs::path folder = fs::path(name).parent_path();
     Result<RawScene> raw;
-    if (isGltf(name)) {
+    if (isPly(name)) {
+        const Result<std::string> bytes = readBeside(files, {}, name);
+        if (!bytes) return tl::unexpected(bytes.error());
+        raw = readPlyBytes(*bytes, name);
+    } else if (isGltf(name)) {
         Result<std::string> bytes = readBeside(files, {}, name);
         if (!bytes) return tl::unexpected(bytes.error());
         raw = gltf::readGltf(

@@ -10,7 +10,8 @@
 
 namespace dollytrack {
 
-/// Reads a model by its extension: glTF and GLB by io/gltf, OBJ, FBX, DAE, PLY and STL by assimp.
+/// Reads a model by its extension: glTF and GLB by io/gltf, PLY by ply_mesh.h, OBJ, FBX, DAE and
+/// STL by assimp.
 /// Either runs in the locked-up importer only: a malformed file can bring libraries down.
 [[nodiscard]] Result<RawScene> readModel(const std::filesystem::path& path, const JobContext& job);
 

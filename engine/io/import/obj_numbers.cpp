@@ -2,8 +2,14 @@
 
 #include "engine/io/import/assimp_files.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -37,6 +43,79 @@ std::size_t nextBarePoint(const std::vector<std::uint8_t>& text, std::size_t at)
     return text.size();
 }
 
+/// Calls visit(begin, line) for each line of an OBJ text. A backslash at its end joins the next.
+template <class Visit>
+void eachObjLine(std::string_view text, Visit&& visit) {
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = begin;
+        while (true) {
+            end = std::min(text.find('\n', end), text.size());
+            const std::size_t last = text.substr(begin, end - begin).find_last_not_of('\r');
+            if (end == text.size() || last == text.npos || text[begin + last] != '\\') break;
+            ++end;
+        }
+        visit(begin, text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+std::string_view withoutIndent(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line;
+}
+
+bool isLineOf(std::string_view keyword, std::string_view line) {
+    return line.size() > keyword.size() && line.starts_with(keyword) &&
+           (line[keyword.size()] == ' ' || line[keyword.size()] == '\t');
+}
+
+template <class Visit>
+void eachCorner(std::string_view face, Visit&& visit) {
+    constexpr std::string_view kBetween = " \t\r\n\\";
+    for (std::size_t at = 1; at < face.size();) {
+        const std::size_t begin = face.find_first_not_of(kBetween, at);
+        if (begin == face.npos) return;
+        at = std::min(face.find_first_of(kBetween, begin), face.size());
+        visit(face.substr(begin, at - begin));
+    }
+}
+
+/// The second number of "7/8/9"; nothing where there is none.
+std::optional<long long> coordinateOf(std::string_view corner) {
+    const auto slash = corner.find('/');
+    if (slash == corner.npos) return std::nullopt;
+    long long value = 0;
+    const auto [end, error] =
+        std::from_chars(corner.data() + slash + 1, corner.data() + corner.size(), value);
+    if (error == std::errc::result_out_of_range) return std::numeric_limits<long long>::max();
+    if (error != std::errc()) return std::nullopt;
+    return value;
+}
+
+/// Whether a face names texture coordinates that are not there: `before` of all `count` stand
+/// before it, from which negative numbers count backwards.
+bool missesCoordinates(std::string_view face, long long before, long long count) {
+    bool missing = false;
+    eachCorner(face, [&](std::string_view corner) {
+        const auto value = coordinateOf(corner);
+        missing = missing || (value && (*value > count || *value < -before || *value == 0));
+    });
+    return missing;
+}
+
+void appendWithoutCoordinates(std::string_view face, std::string& text) {
+    text += 'f';
+    eachCorner(face, [&](std::string_view corner) {
+        const std::size_t first = corner.find('/');
+        const std::size_t second = first == corner.npos ? first : corner.find('/', first + 1);
+        text += ' ';
+        text += corner.substr(0, first);
+        if (second == corner.npos) return;
+        text += "//";
+        text += corner.substr(second + 1);
+    });
+}
+
 }  // namespace
 
 bool hasBarePoints(const std::vector<std::uint8_t>& text) {
@@ -59,16 +138,79 @@ std::vector<std::uint8_t> withLeadingZeros(const std::vector<std::uint8_t>& text
     return mended;
 }
 
-Assimp::IOStream* mendObjNumbers(Assimp::IOStream* stream) {
-    if (!stream || stream->FileSize() > kLargest) return stream;
-    std::vector<std::uint8_t> text(stream->FileSize());
-    const bool whole = text.empty() || stream->Read(text.data(), 1, text.size()) == text.size();
-    if (!whole || !hasBarePoints(text)) {
-        stream->Seek(0, aiOrigin_SET);
+bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces) {
+    const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+    long long count = 0;
+    eachObjLine(all, [&](std::size_t /*begin*/, std::string_view line) {
+        count += isLineOf("vt", withoutIndent(line)) ? 1 : 0;
+    });
+    long long before = 0;
+    std::string kept;
+    bool changed = false;
+    eachObjLine(all, [&](std::size_t begin, std::string_view line) {
+        const std::string_view words = withoutIndent(line);
+        before += isLineOf("vt", words) ? 1 : 0;
+        const bool missing = isLineOf("f", words) && missesCoordinates(words, before, count);
+        const bool indented =
+            words.size() < line.size() && words.find_first_of("\r#") != 0 && !words.empty();
+        if (!changed && !missing && !indented) return;
+        if (!changed) {
+            kept.reserve(all.size());
+            kept = all.substr(0, begin);
+            changed = true;
+        }
+        mended_faces += missing ? 1 : 0;
+        if (missing) {
+            appendWithoutCoordinates(words, kept);
+        } else {
+            kept += words;
+        }
+        kept += '\n';
+    });
+    if (changed) text.assign(kept.begin(), kept.end());
+    return changed;
+}
+
+bool dropBlanksBeforeColors(std::vector<std::uint8_t>& text) {
+    constexpr std::string_view kTag = "<color";
+    const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+    std::string kept;
+    std::size_t copied = 0;
+    for (std::size_t at = all.find(kTag); at != all.npos; at = all.find(kTag, at)) {
+        at = std::min(all.find('>', at), all.size() - 1) + 1;
+        const std::size_t number = std::min(all.find_first_not_of(" \t\r\n", at), all.size());
+        if (number == at) continue;
+        kept += all.substr(copied, at - copied);
+        copied = at = number;
+    }
+    if (copied == 0) return false;
+    kept += all.substr(copied);
+    text.assign(kept.begin(), kept.end());
+    return true;
+}
+
+Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
+                           std::size_t& mended_faces) {
+    const bool collada = extension == ".dae";
+    if (!stream || stream->FileSize() > kLargest || !(collada || extension == ".obj")) {
         return stream;
     }
-    const std::unique_ptr<Assimp::IOStream> old(stream);
-    return openBytes(withLeadingZeros(text));
+    std::unique_ptr<Assimp::IOStream> old(stream);
+    std::vector<std::uint8_t> text(stream->FileSize());
+    bool changed = false;
+    if (!text.empty() && stream->Read(text.data(), 1, text.size()) == text.size()) {
+        if (collada) {
+            changed = dropBlanksBeforeColors(text);
+        } else {
+            changed = hasBarePoints(text);
+            if (changed) text = withLeadingZeros(text);
+            mended_faces = 0;  // assimp may open the scene's file more than once
+            changed = mendObjLines(text, mended_faces) || changed;
+        }
+    }
+    if (changed) return openBytes(std::move(text));
+    stream->Seek(0, aiOrigin_SET);
+    return old.release();
 }
 
 }  // namespace dollytrack

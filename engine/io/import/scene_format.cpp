@@ -4,12 +4,16 @@
 #include "engine/io/datasets/hypersim_objects.h"
 #include "engine/io/datasets/scenenet_reader.h"
 #include "engine/io/files/hdf5_functions.h"
+#include "engine/io/gazebo/sdf_reader.h"
+#include "engine/io/gazebo/urdf_reader.h"
+#include "engine/io/habitat/habitat_reader.h"
 #include "engine/io/homes/home_reader.h"
 #include "engine/io/import/model_reader.h"
 #include "engine/io/pointcloud/cloud_scene.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
 #include "engine/io/sandbox/input_file.h"
+#include "engine/io/semantics/labelled_reader.h"
 #include "engine/io/trajectories/number_lines.h"
 
 #include <algorithm>
@@ -39,7 +43,15 @@ Result<RawScene> readAnyModel(const std::filesystem::path& path, const ImportOpt
                               const JobContext& job) {
     const Result<std::filesystem::path> folder = annotationsFor(path, options);
     if (!folder) return tl::unexpected(folder.error());
-    if (folder->empty()) return readModel(path, job);
+    if (folder->empty()) {
+        const std::string extension = lowerExtension(path);
+        if (extension == ".ply" || extension == ".glb") {
+            if (const auto labels = semantics::findLabelledFiles(path)) {
+                return semantics::readLabelled(*labels, job);
+            }
+        }
+        return extension == ".ply" ? semantics::readPly(path, job) : readModel(path, job);
+    }
     const Result<io::HypersimAnnotations> annotations = io::readHypersimAnnotations(*folder);
     if (!annotations) return tl::unexpected(annotations.error());
     Result<RawScene> scene = readModel(path, job);
@@ -115,6 +127,18 @@ const std::vector<SceneFormat>& sceneFormats() {
          kCloudWork},
         {"a PLY file", {".ply"}, likePly, readAnyModel, modelInputs},
         {"an STL file", {".stl"}, anything, readAnyModel, modelInputs},
+        {"a world of Gazebo",
+         {".world", ".sdf"},
+         gazebo::likeSdf,
+         gazebo::readSdf,
+         gazebo::worldInputs},
+        {"a URDF file", {".urdf"}, gazebo::likeUrdf, gazebo::readUrdf, gazebo::worldInputs},
+        {"a scene of Habitat",
+         {".json"},
+         habitat::likeHabitat,
+         habitat::readHabitat,
+         habitat::habitatInputs,
+         true},
         {"a 3D-FRONT scene",
          {".json"},
          io::likeFront3d,
@@ -158,6 +182,7 @@ std::vector<std::string> sceneExtensions() {
 }
 
 bool isSceneFile(const std::filesystem::path& path) {
+    if (habitat::isHabitatPart(path)) return false;
     const std::string extension = lowerExtension(path);
     for (const SceneFormat& format : sceneFormats()) {
         const auto& ours = format.extensions;

@@ -71,6 +71,7 @@ Eigen::Vector3d toMetres(PointCloud& cloud, const Eigen::AlignedBox3d& core, dou
     const double reach = std::max(1e-9, 4.0 * core.sizes().maxCoeff());
     PointCloud kept;
     kept.left_out = cloud.left_out;
+    kept.splats = cloud.splats;
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
         if ((cloud.points[i] - core.center()).cwiseAbs().maxCoeff() > reach) {
             ++strays;
@@ -295,6 +296,11 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         raw.notes.push_back(fmt::format(
             "depths come in steps ({:.0f} mm at 4 m); points were smoothed along their rays",
             16.0e3 * step));
+    }
+    if (cloud.splats) {
+        raw.warnings.push_back(
+            "the file holds Gaussian splats, not a scan: their centres were read as points, which "
+            "scatter around the surfaces; a mesh of the same scene is more exact");
     }
     if (samples.spacing_m > 0.0) {
         raw.warnings.push_back(fmt::format(

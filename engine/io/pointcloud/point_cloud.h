@@ -16,6 +16,7 @@ struct PointCloud {
     std::vector<std::array<std::uint8_t, 3>> colors;  // sRGB; empty, or one per point
     std::vector<Eigen::Vector3f> normals;  // as the file has them; empty, or one per point
     std::size_t left_out = 0;              // points with a coordinate that is no number
+    bool splats = false;                   // the points are centres of Gaussian splats
     /// Where the scanner stood, for a picture of depths; nothing where the points were put together
     /// from several places.
     std::optional<Eigen::Vector3d> viewpoint;

@@ -13,7 +13,6 @@
 #include "engine/io/settings/input_check.h"
 #include "engine/jobs/parallel.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/mman.h>
@@ -29,7 +28,6 @@
 #include <filesystem>
 #include <new>
 #include <optional>
-#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -75,48 +73,17 @@ std::optional<Task> taskOf(int count, char** arguments) {
     return task;
 }
 
-/// "a.png, b.png and 3 more"; empty if there are none.
-std::string listed(const std::set<std::string>& names) {
+void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
     constexpr std::size_t kMostNamed = 10;
-    std::string text;
+    std::string names;
     std::size_t count = 0;
-    for (const std::string& name : names) {
-        if (++count > kMostNamed) break;
-        text += (text.empty() ? "" : ", ") + name;
+    for (const InputUse& use : record.uses()) {
+        if (use.kind != InputUse::Refused || ++count > kMostNamed) continue;
+        names += (names.empty() ? "" : ", ") + use.path.string();
     }
-    if (names.size() > kMostNamed) text += fmt::format(" and {} more", names.size() - kMostNamed);
-    return text;
-}
-
-/// Names of .mtl files that were looked for, and found in none of the places where assimp looks.
-std::set<std::string> missingMaterials(const std::vector<InputUse>& uses, const Task& task) {
-    std::set<std::string> missing;
-    for (const InputUse& use : uses) {
-        if (use.kind == InputUse::Missing && lowerExtension(use.path) == ".mtl") {
-            missing.insert(use.path.filename().string());
-        }
-    }
-    // The file of the scene's own name is tried for each that is missing.
-    if (missing.size() > 1) missing.erase(task.scene.stem().string() + ".mtl");
-    for (const InputUse& use : uses) {
-        if (use.kind != InputUse::Missing) missing.erase(use.path.filename().string());
-    }
-    return missing;
-}
-
-void noteUnread(const InputRecord& record, const Task& task, std::vector<std::string>& notes) {
-    const std::vector<InputUse> uses = record.uses();
-    std::set<std::string> outside;
-    for (const InputUse& use : uses) {
-        if (use.kind == InputUse::Refused) outside.insert(use.path.string());
-    }
-    if (!outside.empty()) {
-        notes.push_back("the scene names files outside its folder, which were not opened: " +
-                        listed(outside));
-    }
-    if (const auto missing = missingMaterials(uses, task); !missing.empty()) {
-        notes.push_back("files of materials are missing or cannot be read: " + listed(missing));
-    }
+    if (count == 0) return;
+    if (count > kMostNamed) names += " and " + std::to_string(count - kMostNamed) + " more";
+    notes.push_back("the scene names files outside its folder, which were not opened: " + names);
 }
 
 /// Bytes that this process may take for its own data, and whether that is less than it would be
@@ -157,13 +124,13 @@ Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const
         const Result<const SceneFormat*> format = checkSceneFile(task.scene);
         if (!format) return tl::unexpected(format.error());
         Result<ReadScene> scene = readScene(**format, task.scene, task.options, job);
-        std::vector<std::string> unread;
-        noteUnread(record, task, unread);
+        std::vector<std::string> refused;
+        noteRefused(record, refused);
         if (!scene) {
-            for (const std::string& note : unread) scene.error().message += "; " + note;
+            for (const std::string& note : refused) scene.error().message += "; " + note;
             return scene;
         }
-        scene->raw.notes.insert(scene->raw.notes.end(), unread.begin(), unread.end());
+        scene->raw.notes.insert(scene->raw.notes.end(), refused.begin(), refused.end());
         for (TextureRequest& request : scene->raw.textures) request.embedded = {};
         job.report(1.0);
         return scene;

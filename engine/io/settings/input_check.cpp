@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,15 +34,70 @@ bool has(const SceneFormat& format, const std::string& extension) {
            format.extensions.end();
 }
 
+/// What to do with a kind that cannot be read, told by its extension or its first bytes; empty for
+/// others.
+std::string_view adviceFor(std::string_view extension, std::string_view head) {
+    struct Kind {
+        std::array<std::string_view, 4> extensions;
+        std::string_view beginning;
+        std::string_view advice;
+    };
+    using namespace std::string_view_literals;
+    static constexpr std::array<Kind, 5> kKinds = {
+        {{{".blend"},
+          "BLENDER",
+          "this is a Blender file; convert it with: blender -b in.blend --python-expr \"import "
+          "bpy; bpy.ops.export_scene.gltf(filepath='out.glb')\""},
+         {{".ifc", ".ifczip"},
+          "ISO-10303-21",
+          "this is an IFC building model; convert it with \"assimp export in.ifc out.obj\" "
+          "(Debian's assimp-utils)"},
+         {{".usd", ".usda", ".usdc", ".usdz"},
+          "PXR-USDC",
+          "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender 4 from "
+          "blender.org and export glTF"},
+         {{},
+          "#usda",
+          "USD cannot be read, and Debian's Blender lacks it, too; open it in Blender "
+          "4 from blender.org and export glTF"},
+         {{".skp"},
+          "\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p"sv,
+          "SketchUp files cannot be read; in SketchUp export a 3D model as glTF (.glb) or "
+          "Collada"}}};
+    for (const Kind& kind : kKinds) {
+        const bool named = !extension.empty() &&
+                           std::ranges::find(kind.extensions, extension) != kind.extensions.end();
+        if (named || (!head.empty() && head.starts_with(kind.beginning))) return kind.advice;
+    }
+    return {};
+}
+
+/// What to do with JSON that is no scene.
+std::string_view adviceForJson(std::string_view head) {
+    const auto all = [&](std::initializer_list<std::string_view> keys) {
+        return std::ranges::all_of(
+            keys, [&](std::string_view key) { return head.find(key) != head.npos; });
+    };
+    if (all({"\"proceduralParameters\""}) || all({"\"assetId\"", "\"room0\""}) ||
+        all({"\"roomType\"", "\"floorPolygon\""})) {
+        return "this is a house of ProcTHOR (AI2-THOR), whose meshes are in Unity's files; use the "
+               "same house as a Habitat scene instance (AI2-THOR-Hab)";
+    }
+    if (all({"\"dimensions\"", "\"transform\"", "\"confidence\""})) {
+        return "this is a scan of RoomPlan as boxes without meshes; export the scan's USDZ, and "
+               "from that glTF with Blender 4";
+    }
+    return "this JSON is no scene that can be read; JSON scenes are 3D-FRONT houses and Habitat's "
+           "scene instances and dataset configs";
+}
+
 Status checkExtension(const Path& path, const std::string& where) {
     struct Program {
         std::string_view extension;
         std::string_view name;
     };
-    static constexpr std::array<Program, 8> kPrograms = {{{".c4d", "Cinema 4D"},
-                                                          {".blend", "Blender"},
+    static constexpr std::array<Program, 6> kPrograms = {{{".c4d", "Cinema 4D"},
                                                           {".max", "3ds Max"},
-                                                          {".skp", "SketchUp"},
                                                           {".ma", "Maya"},
                                                           {".mb", "Maya"},
                                                           {".3dm", "Rhino"},
@@ -49,25 +105,40 @@ Status checkExtension(const Path& path, const std::string& where) {
     const std::string ext = lowerExtension(path);
     if (ext == ".e57" || ext == ".las" || ext == ".laz") {
         return fail(ErrorCode::BadInput,
-                    "this kind of point cloud cannot be read; convert it to PLY with \"pdal "
-                    "translate in" +
-                        ext + " out.ply\", or open and save it with CloudCompare",
+                    "\"" + ext +
+                        "\" files cannot be read; save it as PLY with CloudCompare from "
+                        "cloudcompare.org (Debian's CloudCompare does not open it)",
                     where);
     }
-    if (ext == ".world" || ext == ".sdf") {
+    if (ext == ".xacro") {
         return fail(ErrorCode::BadInput,
-                    "worlds of Gazebo cannot be read; name the mesh that its models are made of "
-                    "(.dae, .obj, .stl), or put them together in Blender and export glTF",
+                    "xacro files are macros; expand it with ROS's \"xacro in.urdf.xacro -o "
+                    "out.urdf\", or without ROS by PyPI's \"xacrodoc\" with the same options",
                     where);
     }
     const std::vector<std::string> known = sceneExtensions();
     if (std::find(known.begin(), known.end(), ext) != known.end()) return {};
-    static constexpr std::array<std::string_view, 9> kBlenderReads = {
-        ".usd", ".usda", ".usdc", ".usdz", ".3ds", ".x3d", ".wrl", ".abc", ".dxf"};
-    if (std::ranges::find(kBlenderReads, ext) != kBlenderReads.end()) {
+    if (const std::string_view advice = adviceFor(ext, {}); !advice.empty()) {
+        return fail(ErrorCode::BadInput, std::string(advice), where);
+    }
+    struct Converted {
+        std::string_view extension;
+        std::string_view advice;
+    };
+    static constexpr std::string_view kAssimp =
+        "convert it to OBJ with \"assimp export IN out.obj\" (Debian's assimp-utils)";
+    static constexpr std::string_view kBlender = "open it in Blender and export glTF";
+    static constexpr std::array<Converted, 5> kConverted = {
+        {{".3ds", kAssimp},
+         {".dxf", kAssimp},
+         {".x3d", kBlender},
+         {".wrl", kBlender},
+         {".abc",
+          "open it in Blender 4 from blender.org and export glTF; Debian's lacks Alembic"}}};
+    for (const Converted& kind : kConverted) {
+        if (ext != kind.extension) continue;
         return fail(ErrorCode::BadInput,
-                    "\"" + ext + "\" files cannot be read; open it in Blender and export glTF",
-                    where);
+                    "\"" + ext + "\" files cannot be read; " + std::string(kind.advice), where);
     }
     for (const Program& program : kPrograms) {
         if (ext != program.extension) continue;
@@ -95,6 +166,9 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
         return fail(ErrorCode::BadInput,
                     "this is a Git-LFS pointer, not the model; run \"git lfs pull\" first", where);
     }
+    if (const std::string_view advice = adviceFor({}, head); !advice.empty()) {
+        return fail(ErrorCode::BadInput, std::string(advice), where);
+    }
     const std::string extension = lowerExtension(path);
     if (extension == ".xml" && head.find("<scene") != std::string_view::npos) {
         return fail(ErrorCode::BadInput,
@@ -107,6 +181,10 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
         if (!has(format, extension)) continue;
         if (format.begins_like(head)) return &format;
         kinds += (kinds.empty() ? "" : " or ") + std::string(format.name);
+    }
+    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (extension == ".json" && first != head.npos && (head[first] == '{' || head[first] == '[')) {
+        return fail(ErrorCode::BadInput, std::string(adviceForJson(head)), where);
     }
     return fail(
         ErrorCode::BadInput,

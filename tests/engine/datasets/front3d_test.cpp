@@ -210,7 +210,7 @@ TEST(Front3d, RefusesWhatIsNoSceneInOneSentence) {
     };
     EXPECT_NE(messageOf(R"({"scene":3})").find("no 3D-FRONT scene"), std::string::npos);
     EXPECT_NE(messageOf(R"({"mesh":[{)").find("no JSON"), std::string::npos);
-    EXPECT_NE(messageOf(R"({"shopping":["milk"]})").find("does not begin like a 3D-FRONT scene"),
+    EXPECT_NE(messageOf(R"({"shopping":["milk"]})").find("JSON is no scene that can be read"),
               std::string::npos);
     EXPECT_NE(messageOf(R"({"mesh":[3]})").find("nothing that can be drawn"), std::string::npos);
     const std::string deep = R"({"mesh":)" + std::string(1'000'000, '[');

@@ -1,0 +1,108 @@
+#include "engine/io/gazebo/link_xml.h"
+
+#include "engine/io/sandbox/input_file.h"
+#include "engine/scene/srgb.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace dollytrack::gazebo {
+
+namespace {
+
+/// A finite number; 0 where it is too small for a double, as "1e-400" is.
+std::optional<double> numberOf(std::string_view word) {
+    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+    const char* const end = word.data() + word.size();
+    double value = 0.0;
+    auto [last, error] = std::from_chars(word.data(), end, value);
+    if (error == std::errc::result_out_of_range) {
+        // It does not say whether the number is too large or too small; a wider type tells.
+        long double wide = 0.0L;
+        const auto again = std::from_chars(word.data(), end, wide);
+        if (again.ec == std::errc() && std::abs(wide) < 1.0L) error = std::errc();
+    }
+    if (error != std::errc() || last != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+bool isMacro(const pugi::xml_node& node) {
+    return std::string_view(node.name()).starts_with("xacro:");
+}
+
+}  // namespace
+
+Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
+    const Result<std::string> text = io::readNamedFile(path, kMostXmlBytes);
+    if (!text) return tl::unexpected(text.error());
+    if (text->size() > most) {
+        return fail(ErrorCode::BadInput,
+                    "the scene's files hold more than 64 MiB of XML; split the scene",
+                    path.string());
+    }
+    XmlFile file;
+    file.bytes = text->size();
+    const pugi::xml_parse_result parsed = file.document.load_buffer(text->data(), text->size());
+    if (!parsed) {
+        const auto line = 1 + std::count(text->begin(), text->begin() + parsed.offset, '\n');
+        return fail(ErrorCode::BadInput,
+                    std::string("the XML cannot be read (") + parsed.description() +
+                        "); the file is damaged or was cut off",
+                    path.string() + ":" + std::to_string(line));
+    }
+    if (file.document.find_node(isMacro)) {
+        return fail(ErrorCode::BadInput,
+                    "the file holds xacro macros; expand it with ROS's \"xacro in.urdf.xacro -o "
+                    "out.urdf\" and name the result",
+                    path.string());
+    }
+    return file;
+}
+
+std::string textOf(const pugi::xml_node& node) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::string_view text = node.child_value();
+    const auto begin = text.find_first_not_of(kBlanks);
+    if (begin == text.npos) return {};
+    return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
+}
+
+std::optional<std::vector<double>> numbersOf(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n,";
+    std::vector<double> numbers;
+    while (true) {
+        const auto begin = text.find_first_not_of(kBlanks);
+        if (begin == text.npos) return numbers;
+        const auto end = std::min(text.find_first_of(kBlanks, begin), text.size());
+        const auto number = numberOf(text.substr(begin, end - begin));
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+        text.remove_prefix(end);
+    }
+}
+
+std::optional<Eigen::Vector3d> vectorOf(std::string_view text) {
+    const auto numbers = numbersOf(text);
+    if (!numbers || numbers->size() != 3) return std::nullopt;
+    return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_yaw) {
+    return Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
+           Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX());
+}
+
+std::optional<Eigen::Vector4f> colorOf(std::string_view text) {
+    const auto numbers = numbersOf(text);
+    if (!numbers || (numbers->size() != 3 && numbers->size() != 4)) return std::nullopt;
+    Eigen::Vector4f color = Eigen::Vector4f::Ones();
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        const auto value = static_cast<float>(std::clamp((*numbers)[i], 0.0, 1.0));
+        color[static_cast<Eigen::Index>(i)] = i < 3 ? linearFromSrgb(value) : value;
+    }
+    return color;
+}
+
+}  // namespace dollytrack::gazebo

@@ -1,0 +1,558 @@
+#include "engine/io/gazebo/sdf_reader.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/gazebo/link_xml.h"
+#include "engine/io/gazebo/visuals.h"
+#include "engine/scene/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::gazebo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepestModel = 16;
+constexpr std::size_t kMostSdfVisuals = 100'000;
+constexpr std::size_t kMostIncludes = 20'000;
+constexpr std::size_t kMostFrames = 1'000'000;
+constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;
+constexpr int kDeepestFrames = 200;
+
+/// Elements that poses may be relative to. Of those with the same name, the first kind is meant.
+constexpr std::array<std::string_view, 5> kKinds = {"link", "frame", "model", "include", "joint"};
+
+/// Gazebo's own materials, as sRGB.
+std::optional<Eigen::Vector4f> namedColor(std::string_view name) {
+    struct Row {
+        std::string_view name;
+        std::array<float, 3> color;
+    };
+    static constexpr std::array<Row, 17> kRows = {{{"Gazebo/Grey", {0.7F, 0.7F, 0.7F}},
+                                                   {"Gazebo/Gray", {0.7F, 0.7F, 0.7F}},
+                                                   {"Gazebo/DarkGrey", {0.175F, 0.175F, 0.175F}},
+                                                   {"Gazebo/DarkGray", {0.175F, 0.175F, 0.175F}},
+                                                   {"Gazebo/White", {1, 1, 1}},
+                                                   {"Gazebo/FlatBlack", {0.1F, 0.1F, 0.1F}},
+                                                   {"Gazebo/Black", {0, 0, 0}},
+                                                   {"Gazebo/Red", {1, 0, 0}},
+                                                   {"Gazebo/Green", {0, 1, 0}},
+                                                   {"Gazebo/Blue", {0, 0, 1}},
+                                                   {"Gazebo/Yellow", {1, 1, 0}},
+                                                   {"Gazebo/Orange", {1, 0.5088F, 0.0468F}},
+                                                   {"Gazebo/Purple", {1, 0, 1}},
+                                                   {"Gazebo/Turquoise", {0, 1, 1}},
+                                                   {"Gazebo/Wood", {0.6F, 0.45F, 0.3F}},
+                                                   {"Gazebo/Bricks", {0.55F, 0.3F, 0.25F}},
+                                                   {"Gazebo/Residential", {0.8F, 0.8F, 0.78F}}}};
+    for (const Row& row : kRows) {
+        if (name != row.name) continue;
+        return Eigen::Vector4f(linearFromSrgb(row.color[0]), linearFromSrgb(row.color[1]),
+                               linearFromSrgb(row.color[2]), 1.0F);
+    }
+    return std::nullopt;
+}
+
+/// A model or world with the links, frames, joints and models in it.
+struct Scope;
+
+/// Anything that has a pose and that other poses may be relative to.
+struct Frame {
+    explicit Frame(const pugi::xml_node& xml) : node(xml) {}
+
+    [[nodiscard]] bool is(std::string_view kind) const { return kind == node.name(); }
+
+    pugi::xml_node node;              // <link>, <frame>, <joint>, <model>, <include>
+    std::unique_ptr<Scope> model;     // of models, and of includes that were found
+    std::optional<std::size_t> link;  // of links: index into SdfReader::links_
+    enum class State { New, Busy, Known } state = State::New;
+    Eigen::Affine3d scope_from_frame = Eigen::Affine3d::Identity();
+};
+
+struct Scope {
+    pugi::xml_node node;  // <model> or <world>
+    fs::path path;        // of the file that it is written in
+    std::string name;     // clean text; empty: the world
+    const Scope* parent = nullptr;
+    int depth = 0;
+    std::vector<Frame> frames;
+    std::map<std::string, std::size_t, std::less<>> by_name;  // indices into `frames`
+};
+
+class SdfReader {
+  public:
+    SdfReader(const ModelPath& files, const JobContext& job) : files_(files), job_(job) {}
+
+    /// `bytes`: of the file at `path`.
+    Status read(const pugi::xml_node& sdf, const fs::path& path, std::uint64_t bytes) {
+        xml_bytes_ = expanded_bytes_ = bytes;
+        const pugi::xml_node world = sdf.child("world");
+        const pugi::xml_node model = sdf.child("model");
+        if (!world && !model) {
+            return wrong("the file holds neither a <world> nor a <model>; name a world or model",
+                         path);
+        }
+        scene_.path = path;
+        scene_.node = world ? world : sdf;
+        if (Status opened = openChildren(scene_, !world); !opened) return opened;
+        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
+        joinLinks(scene_);
+        if (world.child("state").child("model")) {
+            warnings_.emplace_back(
+                "the <state> of the world is ignored, models stand at their own <pose>; copy the "
+                "poses that matter from <state> to the models");
+        }
+        return {};
+    }
+
+    /// The objects: each link, or the links that joints hold together.
+    [[nodiscard]] std::vector<LinkObject> objects() const {
+        std::map<std::size_t, std::size_t> number;  // in `objects`, by the first link
+        std::vector<std::size_t> first = first_;
+        std::map<const Scope*, std::size_t> objects_in;
+        std::vector<LinkObject> objects;
+        std::vector<const Scope*> scopes;
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            const std::size_t root = first[i] = first[first[i]];  // it comes before i
+            if (links_[i].visuals.empty()) continue;
+            const auto [at, is_new] = number.try_emplace(root, objects.size());
+            if (is_new) {
+                objects.push_back({links_[root].name, {}});
+                scopes.push_back(scope_of_link_[root]);
+                ++objects_in[scopes.back()];
+            }
+            std::vector<Visual>& into = objects[at->second].visuals;
+            into.insert(into.end(), links_[i].visuals.begin(), links_[i].visuals.end());
+        }
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            if (objects_in[scopes[i]] == 1) objects[i].name = scopes[i]->name;
+        }
+        return objects;
+    }
+
+    [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+  private:
+    static tl::unexpected<Error> wrong(std::string message, const fs::path& path) {
+        return fail(ErrorCode::BadInput, std::move(message), path.string());
+    }
+
+    static std::string nameOf(const pugi::xml_node& node) {
+        return cleanText(node.attribute("name").value());
+    }
+
+    /// What a <pose> says, aside from what it is relative to.
+    static std::optional<Eigen::Affine3d> poseIn(const pugi::xml_node& node) {
+        const pugi::xml_node pose = node.child("pose");
+        const auto numbers = numbersOf(pose.child_value());
+        if (!numbers) return std::nullopt;
+        if (numbers->empty()) return Eigen::Affine3d::Identity();
+        const std::vector<double>& n = *numbers;
+        Eigen::Affine3d result = Eigen::Affine3d::Identity();
+        if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
+            if (n.size() != 7) return std::nullopt;
+            const Eigen::Quaterniond rotation(n[6], n[3], n[4], n[5]);
+            if (!(rotation.norm() > 1e-9)) return std::nullopt;
+            result = Eigen::Translation3d(n[0], n[1], n[2]) * rotation.normalized();
+            return result;
+        }
+        if (n.size() != 6) return std::nullopt;
+        Eigen::Vector3d angles(n[3], n[4], n[5]);
+        if (pose.attribute("degrees").as_bool()) angles *= M_PI / 180.0;
+        result = Eigen::Translation3d(n[0], n[1], n[2]) * rotationFromRollPitchYaw(angles);
+        return result;
+    }
+
+    static tl::unexpected<Error> badPose(const std::string& of, const fs::path& path) {
+        return wrong("the <pose> of " + of + " is not six numbers; correct it", path);
+    }
+
+    /// Finds the frames of a world or model, and opens the models in it. `first_only`: of the
+    /// models of a file without a world.
+    Status openChildren(Scope& scope, bool first_only = false) {
+        if (scope.depth > kDeepestModel) {
+            return wrong("models lie within models more than 16 deep; leave some out", scope.path);
+        }
+        for (const pugi::xml_node& child : scope.node.children()) {
+            const std::string_view kind = child.name();
+            if (first_only ? kind != "model"
+                           : std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
+                continue;
+            }
+            if (++frames_ > kMostFrames) {
+                return wrong(
+                    "the world has more than 1,000,000 links, joints, frames and models; "
+                    "leave some out",
+                    scope.path);
+            }
+            scope.frames.emplace_back(child);
+            if (first_only) break;
+        }
+        const auto isModel = [](const Frame& frame) {
+            return frame.is("model") || frame.is("include");
+        };
+        const auto models = std::count_if(scope.frames.begin(), scope.frames.end(), isModel);
+        // A model that holds nothing but one model gives it its name.
+        const bool wraps = models == 1 && !scope.node.child("link");
+        for (Frame& frame : scope.frames) {
+            if (!isModel(frame)) continue;
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            Status opened = frame.is("model") ? openModel(frame.node, scope.path, scope, frame)
+                                              : openInclude(scope, frame);
+            if (!opened) return opened;
+            if (!frame.model) continue;
+            const std::string given = cleanText(textOf(frame.node.child("name")));
+            if (frame.is("include") && !given.empty()) frame.model->name = given;
+            const bool inherits = wraps || frame.model->name.empty();
+            if (inherits && !scope.name.empty()) frame.model->name = scope.name;
+            if (Status inner = openChildren(*frame.model); !inner) return inner;
+        }
+        // Before SDF 1.7 frames of different kinds might share a name; links come first.
+        for (const std::string_view kind : kKinds) {
+            for (std::size_t i = 0; i < scope.frames.size(); ++i) {
+                const Frame& frame = scope.frames[i];
+                if (!frame.is(kind)) continue;
+                std::string name = frame.node.attribute("name").value();
+                if (kind == "include") name = textOf(frame.node.child("name"));
+                if (kind == "include" && name.empty() && frame.model) {
+                    name = frame.model->node.attribute("name").value();
+                }
+                if (!name.empty()) scope.by_name.try_emplace(std::move(name), i);
+            }
+        }
+        return {};
+    }
+
+    static Status openModel(const pugi::xml_node& model, const fs::path& path, const Scope& around,
+                            Frame& frame) {
+        frame.model = std::make_unique<Scope>();
+        frame.model->node = model;
+        frame.model->path = path;
+        frame.model->name = nameOf(model);
+        frame.model->parent = &around;
+        frame.model->depth = around.depth + 1;
+        return {};
+    }
+
+    Status openInclude(const Scope& scope, Frame& frame) {
+        const std::string uri = textOf(frame.node.child("uri"));
+        const auto file = files_.findModel(scope.path.parent_path(), uri);
+        if (!file) {
+            missing_.push_back(cleanText(uri));
+            return {};
+        }
+        if (++includes_ > kMostIncludes) {
+            return wrong("the world includes more than 20,000 models; leave some out", scope.path);
+        }
+        for (const Scope* around = &scope; around != nullptr; around = around->parent) {
+            if (around->path != *file) continue;
+            return wrong("the model '" + cleanText(uri) +
+                             "' includes itself, perhaps through others; remove that <include>",
+                         scope.path);
+        }
+        auto at = documents_.find(*file);
+        if (at == documents_.end()) {
+            Result<XmlFile> read = readXml(*file, kMostXmlBytes - xml_bytes_);
+            if (!read) return tl::unexpected(read.error());
+            xml_bytes_ += read->bytes;
+            at = documents_.emplace(*file, std::make_unique<XmlFile>(std::move(*read))).first;
+        }
+        expanded_bytes_ += at->second->bytes;
+        if (expanded_bytes_ > kMostExpandedBytes) {
+            return wrong(
+                "the models that are included, counted each time, are more than 1 GiB of "
+                "XML; leave some out",
+                scope.path);
+        }
+        const pugi::xml_node sdf = at->second->document.child("sdf");
+        const pugi::xml_node model = sdf.child("model");
+        if (model) return openModel(model, *file, scope, frame);
+        if (sdf.child("light") || sdf.child("actor")) return {};  // as model://sun
+        return wrong("the file is included as a model and holds no <model>; name another file",
+                     *file);
+    }
+
+    /// The frames that a name as "gripper::finger" goes through, the last of which it means; none
+    /// where there is no such frame.
+    static std::vector<std::pair<Scope*, Frame*>> locate(Scope& scope, std::string_view name) {
+        constexpr std::size_t kLongestName = 4096;
+        if (name.size() > kLongestName) return {};
+        if (const auto at = scope.by_name.find(name); at != scope.by_name.end()) {
+            return {{&scope, &scope.frames[at->second]}};
+        }
+        for (auto colons = name.find("::"); colons != name.npos;
+             colons = name.find("::", colons + 2)) {
+            const auto at = scope.by_name.find(name.substr(0, colons));
+            if (at == scope.by_name.end()) continue;
+            Frame& outer = scope.frames[at->second];
+            if (!outer.model) continue;
+            auto inner = locate(*outer.model, name.substr(colons + 2));
+            if (inner.empty()) continue;
+            inner.insert(inner.begin(), {&scope, &outer});
+            return inner;
+        }
+        return {};
+    }
+
+    /// The pose of the frame that a name means, in the scope that names it.
+    static Result<Eigen::Affine3d> poseOfName(Scope& scope, const std::string& name, int depth) {
+        Eigen::Affine3d pose = Eigen::Affine3d::Identity();
+        if (name.empty() || name == "__model__" || name == "world") return pose;
+        const auto steps = locate(scope, name);
+        if (steps.empty()) {
+            return wrong("a <pose> is relative to '" + cleanText(name) +
+                             "', which is not there; correct the name",
+                         scope.path);
+        }
+        for (const auto& [around, frame] : steps) {
+            const auto step = poseOf(*around, *frame, depth + 1);
+            if (!step) return step;
+            pose = pose * *step;
+        }
+        return pose;
+    }
+
+    /// The pose of a frame in its scope. Each is computed once.
+    static Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth = 0) {
+        if (frame.state == Frame::State::Known) return frame.scope_from_frame;
+        if (frame.state == Frame::State::Busy || depth > kDeepestFrames) {
+            return wrong("the pose of '" + nameOf(frame.node) +
+                             "' is relative to itself, or to more than 200 others in a row; "
+                             "correct relative_to",
+                         scope.path);
+        }
+        frame.state = Frame::State::Busy;
+        // An <include> without a pose keeps that of the model.
+        pugi::xml_node node = frame.node;
+        if (frame.is("include") && frame.model && !node.child("pose")) node = frame.model->node;
+        const auto own = poseIn(node);
+        if (!own) return badPose("'" + nameOf(node) + "'", scope.path);
+        std::string from = node.child("pose").attribute("relative_to").value();
+        if (from.empty() && frame.is("frame")) from = node.attribute("attached_to").value();
+        if (from.empty() && frame.is("joint")) from = textOf(node.child("child"));
+        const auto base = poseOfName(scope, from, depth);
+        if (!base) return base;
+        frame.scope_from_frame = *base * *own;
+        if (frame.model) {
+            // The pose is that of this frame of the model instead of the model's own.
+            std::string placed = textOf(frame.node.child("placement_frame"));
+            if (placed.empty()) {
+                placed = frame.model->node.attribute("placement_frame").value();
+            }
+            const auto within = poseOfName(*frame.model, placed, depth);
+            if (!within) return within;
+            frame.scope_from_frame = frame.scope_from_frame * within->inverse(Eigen::Isometry);
+        }
+        frame.state = Frame::State::Known;
+        return frame.scope_from_frame;
+    }
+
+    Status placeLinks(Scope& scope, const Eigen::Affine3d& scene_from_scope) {
+        for (Frame& frame : scope.frames) {
+            if (!frame.is("link")) continue;
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            const auto pose = poseOf(scope, frame);
+            if (!pose) return tl::unexpected(pose.error());
+            LinkObject object{nameOf(frame.node), {}};
+            for (const pugi::xml_node& visual : frame.node.children("visual")) {
+                if (++visuals_ > kMostSdfVisuals) {
+                    return wrong("the world has more than 100,000 visuals; leave some out",
+                                 scope.path);
+                }
+                Status read = addVisual(visual, scope, scene_from_scope, *pose, object);
+                if (!read) return read;
+            }
+            frame.link = links_.size();
+            links_.push_back(std::move(object));
+            scope_of_link_.push_back(&scope);
+            first_.push_back(*frame.link);
+        }
+        for (Frame& frame : scope.frames) {
+            if (!frame.model) continue;
+            const auto pose = poseOf(scope, frame);
+            if (!pose) return tl::unexpected(pose.error());
+            if (Status read = placeLinks(*frame.model, scene_from_scope * *pose); !read) {
+                return read;
+            }
+        }
+        return {};
+    }
+
+    /// The link that a joint names, also by a frame that is attached to it.
+    static std::optional<std::size_t> linkOf(Scope& scope, std::string name) {
+        constexpr int kMostSteps = 16;
+        Scope* around = &scope;
+        for (int step = 0; step < kMostSteps; ++step) {
+            const auto steps = locate(*around, name);
+            if (steps.empty()) return std::nullopt;
+            const auto [inner, frame] = steps.back();
+            if (frame->link) return frame->link;
+            if (!frame->is("frame")) return std::nullopt;
+            name = frame->node.attribute("attached_to").value();
+            around = inner;
+        }
+        return std::nullopt;
+    }
+
+    std::size_t firstOf(std::size_t link) {
+        while (first_[link] != link) link = first_[link] = first_[first_[link]];
+        return link;
+    }
+
+    /// Links that joints hold together become one object, named by the first.
+    void joinLinks(Scope& scope) {
+        for (Frame& frame : scope.frames) {
+            if (frame.model) joinLinks(*frame.model);
+            if (!frame.is("joint")) continue;
+            const auto parent = linkOf(scope, textOf(frame.node.child("parent")));
+            const auto child = linkOf(scope, textOf(frame.node.child("child")));
+            if (!parent || !child) continue;
+            const std::size_t a = firstOf(*parent);
+            const std::size_t b = firstOf(*child);
+            first_[std::max(a, b)] = std::min(a, b);
+        }
+    }
+
+    static double lengthIn(const pugi::xml_node& shape, const char* name) {
+        const auto numbers = numbersOf(shape.child_value(name));
+        return numbers && numbers->size() == 1 ? numbers->front() : 0.0;
+    }
+
+    Status addVisual(const pugi::xml_node& node, Scope& scope,
+                     const Eigen::Affine3d& scene_from_scope, const Eigen::Affine3d& link,
+                     LinkObject& object) {
+        const auto pose = poseIn(node);
+        if (!pose) return badPose("a visual of '" + object.name + "'", scope.path);
+        Eigen::Affine3d base = link;
+        const std::string from = node.child("pose").attribute("relative_to").value();
+        if (!from.empty()) {
+            const auto named = poseOfName(scope, from, 0);
+            if (!named) return tl::unexpected(named.error());
+            base = *named;
+        }
+        Visual visual;
+        visual.folder = scope.path.parent_path();
+        visual.scene_from_visual = scene_from_scope * base * *pose;
+        visual.color = colorIn(node);
+        const pugi::xml_node geometry = node.child("geometry");
+        if (const pugi::xml_node mesh = geometry.child("mesh")) {
+            const pugi::xml_node scale = mesh.child("scale");
+            const auto factors = scale ? vectorOf(scale.child_value())
+                                       : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
+            if (!factors || !(std::abs(factors->prod()) > 0.0)) {
+                return wrong("the <scale> of a mesh of '" + object.name +
+                                 "' is not three numbers other than 0; correct it",
+                             scope.path);
+            }
+            visual.scale = *factors;
+            visual.uri = textOf(mesh.child("uri"));
+            const pugi::xml_node submesh = mesh.child("submesh");
+            visual.submesh = cleanText(textOf(submesh.child("name")));
+            const std::string center = textOf(submesh.child("center"));
+            visual.center_submesh = center == "true" || center == "1";
+        } else if (const pugi::xml_node box = geometry.child("box")) {
+            visual.shape = Visual::Shape::Box;
+            visual.size = vectorOf(box.child_value("size")).value_or(Eigen::Vector3d::Zero());
+        } else if (const pugi::xml_node cylinder = geometry.child("cylinder")) {
+            visual.shape = Visual::Shape::Cylinder;
+            const double width = 2.0 * lengthIn(cylinder, "radius");
+            visual.size = {width, width, lengthIn(cylinder, "length")};
+        } else if (const pugi::xml_node sphere = geometry.child("sphere")) {
+            visual.shape = Visual::Shape::Sphere;
+            visual.size.setConstant(2.0 * lengthIn(sphere, "radius"));
+        } else if (const pugi::xml_node ellipsoid = geometry.child("ellipsoid")) {
+            visual.shape = Visual::Shape::Sphere;
+            visual.size =
+                2.0 * vectorOf(ellipsoid.child_value("radii")).value_or(Eigen::Vector3d::Zero());
+        } else if (const pugi::xml_node plane = geometry.child("plane")) {
+            visual.shape = Visual::Shape::Plane;
+            const auto size = numbersOf(plane.child_value("size"));
+            if (size && size->size() == 2) visual.size = {(*size)[0], (*size)[1], 1.0};
+            const auto normal = vectorOf(plane.child_value("normal"));
+            if (normal && normal->norm() > 1e-9) {
+                visual.scene_from_visual =
+                    visual.scene_from_visual * Eigen::Quaterniond::FromTwoVectors(
+                                                   Eigen::Vector3d::UnitZ(), normal->normalized());
+            }
+        } else {
+            return {};
+        }
+        if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
+            return wrong("the size of a visual of '" + object.name + "' is not above 0; correct it",
+                         scope.path);
+        }
+        object.visuals.push_back(std::move(visual));
+        return {};
+    }
+
+    static std::optional<Eigen::Vector4f> colorIn(const pugi::xml_node& visual) {
+        const pugi::xml_node material = visual.child("material");
+        std::optional<Eigen::Vector4f> color = colorOf(material.child_value("diffuse"));
+        if (!color) color = namedColor(textOf(material.child("script").child("name")));
+        if (!color) color = colorOf(material.child_value("ambient"));
+        const auto hidden = numbersOf(visual.child_value("transparency"));
+        if (hidden && hidden->size() == 1 && hidden->front() > 0.0 && hidden->front() < 1.0) {
+            if (!color) color = Eigen::Vector4f(0.8F, 0.8F, 0.8F, 1.0F);
+            (*color)[3] *= static_cast<float>(1.0 - hidden->front());
+        }
+        return color;
+    }
+
+    const ModelPath& files_;
+    const JobContext& job_;
+    Scope scene_;
+    std::vector<LinkObject> links_;
+    std::vector<const Scope*> scope_of_link_;
+    std::vector<std::size_t> first_;  // of the links that joints hold together, as a forest
+    std::vector<std::string> missing_;
+    std::vector<std::string> warnings_;
+    std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
+    std::uint64_t xml_bytes_ = 0;       // of all files, each counted once
+    std::uint64_t expanded_bytes_ = 0;  // the same, counted each time that one is included
+    std::size_t frames_ = 0;
+    std::size_t visuals_ = 0;
+    std::size_t includes_ = 0;
+};
+
+}  // namespace
+
+bool likeSdf(std::string_view head) {
+    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return first != std::string_view::npos && head[first] == '<';
+}
+
+Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
+                         const JobContext& job) {
+    const Result<XmlFile> xml = readXml(path, kMostXmlBytes);
+    if (!xml) return tl::unexpected(xml.error());
+    pugi::xml_node sdf = xml->document.child("sdf");
+    if (!sdf) sdf = xml->document.child("gazebo");
+    if (!sdf) {
+        return fail(ErrorCode::BadInput,
+                    "the XML holds no <sdf>, so it is no world of Gazebo; name a world or model",
+                    path.string());
+    }
+    const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options.model_folders)));
+    SdfReader reader(files, job);
+    if (Status read = reader.read(sdf, io::absoluteNormal(path), xml->bytes); !read) {
+        return tl::unexpected(read.error());
+    }
+    Result<RawScene> scene =
+        sceneOfLinks(reader.objects(), files, reader.missing(), path.string(), job);
+    if (scene) {
+        scene->warnings.insert(scene->warnings.end(), reader.warnings().begin(),
+                               reader.warnings().end());
+    }
+    return scene;
+}
+
+}  // namespace dollytrack::gazebo

@@ -1,0 +1,422 @@
+#include "engine/io/gazebo/visuals.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/datasets/model_library.h"
+#include "engine/io/datasets/object_names.h"
+#include "engine/io/files/percent_text.h"
+#include "engine/io/gazebo/link_xml.h"
+#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/import/model_placement.h"
+#include "engine/io/import/scene_format.h"
+#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/sandbox/input_file.h"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace dollytrack::gazebo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFoldersUp = 4;
+constexpr std::uint64_t kMostConfigBytes = std::uint64_t{1} << 20U;
+
+/// A folder and at most four around it, the nearest first; never the root of the file system.
+std::vector<fs::path> foldersAround(const fs::path& folder) {
+    std::vector<fs::path> around;
+    fs::path at = folder;
+    for (int up = 0; up <= kMostFoldersUp && at.has_relative_path(); ++up) {
+        around.push_back(at);
+        at = at.parent_path();
+    }
+    return around;
+}
+
+/// The name of the package in a package.xml; the description's file in a model.config.
+std::string nameIn(const fs::path& config) {
+    const Result<std::string> text = io::readNamedFile(config, kMostConfigBytes);
+    pugi::xml_document document;
+    if (!text || !document.load_buffer(text->data(), text->size())) return {};
+    if (const pugi::xml_node package = document.child("package")) {
+        return textOf(package.child("name"));
+    }
+    // Of several versions the last one named is the newest.
+    std::string file;
+    for (const pugi::xml_node& sdf : document.child("model").children("sdf")) file = textOf(sdf);
+    return file;
+}
+
+/// "model://chair/meshes/chair.dae" as "chair/meshes/chair.dae"; whether there was such a scheme.
+bool takeScheme(std::string& uri, std::string_view scheme) {
+    if (!uri.starts_with(scheme)) return false;
+    uri.erase(0, scheme.size());
+    return true;
+}
+
+/// A shape of one part and no material, centred at the origin.
+RawScene shapeScene(Visual::Shape shape) {
+    std::vector<Eigen::Vector3f> points;
+    std::vector<std::uint32_t> sizes;
+    std::vector<std::uint32_t> indices;
+    const auto face = [&](std::initializer_list<std::uint32_t> corners) {
+        sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+        indices.insert(indices.end(), corners);
+    };
+    constexpr std::uint32_t kSides = 48;
+    constexpr std::uint32_t kRings = 24;
+    const auto around = [](std::uint32_t i, float radius, float z) {
+        const double angle = 2.0 * M_PI * i / kSides;
+        return Eigen::Vector3f(radius * static_cast<float>(std::cos(angle)),
+                               radius * static_cast<float>(std::sin(angle)), z);
+    };
+    if (shape == Visual::Shape::Plane) {
+        points = {{-0.5F, -0.5F, 0}, {0.5F, -0.5F, 0}, {0.5F, 0.5F, 0}, {-0.5F, 0.5F, 0}};
+        face({0, 1, 2, 3});
+    } else if (shape == Visual::Shape::Cylinder) {
+        std::vector<std::uint32_t> bottom;
+        std::vector<std::uint32_t> top;
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            points.push_back(around(i, 0.5F, -0.5F));
+            points.push_back(around(i, 0.5F, 0.5F));
+            const std::uint32_t next = (i + 1) % kSides;
+            face({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+            bottom.insert(bottom.begin(), 2 * i);
+            top.push_back(2 * i + 1);
+        }
+        for (const auto& cap : {bottom, top}) {
+            sizes.push_back(kSides);
+            indices.insert(indices.end(), cap.begin(), cap.end());
+        }
+    } else if (shape == Visual::Shape::Sphere) {
+        points.emplace_back(0, 0, -0.5F);
+        for (std::uint32_t ring = 1; ring < kRings; ++ring) {
+            const double angle = M_PI * ring / kRings;
+            for (std::uint32_t i = 0; i < kSides; ++i) {
+                points.push_back(around(i, static_cast<float>(0.5 * std::sin(angle)),
+                                        static_cast<float>(-0.5 * std::cos(angle))));
+            }
+        }
+        points.emplace_back(0, 0, 0.5F);
+        const auto at = [](std::uint32_t ring, std::uint32_t i) {
+            return 1 + (ring - 1) * kSides + i % kSides;
+        };
+        const auto last = static_cast<std::uint32_t>(points.size() - 1);
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            face({0, at(1, i + 1), at(1, i)});
+            face({last, at(kRings - 1, i), at(kRings - 1, i + 1)});
+            for (std::uint32_t ring = 1; ring + 1 < kRings; ++ring) {
+                face({at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)});
+            }
+        }
+    } else {
+        for (const float z : {-0.5F, 0.5F}) {
+            points.insert(points.end(),
+                          {{-0.5F, -0.5F, z}, {0.5F, -0.5F, z}, {0.5F, 0.5F, z}, {-0.5F, 0.5F, z}});
+        }
+        face({3, 2, 1, 0});
+        face({4, 5, 6, 7});
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t next = (i + 1) % 4;
+            face({i, next, next + 4, i + 4});
+        }
+    }
+    RawScene scene;
+    scene.nodes.push_back({"", -1, 0});
+    scene.materials.emplace_back();
+    MeshPart part;
+    buildMeshPart({points, {}, {}, sizes, indices}, Eigen::Affine3d::Identity(), part);
+    scene.parts.push_back(std::move(part));
+    return scene;
+}
+
+void paint(const Eigen::Vector4f& color, Material& material) {
+    material.base_color = color.head<3>().cwiseMax(0.0F).cwiseMin(1.0F);
+    const float opacity = std::clamp(color[3], 0.0F, 1.0F);
+    material.opacity = opacity > 0.0F ? opacity : 1.0F;
+}
+
+using Submeshes = std::map<std::string, std::vector<std::size_t>>;
+
+/// The parts of a model by the names of their meshes and nodes; all of them by the empty name.
+Submeshes submeshesOf(const RawScene& model) {
+    Submeshes parts;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const std::string& mesh = model.parts[i].name;
+        const std::string& node = model.nodes[static_cast<std::size_t>(model.parts[i].node)].name;
+        parts[""].push_back(i);
+        if (!mesh.empty()) parts[mesh].push_back(i);
+        if (!node.empty() && node != mesh) parts[node].push_back(i);
+    }
+    return parts;
+}
+
+/// Meshes in "meshes" have their textures beside that folder, mostly in "materials/textures".
+void lookUpTexturesAroundMeshes(const ModelPath& files, RawScene& model) {
+    for (TextureRequest& texture : model.textures) {
+        const fs::path folder = texture.folder;
+        std::string name = texture.name;
+        std::replace(name.begin(), name.end(), '\\', '/');
+        if (folder.filename() != "meshes" || fs::path(name).is_absolute() ||
+            !files.reaches(folder.parent_path())) {
+            continue;
+        }
+        texture.folder = folder.parent_path();
+        texture.name = (folder.filename() / name).lexically_normal().string();
+    }
+}
+
+class SceneOfLinks {
+  public:
+    SceneOfLinks(const ModelPath& files, std::string where, const JobContext& job)
+        : files_(files), where_(std::move(where)), job_(job) {
+        scene_.file_unit_m = 1.0;
+        scene_.file_up_axis = 'z';
+        scene_.nodes.push_back({"", -1, 0});
+    }
+
+    Result<RawScene> build(const std::vector<LinkObject>& links,
+                           const std::vector<std::string>& missing_models) {
+        missing_ = missing_models;
+        std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
+        std::map<const Visual*, std::size_t> wanted;
+        for (const LinkObject& link : links) {
+            if (job_.cancelled()) return cancelled();
+            for (const Visual& visual : link.visuals) {
+                if (visual.shape != Visual::Shape::Mesh) continue;
+                const auto [at, is_new] = found.try_emplace({visual.folder, visual.uri});
+                if (is_new) {
+                    const auto file = files_.find(visual.folder, visual.uri);
+                    if (file) at->second = library_.add(*file);
+                }
+                if (at->second) {
+                    wanted[&visual] = *at->second;
+                } else {
+                    missing_.push_back(visual.uri);
+                }
+            }
+        }
+        if (Status read = library_.read(job_); !read) return tl::unexpected(read.error());
+        for (const auto& [name, number] : found) {
+            RawScene* model = number ? library_.model(*number) : nullptr;
+            if (model != nullptr) lookUpTexturesAroundMeshes(files_, *model);
+        }
+        io::ObjectNames names;
+        for (const LinkObject& link : links) {
+            if (job_.cancelled()) return cancelled();
+            SourceObject object;
+            object.name = names.next(link.name.empty() ? "link" : link.name);
+            for (const Visual& visual : link.visuals) {
+                const auto model = wanted.find(&visual);
+                if (visual.shape == Visual::Shape::Mesh && model == wanted.end()) continue;
+                Status placed = visual.shape == Visual::Shape::Mesh
+                                    ? placeMesh(visual, model->second, object)
+                                    : placeShape(visual, object);
+                if (!placed) return tl::unexpected(placed.error());
+            }
+            if (!object.parts.empty()) scene_.objects.push_back(std::move(object));
+        }
+        return finish();
+    }
+
+  private:
+    Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
+        const RawScene* model = library_.model(number);
+        if (model == nullptr) {
+            unreadable_.push_back(visual.uri);
+            return {};
+        }
+        const auto [known, is_new] = submeshes_.try_emplace(number);
+        if (is_new) known->second = submeshesOf(*model);
+        const auto picked = known->second.find(visual.submesh);
+        if (picked == known->second.end()) {
+            unmatched_.push_back(visual.uri + ": " + visual.submesh);
+            return {};
+        }
+        const std::vector<std::size_t>& parts = picked->second;
+        std::size_t triangles = 0;
+        for (const std::size_t part : parts) triangles += model->parts[part].triangles.size();
+        if (Status fits = budget_.take(triangles, where_); !fits) return fits;
+        // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
+        const double unit = model->file_unit_m.value_or(1.0);
+        Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
+        scaled.linear() = (unit * visual.scale).asDiagonal();
+        if (visual.center_submesh) {
+            Eigen::AlignedBox3d box;
+            for (const std::size_t part : parts)
+                box.extend(model->parts[part].bounds.cast<double>());
+            scaled = scaled * Eigen::Translation3d(-box.center());
+        }
+        ModelPlacement& placement = placements_.try_emplace(number, *model, scene_).first->second;
+        append(placement.place(object.name, visual.scene_from_visual * scaled, parts), visual.color,
+               object);
+        return {};
+    }
+
+    Status placeShape(const Visual& visual, SourceObject& object) {
+        auto at = shapes_.find(visual.shape);
+        if (at == shapes_.end()) {
+            auto shape = std::make_unique<RawScene>(shapeScene(visual.shape));
+            ModelPlacement placement(*shape, scene_);
+            at = shapes_.emplace(visual.shape, Shape{std::move(shape), placement}).first;
+        }
+        if (Status fits = budget_.take(*at->second.model, where_); !fits) return fits;
+        Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
+        scaled.linear() = visual.size.asDiagonal();
+        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled),
+               visual.color, object);
+        return {};
+    }
+
+    /// Adds parts to an object, in the visual's own colour where it has one.
+    void append(const std::vector<std::size_t>& parts, const std::optional<Eigen::Vector4f>& color,
+                SourceObject& object) {
+        object.parts.insert(object.parts.end(), parts.begin(), parts.end());
+        if (!color) return;
+        for (const std::size_t part : parts) {
+            scene_.parts[part].material = painted(scene_.parts[part].material, *color);
+        }
+    }
+
+    /// The number of the material in this colour, which other visuals of the same mesh do not get.
+    /// Textured materials keep their texture.
+    std::uint32_t painted(std::uint32_t number, const Eigen::Vector4f& color) {
+        if (scene_.materials[number].texture >= 0) return number;
+        const auto next = static_cast<std::uint32_t>(scene_.materials.size());
+        const auto [at, is_new] =
+            painted_.try_emplace({number, color[0], color[1], color[2], color[3]}, next);
+        if (is_new) {
+            scene_.materials.push_back(scene_.materials[number]);
+            paint(color, scene_.materials.back());
+        }
+        return at->second;
+    }
+
+    static tl::unexpected<Error> cancelled() {
+        return fail(ErrorCode::Cancelled, "import was cancelled");
+    }
+
+    Result<RawScene> finish() {
+        const auto say = [&](std::vector<std::string> names, const char* one, const char* many) {
+            if (names.empty()) return;
+            const std::size_t count = names.size();
+            for (std::string& name : names) name = cleanText(name);
+            std::sort(names.begin(), names.end());
+            names.erase(std::unique(names.begin(), names.end()), names.end());
+            scene_.warnings.push_back(io::counted(count, one, many) + ": " + io::listOf(names));
+        };
+        say(missing_,
+            "model or mesh was not found and is left out; give the folder around it with --models",
+            "models or meshes were not found and are left out; give the folder around them with "
+            "--models");
+        say(unreadable_, "mesh cannot be read and is left out; export it again",
+            "meshes cannot be read and are left out; export them again");
+        say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
+            "submeshes are not in their meshes and are left out; correct their names");
+        if (scene_.objects.empty()) {
+            std::string message = "no link has a visual that can be drawn, so there is no scene";
+            for (const std::string& warning : scene_.warnings) message += "; " + warning;
+            return fail(ErrorCode::BadInput, message, where_);
+        }
+        return std::move(scene_);
+    }
+
+    struct Shape {
+        std::unique_ptr<RawScene> model;  // stays where it is, as its placement needs
+        ModelPlacement placement;
+    };
+
+    const ModelPath& files_;
+    std::string where_;
+    JobContext job_;
+    RawScene scene_;
+    io::ModelLibrary library_;
+    io::TriangleBudget budget_;
+    std::map<std::size_t, ModelPlacement> placements_;  // by number in the library
+    std::map<Visual::Shape, Shape> shapes_;
+    std::map<std::size_t, Submeshes> submeshes_;
+    /// Numbers of materials, by the number of the material before and the colour.
+    std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
+    std::vector<std::string> missing_;
+    std::vector<std::string> unreadable_;
+    std::vector<std::string> unmatched_;
+};
+
+}  // namespace
+
+std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::string& uri) const {
+    std::string name = percentDecoded(uri);
+    const bool package = takeScheme(name, "package://");
+    const bool model = !package && takeScheme(name, "model://");
+    if (!package && !model) takeScheme(name, "file://");
+    if (name.find("://") != std::string::npos) return std::nullopt;
+    if (!package && !model) {
+        if (auto found = files_.find(folder, name)) return found;
+    }
+    for (const fs::path& root : files_.folders()) {
+        if (auto found = files_.find(root, name)) return found;
+    }
+    if (!package && !model) return std::nullopt;
+    // The scene may lie within the model or package that it names: a folder around has its name.
+    const std::size_t slash = std::min(name.find('/'), name.size());
+    const std::string within = name.substr(std::min(slash + 1, name.size()));
+    const std::string owner = name.substr(0, slash);
+    for (const fs::path& around : foldersAround(folder)) {
+        if (auto found = files_.find(around, name)) return found;
+        // A package may lie in a folder of another name; package.xml says what it is called.
+        if (!package || within.empty()) continue;
+        const auto xml = files_.find(around, "package.xml");
+        const std::string called = xml ? nameOf(*xml) : std::string();
+        if (!called.empty() && called != owner) return std::nullopt;
+        if (auto found = files_.find(around, within)) return found;
+        if (xml) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+const std::string& ModelPath::nameOf(const fs::path& config) const {
+    const auto [at, is_new] = names_.try_emplace(config);
+    if (is_new) at->second = nameIn(config);
+    return at->second;
+}
+
+std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::string& uri) const {
+    std::string name = uri;
+    while (name.ends_with('/')) name.pop_back();
+    const std::string ending = lowerExtension(name);
+    if (ending == ".sdf" || ending == ".urdf" || ending == ".world") return find(folder, name);
+    if (const auto config = find(folder, name + "/model.config")) {
+        if (auto found = files_.find(config->parent_path(), nameOf(*config))) return found;
+    }
+    return find(folder, name + "/model.sdf");
+}
+
+std::vector<fs::path> foldersOfWorld(const fs::path& scene, const std::vector<fs::path>& given) {
+    const fs::path own = io::absoluteNormal(scene).parent_path();
+    std::vector<fs::path> absolute;
+    for (const fs::path& folder : given) absolute.push_back(io::absoluteNormal(folder));
+    std::vector<fs::path> folders = io::foldersFor(own / scene.filename(), absolute,
+                                                   {"models", "meshes", "media", "materials"});
+    folders.insert(folders.begin(), own);
+    if (io::hasFile(own / "model.config")) folders.push_back(own.parent_path());
+    for (const fs::path& around : foldersAround(own)) {
+        if (!io::hasFile(around / "package.xml")) continue;
+        folders.push_back(around);
+        break;
+    }
+    return folders;
+}
+
+Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links, const ModelPath& files,
+                              const std::vector<std::string>& missing_models,
+                              const std::string& where, const JobContext& job) {
+    return SceneOfLinks(files, where, job).build(links, missing_models);
+}
+
+}  // namespace dollytrack::gazebo

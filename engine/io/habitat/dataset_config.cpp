@@ -1,0 +1,437 @@
+#include "engine/io/habitat/dataset_config.h"
+
+#include "engine/core/name_pattern.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/sandbox/input_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+
+namespace dollytrack::habitat {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
+constexpr std::size_t kMostConfigs = 16;  // in one folder
+constexpr std::uint64_t kMostConfigBytes = std::uint64_t{64} << 20U;
+constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
+constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
+constexpr std::size_t kMostFiles = 100'000;       // of one kind
+constexpr std::size_t kMostWork = 10'000'000;     // names listed and compared with a pattern
+constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
+
+struct KindWords {
+    Kind kind;
+    const char* section;
+    const char* ending;                // of a description
+    bool models;                       // models stand for themselves
+    std::array<const char*, 4> usual;  // folders of datasets without a config
+};
+
+constexpr std::array<KindWords, 5> kWords = {
+    {{Kind::Stage, "stages", ".stage_config.json", true, {"stages", "configs/stages", "", ""}},
+     {Kind::Object, "objects", ".object_config.json", true, {"objects", "configs/objects", "", ""}},
+     {Kind::ArticulatedObject,
+      "articulated_objects",
+      ".urdf",
+      false,
+      {"urdf", "configs/urdf", "", ""}},
+     {Kind::SceneInstance,
+      "scene_instances",
+      ".scene_instance.json",
+      false,
+      {"scenes", "configs/scenes", "scene_instances", ""}},
+     {Kind::SemanticScene,
+      "semantic_scene_descriptor_instances",
+      ".json",
+      false,
+      {"semantics", "ssd", "configs/ssd", ""}}}};
+
+const KindWords& wordsOf(Kind kind) {
+    return *std::find_if(kWords.begin(), kWords.end(),
+                         [&](const KindWords& words) { return words.kind == kind; });
+}
+
+bool isModel(const std::string& name) {
+    return name.ends_with(".glb") || name.ends_with(".gltf") || name.ends_with(".ply") ||
+           name.ends_with(".obj");
+}
+
+bool isPattern(const std::string& text) {
+    return text.find_first_of("*?") != std::string::npos;
+}
+
+bool isOfKind(const std::string& name, const KindWords& words) {
+    return name.ends_with(words.ending) || (words.models && isModel(name));
+}
+
+/// The name without folders: "chair" of "objects/chair".
+std::string lastName(const std::string& name) {
+    const auto slash = name.find_last_of('/');
+    return slash == std::string::npos ? name : name.substr(slash + 1);
+}
+
+std::string withoutEnding(const std::string& name, std::string_view ending) {
+    return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
+}
+
+/// The values of `changes` in place of those of the same name in `defaults`.
+json merged(json defaults, const json& changes) {
+    if (!defaults.is_object()) defaults = json::object();
+    if (changes.is_object()) defaults.update(changes);
+    return defaults;
+}
+
+Result<json> readConfig(const fs::path& path) {
+    const Result<std::string> text = io::readNamedFile(path, kMostConfigBytes);
+    if (!text) return tl::unexpected(text.error());
+    return io::parseBoundedJson(*text, path.string());
+}
+
+const json& sectionOf(const json& document, const char* key) {
+    static const json nothing = json::object();
+    const auto found = document.find(key);
+    return found != document.end() && found->is_object() ? *found : nothing;
+}
+
+std::vector<fs::path> configsIn(const fs::path& folder) {
+    constexpr std::size_t kMostEntries = 20'000;
+    std::vector<fs::path> configs;
+    std::error_code error;
+    std::size_t seen = 0;
+    fs::directory_iterator at(folder, error);
+    for (const fs::directory_iterator end; !error && at != end && ++seen < kMostEntries;
+         at.increment(error)) {
+        std::error_code unknown;
+        if (at->path().filename().string().ends_with(kConfigEnding) && !at->is_symlink(unknown)) {
+            configs.push_back(at->path());
+        }
+    }
+    std::sort(configs.begin(), configs.end());
+    if (configs.size() > kMostConfigs) configs.resize(kMostConfigs);
+    return configs;
+}
+
+}  // namespace
+
+/// Finds what the patterns of a config stand for. Lists each folder once, and stops with an error
+/// where a config leads into too many.
+class Dataset::FolderSearch {
+  public:
+    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where)
+        : files_(files), root_(std::move(root)), where_(std::move(where)) {}
+
+    /// The folders and files that a path with wildcards stands for.
+    Result<std::vector<fs::path>> expand(const std::string& pattern) {
+        std::vector<fs::path> level = {root_};
+        for (const fs::path& step : fs::path(pattern)) {
+            const std::string part = step.string();
+            if (part.empty()) continue;
+            std::vector<fs::path> next;
+            work_ += level.size();
+            for (const fs::path& folder : level) {
+                if (!isPattern(part)) {
+                    next.push_back((folder / part).lexically_normal());
+                    continue;
+                }
+                const auto names = list(folder);
+                if (!names) return tl::unexpected(names.error());
+                work_ += (*names)->size();
+                for (const std::string& name : **names) {
+                    const bool fits = part == "*" || part == "**" || fitsPattern(part, name);
+                    if (fits && next.size() <= kMostFiles) next.push_back(folder / name);
+                }
+            }
+            if (next.size() > kMostFiles || work_ > kMostWork) return tooMany("files");
+            level = std::move(next);
+        }
+        return level;
+    }
+
+    /// The names in a folder; none of a file.
+    Result<const std::vector<std::string>*> list(const fs::path& folder) {
+        const auto [at, is_new] = listings_.try_emplace(folder);
+        if (!is_new) return &at->second;
+        if (listings_.size() > kMostFolders) return tooMany("folders");
+        std::error_code error;
+        const fs::file_status status =
+            files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
+        // A folder that is missing is listed, too: the scene depends on whether it is there.
+        if (!fs::exists(status) || fs::is_directory(status)) at->second = files_.namesIn(folder);
+        work_ += at->second.size();
+        if (work_ > kMostWork) return tooMany("files");
+        return &at->second;
+    }
+
+    [[nodiscard]] tl::unexpected<Error> tooManyPatterns(const std::string& section) const {
+        return fail(ErrorCode::BadInput,
+                    "the dataset config has more than " + std::to_string(kMostPatterns) +
+                        " paths of " + section + "; write folders or wildcards instead",
+                    where_);
+    }
+
+    [[nodiscard]] tl::unexpected<Error> tooMany(const char* what) const {
+        return fail(ErrorCode::BadInput,
+                    std::string("the paths of the dataset config lead to too many ") + what +
+                        "; write paths that lead to fewer",
+                    where_);
+    }
+
+  private:
+    const io::ReachableFiles& files_;
+    fs::path root_;
+    std::string where_;
+    std::map<fs::path, std::vector<std::string>> listings_;
+    std::size_t work_ = 0;
+};
+
+std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
+    constexpr int kMostFoldersUp = 4;
+    fs::path folder = io::absoluteNormal(scene).parent_path();
+    for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
+        std::vector<fs::path> configs = configsIn(folder);
+        if (!configs.empty()) return configs;
+        folder = folder.parent_path();
+    }
+    return {};
+}
+
+fs::path chooseDatasetConfig(const std::vector<fs::path>& configs, const fs::path& scene) {
+    if (configs.empty()) return {};
+    if (configs.size() == 1) return configs.front();
+    const fs::path own = io::absoluteNormal(scene).parent_path();
+    for (const fs::path& config : configs) {
+        const fs::path folder = config.parent_path();
+        const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}));
+        if (!dataset) continue;
+        for (const DatasetScene& listed : dataset->scenes()) {
+            if (listed.file.parent_path() == own) return config;
+        }
+    }
+    return configs.front();
+}
+
+Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
+                              io::ReachableFiles files) {
+    Dataset dataset(folder, std::move(files));
+    json document = json::object();
+    if (!config.empty()) {
+        Result<json> read = readConfig(config);
+        if (!read) return tl::unexpected(read.error());
+        if (!read->is_object()) {
+            return fail(ErrorCode::BadInput,
+                        "the dataset config is not a JSON object; it is damaged or of another "
+                        "program",
+                        config.string());
+        }
+        document = std::move(*read);
+    }
+    FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string());
+    for (const KindWords& words : kWords) {
+        json section = sectionOf(document, words.section);
+        if (config.empty()) {
+            for (const char* usual : words.usual) {
+                if (*usual != '\0') section["paths"][".json"].push_back(usual);
+            }
+        }
+        if (Status read = dataset.readSection(section, words.kind, search); !read) {
+            return tl::unexpected(read.error());
+        }
+    }
+    dataset.lexicons_ = sectionOf(document, "semantic_scene_descriptor_instances");
+    return dataset;
+}
+
+Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search) {
+    constexpr std::size_t kLongestPattern = 4096;
+    const KindWords& words = wordsOf(kind);
+    Section& section = sections_[kind];
+    section.defaults = sectionOf(values, "default_attributes");
+    section.configs = io::listIn(values, "configs");
+    for (std::size_t i = 0; i < section.configs.size(); ++i) {
+        std::string name = io::textIn(section.configs[i], "template_handle");
+        if (name.empty()) {
+            const std::string original = io::textIn(section.configs[i], "original_file");
+            name = withoutEnding(lastName(original), words.ending);
+        }
+        section.config_of.try_emplace(std::move(name), i);
+    }
+    const auto add = [&](const fs::path& file, const std::string& ending) {
+        const std::string name = file.filename().string();
+        section.files.push_back(file);
+        if (isModel(name) && name.ends_with(ending)) section.named_models.push_back(file);
+    };
+    std::vector<std::pair<fs::path, std::string>> folders;  // and the ending that is asked for
+    std::size_t patterns = 0;
+    for (const auto& [ending, list] : sectionOf(values, "paths").items()) {
+        if (!list.is_array()) continue;
+        for (const json& entry : list) {
+            if (!entry.is_string()) continue;
+            const auto& pattern = entry.get_ref<const std::string&>();
+            if (pattern.size() > kLongestPattern) continue;
+            if (++patterns > kMostPatterns) return search.tooManyPatterns(words.section);
+            auto found = search.expand(pattern);
+            if (!found) return tl::unexpected(found.error());
+            for (const fs::path& path : *found) {
+                if (isOfKind(path.filename().string(), words)) {
+                    add(path, ending);
+                } else {
+                    folders.emplace_back(path, ending);
+                }
+            }
+            // A template's name may be that of another file beside those that the last part fits.
+            if (isPattern(lastName(pattern))) {
+                found = search.expand(fs::path(pattern).parent_path().string());
+                if (!found) return tl::unexpected(found.error());
+                for (const fs::path& path : *found) folders.emplace_back(path, ".json");
+            }
+            if (folders.size() + section.files.size() > kMostFiles) return search.tooMany("files");
+        }
+    }
+    for (const auto& [folder, ending] : folders) {
+        const auto names = search.list(folder);
+        if (!names) return tl::unexpected(names.error());
+        for (const std::string& name : **names) {
+            if (isOfKind(name, words)) add(folder / name, ending);
+        }
+        if (section.files.size() > kMostFiles) return search.tooMany("files");
+    }
+    for (std::size_t i = 0; i < section.files.size(); ++i) {
+        section.file_of.try_emplace(section.files[i].filename().string(), i);
+    }
+    return {};
+}
+
+Result<Template> Dataset::load(Kind kind, const fs::path& file) const {
+    Template found{sections_.at(kind).defaults, file.parent_path(), file};
+    if (file.extension() != ".json") {
+        found.attributes["render_asset"] = file.filename().string();
+        return found;
+    }
+    const Result<json> read = readConfig(file);
+    if (!read) return tl::unexpected(read.error());
+    if (!read->is_object()) {
+        return fail(ErrorCode::BadInput,
+                    "the file is not a JSON object; it is damaged or of another program",
+                    file.string());
+    }
+    found.attributes = merged(std::move(found.attributes), *read);
+    return found;
+}
+
+/// The template that the config's own list describes under this handle.
+Result<std::optional<Template>> Dataset::findConfigured(const Section& section, Kind kind,
+                                                        const std::string& handle) const {
+    const auto at = section.config_of.find(handle);
+    if (at == section.config_of.end()) return std::optional<Template>();
+    const json& config = section.configs[at->second];
+    const std::string original = io::textIn(config, "original_file");
+    Template found{section.defaults, folder_, {}};
+    if (!original.empty()) {
+        const auto file = files_.find(folder_, original);
+        if (!file) return std::optional<Template>();
+        Result<Template> loaded = load(kind, *file);
+        if (!loaded) return tl::unexpected(loaded.error());
+        found = std::move(*loaded);
+    }
+    const json& changes = sectionOf(config, "attributes");
+    // Names of files that the config itself gives count from the config.
+    if (changes.contains("render_asset")) found.folder = folder_;
+    found.attributes = merged(std::move(found.attributes), changes);
+    return std::optional<Template>(std::move(found));
+}
+
+Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name) const {
+    const Section& section = sections_.at(kind);
+    for (const std::string& handle : {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
+        auto configured = findConfigured(section, kind, handle);
+        if (!configured || *configured) return configured;
+    }
+    const auto file = findFile(kind, name);
+    if (!file) return std::optional<Template>();
+    Result<Template> loaded = load(kind, *file);
+    if (!loaded) return tl::unexpected(loaded.error());
+    return std::optional<Template>(std::move(*loaded));
+}
+
+std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) const {
+    const KindWords& words = wordsOf(kind);
+    const Section& section = sections_.at(kind);
+    std::vector<std::string> endings = {words.ending};
+    if (words.models) endings.insert(endings.end(), {".glb", ".gltf", ".ply", ".obj"});
+    std::string stem = lastName(name);
+    for (const std::string& ending : endings) {
+        if (stem.ends_with(ending)) {
+            stem = withoutEnding(stem, ending);
+            break;
+        }
+    }
+    if (stem.empty()) return std::nullopt;
+    for (const std::string& ending : endings) {
+        const auto at = section.file_of.find(stem + ending);
+        if (at == section.file_of.end()) continue;
+        if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
+    }
+    if (++slow_searches_ > kMostSlowSearches) return std::nullopt;
+    // A path from the dataset's folder.
+    for (const std::string& ending : endings) {
+        const std::string path = name.ends_with(ending) ? name : name + ending;
+        if (auto file = files_.find(folder_, path)) return file;
+    }
+    // Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+    for (const auto& [file_name, index] : section.file_of) {
+        if (!file_name.ends_with(words.ending) || file_name.find(stem) == std::string::npos) {
+            continue;
+        }
+        if (auto file = files_.find(folder_, section.files[index].string())) return file;
+    }
+    return std::nullopt;
+}
+
+std::vector<DatasetScene> Dataset::scenes() const {
+    std::vector<DatasetScene> scenes;
+    const auto gather = [&](Kind kind) {
+        const std::string ending = wordsOf(kind).ending;
+        for (const fs::path& file : sections_.at(kind).files) {
+            const std::string name = file.filename().string();
+            if (name.ends_with(ending)) scenes.push_back({withoutEnding(name, ending), file});
+        }
+        for (const fs::path& file : sections_.at(kind).named_models) {
+            scenes.push_back({file.stem().string(), file});
+        }
+    };
+    gather(Kind::SceneInstance);
+    // A dataset without scene instances (HM3D, Gibson) has a scene for each stage.
+    if (scenes.empty()) gather(Kind::Stage);
+    std::sort(scenes.begin(), scenes.end(), [](const DatasetScene& a, const DatasetScene& b) {
+        return std::tie(a.name, a.file) < std::tie(b.name, b.file);
+    });
+    scenes.erase(
+        std::unique(scenes.begin(), scenes.end(),
+                    [](const DatasetScene& a, const DatasetScene& b) { return a.file == b.file; }),
+        scenes.end());
+    std::erase_if(scenes, [&](const DatasetScene& scene) {
+        return !files_.find(folder_, scene.file.string());
+    });
+    return scenes;
+}
+
+std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
+    const std::string written = io::textIn(lexicons_, name.c_str());
+    if (!written.empty()) {
+        if (auto file = files_.find(folder_, written)) return file;
+    }
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const auto at = section.file_of.find(withoutEnding(lastName(name), ".json") + ".json");
+    if (at != section.file_of.end())
+        return files_.find(folder_, section.files[at->second].string());
+    return files_.find(folder_, name);
+}
+
+}  // namespace dollytrack::habitat

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/import/raw_scene.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack {
+
+/// The mesh of a PLY file as the file has it, with the numbers that labelled scans give its faces.
+struct PlyMesh {
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3f> normals;  // empty, or one per position
+    std::vector<Eigen::Vector3f> uvs;      // empty, or one per position; z unused
+    std::vector<Eigen::Vector3f> colors;   // empty, or one per position; sRGB, 0 to 1
+    std::vector<std::uint32_t> face_sizes;
+    std::vector<std::uint32_t> face_indices;
+    /// Of each face, or of each position: empty where the file has none; -1 for what is no number.
+    std::vector<std::int64_t> face_objects;
+    std::vector<std::int64_t> face_classes;
+    std::vector<std::int64_t> position_objects;
+    std::vector<std::int64_t> position_classes;
+    std::string texture;  // file name; empty: none
+};
+
+/// Reads text and binary files of either byte order. Error: BadInput, one sentence.
+[[nodiscard]] Result<PlyMesh> parsePlyMesh(std::string_view bytes,
+                                           const std::filesystem::path& path);
+
+/// The mesh as a scene of one part.
+[[nodiscard]] RawScene sceneOfPly(const PlyMesh& mesh);
+
+/// Adds the faces with these indices as a part under a node of its own, coloured by the mean of
+/// its vertex colours. Returns the part's index. `first_index` has, for each face, where its
+/// corners begin in face_indices.
+std::size_t addPlyPart(const PlyMesh& mesh, std::span<const std::size_t> faces,
+                       std::span<const std::size_t> first_index, const std::string& name,
+                       RawScene& scene);
+
+/// Where the corners of each face begin in PlyMesh::face_indices.
+[[nodiscard]] std::vector<std::size_t> firstIndices(const PlyMesh& mesh);
+
+}  // namespace dollytrack

@@ -1,0 +1,78 @@
+#include "engine/io/import/reachable_files.h"
+
+#include "engine/io/files/guarded_folder.h"
+#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/sandbox/input_record.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace dollytrack::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> pathBelow(const fs::path& folder, const fs::path& path) {
+    const fs::path below = path.lexically_relative(folder);
+    if (below.empty() || *below.begin() == "..") return std::nullopt;
+    return below;
+}
+
+}  // namespace
+
+fs::path absoluteNormal(const fs::path& path) {
+    std::error_code error;
+    fs::path normal = fs::absolute(path, error).lexically_normal();
+    return normal.has_filename() ? normal : normal.parent_path();
+}
+
+std::optional<fs::path> ReachableFiles::find(const fs::path& folder,
+                                             const std::string& name) const {
+    if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) {
+        return std::nullopt;
+    }
+    std::string slashes = name;
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    const fs::path file = (folder / slashes).lexically_normal();
+    for (const fs::path& root : folders_) {
+        const auto below = pathBelow(root, file);
+        if (below && *below != "." && ConfinedFolder(root).has(*below)) return file;
+    }
+    return std::nullopt;
+}
+
+bool ReachableFiles::reaches(const fs::path& path) const {
+    const fs::path normal = absoluteNormal(path);
+    return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
+        const auto below = pathBelow(root, normal);
+        if (!below) return false;
+        const Result<GuardedFolder> folder = GuardedFolder::open(root);
+        if (!folder || *below == ".") return folder.has_value();
+        const auto found = folder->find(below->string());
+        return found && !S_ISLNK(found->st_mode);
+    });
+}
+
+std::vector<std::string> ReachableFiles::namesIn(const fs::path& folder) const {
+    constexpr std::size_t kMost = 100'000;
+    std::vector<std::string> names;
+    // One that is missing is noted, too: the scene depends on whether it is there.
+    const bool named = std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
+        return pathBelow(root, folder.lexically_normal()).has_value();
+    });
+    if (named) InputRecord::note(InputUse::Listing, folder);
+    if (!reaches(folder)) return names;
+    std::error_code error;
+    fs::directory_iterator at(folder, error);
+    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
+        std::error_code unknown;
+        const std::string name = at->path().filename().string();
+        if (name.starts_with('.') || at->is_symlink(unknown)) continue;
+        names.push_back(name);
+        if (names.size() >= kMost) break;
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace dollytrack::io

@@ -1,0 +1,242 @@
+#include "engine/io/semantics/label_files.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/sandbox/input_file.h"
+#include "engine/io/trajectories/number_lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace dollytrack::semantics {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uint64_t kMostNameBytes = std::uint64_t{256} << 20U;
+
+std::optional<std::string> withoutEnding(const std::string& name, std::string_view ending) {
+    if (!name.ends_with(ending)) return std::nullopt;
+    return name.substr(0, name.size() - ending.size());
+}
+
+constexpr double kMostNumber = 1e15;  // whole numbers beyond are rounded somewhere
+
+std::optional<std::int64_t> wholeNumber(std::string_view text) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if (!(std::abs(static_cast<double>(value)) < kMostNumber)) return std::nullopt;
+    return value;
+}
+
+std::optional<std::int64_t> wholeNumber(const json& value) {
+    const std::optional<double> number = io::numberIn(value);
+    if (!number || !(std::abs(*number) < kMostNumber) || *number != std::floor(*number)) {
+        return std::nullopt;
+    }
+    return static_cast<std::int64_t>(*number);
+}
+
+std::optional<std::int64_t> wholeNumber(const json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key)) return std::nullopt;
+    return wholeNumber(object[key]);
+}
+
+/// Replica: {"objects": [{"id": 3, "class_name": "chair"}, ...]}.
+Result<LabelNames> readReplica(const fs::path& path) {
+    const Result<json> document = io::readBoundedJson(path);
+    if (!document) return tl::unexpected(document.error());
+    LabelNames names;
+    for (const json& object : io::listIn(*document, "objects")) {
+        if (const auto id = wholeNumber(object, "id")) {
+            names.categories[*id] = io::textIn(object, "class_name");
+        }
+    }
+    return names;
+}
+
+/// HM3D: a line of title, then lines 17,A1B2C3,"chair",0.
+Result<LabelNames> readHabitatText(const fs::path& path) {
+    const Result<std::string> text = io::readNamedFile(path, kMostNameBytes);
+    if (!text) return tl::unexpected(text.error());
+    LabelNames names;
+    int number = 0;
+    for (const std::string_view line : io::splitLines(*text)) {
+        ++number;
+        const auto first = line.find(',');
+        const auto second = first == line.npos ? first : line.find(',', first + 1);
+        if (second == line.npos) continue;  // the title, an empty line
+        const auto id = wholeNumber(line.substr(0, first));
+        const std::string_view hex = line.substr(first + 1, second - first - 1);
+        std::uint32_t color = 0;
+        const auto [end, error] = std::from_chars(hex.data(), hex.data() + hex.size(), color, 16);
+        const auto open = line.find('"', second);
+        const auto close = open == line.npos ? open : line.find('"', open + 1);
+        if (!id || error != std::errc() || end != hex.data() + hex.size() || color > 0xFFFFFFU ||
+            close == line.npos) {
+            return fail(ErrorCode::BadInput,
+                        "The line does not read NUMBER,RRGGBB,\"NAME\",...; download the file "
+                        "again.",
+                        io::placeOf(path, number));
+        }
+        names.categories[*id] = cleanText(line.substr(open + 1, close - open - 1));
+        names.of_color[color] = *id;
+    }
+    return names;
+}
+
+/// Matterport3D: lines "C index mapping_index mapping_name mpcat40_index mpcat40_name ..." and
+/// "O index region category ...".
+Result<LabelNames> readHouse(const fs::path& path) {
+    const Result<std::string> text = io::readNamedFile(path, kMostNameBytes);
+    if (!text) return tl::unexpected(text.error());
+    std::map<std::int64_t, std::string> categories;
+    LabelNames names;
+    for (const std::string_view line : io::splitLines(*text)) {
+        const auto words = io::splitWords(line);
+        if (words.size() >= 6 && words[0] == "C") {
+            // The set's own 40 classes; where they say nothing, its longer word.
+            const bool vague = words[5] == "objects" || words[5] == "misc";
+            std::string name = cleanText(words[vague ? 3 : 5]);
+            std::replace(name.begin(), name.end(), '#', ' ');
+            std::replace(name.begin(), name.end(), '_', ' ');
+            if (const auto index = wholeNumber(words[1])) categories[*index] = name;
+        } else if (words.size() >= 4 && words[0] == "O") {
+            const auto index = wholeNumber(words[1]);
+            const auto category = wholeNumber(words[3]);
+            if (index && category) {
+                const auto found = categories.find(*category);
+                names.categories[*index] = found == categories.end() ? "" : found->second;
+            }
+        }
+    }
+    return names;
+}
+
+/// ScanNet and ScanNet++: objects as lists of segments, and the segment of each vertex.
+Result<LabelNames> readSegments(const fs::path& groups, const fs::path& segments) {
+    const Result<json> said = io::readBoundedJson(groups);
+    if (!said) return tl::unexpected(said.error());
+    const Result<json> vertices = io::readBoundedJson(segments);
+    if (!vertices) return tl::unexpected(vertices.error());
+    LabelNames names;
+    for (const json& group : io::listIn(*said, "segGroups")) {
+        auto id = wholeNumber(group, "objectId");
+        if (!id) id = wholeNumber(group, "id");
+        if (!id) continue;
+        names.categories[*id] = io::textIn(group, "label");
+        for (const json& segment : io::listIn(group, "segments")) {
+            if (const auto number = wholeNumber(segment)) names.of_segment[*number] = *id;
+        }
+    }
+    for (const json& segment : io::listIn(*vertices, "segIndices")) {
+        names.segments.push_back(wholeNumber(segment).value_or(-1));
+    }
+    return names;
+}
+
+/// ScanNet's names all begin with the scan's own: scene0000_00_vh_clean_2.labels.ply.
+std::optional<LabelledFiles> findScanNet(const fs::path& mesh) {
+    const std::string name = mesh.filename().string();
+    const fs::path folder = mesh.parent_path();
+    auto scan = withoutEnding(name, "_vh_clean_2.labels.ply");
+    if (!scan) scan = withoutEnding(name, "_vh_clean_2.ply");
+    if (!scan) return std::nullopt;
+    LabelledFiles files;
+    files.nyu40 = true;
+    const fs::path labels = folder / (*scan + "_vh_clean_2.labels.ply");
+    const fs::path pictured = folder / (*scan + "_vh_clean_2.ply");
+    if (io::hasFile(labels)) files.labelled = labels;
+    if (io::hasFile(pictured)) files.pictured = pictured;
+    const fs::path segments = folder / (*scan + "_vh_clean_2.0.010000.segs.json");
+    for (const char* ending : {".aggregation.json", "_vh_clean.aggregation.json"}) {
+        const fs::path groups = folder / (*scan + ending);
+        if (!io::hasFile(groups) || !io::hasFile(segments)) continue;
+        files.kind = LabelKindOfFile::ScanNetSegments;
+        files.names = groups;
+        files.segments = segments;
+        break;
+    }
+    if (files.labelled.empty() && !files.kind) return std::nullopt;
+    if (files.labelled.empty()) files.labelled = files.pictured;
+    return files;
+}
+
+std::optional<LabelledFiles> findScanNetPp(const fs::path& mesh) {
+    if (!mesh.filename().string().starts_with("mesh_aligned")) return std::nullopt;
+    const fs::path groups = mesh.parent_path() / "segments_anno.json";
+    const fs::path segments = mesh.parent_path() / "segments.json";
+    if (!io::hasFile(groups) || !io::hasFile(segments)) return std::nullopt;
+    return LabelledFiles{mesh, {}, LabelKindOfFile::ScanNetPpSegments, groups, segments};
+}
+
+std::optional<LabelledFiles> findReplica(const fs::path& mesh) {
+    if (mesh.filename() != "mesh_semantic.ply") return std::nullopt;
+    const fs::path names = mesh.parent_path() / "info_semantic.json";
+    if (!io::hasFile(names)) return std::nullopt;
+    return LabelledFiles{mesh, {}, LabelKindOfFile::ReplicaInfo, names, {}};
+}
+
+/// HM3D: X.basis.glb, X.semantic.glb, X.semantic.txt. Matterport3D: X.glb, X_semantic.ply, X.house.
+std::optional<LabelledFiles> findHabitat(const fs::path& mesh) {
+    const std::string name = mesh.filename().string();
+    const fs::path folder = mesh.parent_path();
+    std::optional<std::string> scene;
+    for (const char* ending :
+         {".semantic.glb", ".basis.glb", "_semantic.ply", ".semantic.ply", ".glb"}) {
+        if (!scene) scene = withoutEnding(name, ending);
+    }
+    if (!scene || scene->empty()) return std::nullopt;
+    struct Row {
+        const char* names;
+        const char* mesh;
+        LabelKindOfFile kind;
+    };
+    for (const Row& row : {Row{".semantic.txt", ".semantic.glb", LabelKindOfFile::HabitatText},
+                           Row{".semantic.txt", ".semantic.ply", LabelKindOfFile::HabitatText},
+                           Row{".house", "_semantic.ply", LabelKindOfFile::MatterportHouse}}) {
+        LabelledFiles files;
+        files.labelled = folder / (*scene + row.mesh);
+        files.names = folder / (*scene + row.names);
+        files.kind = row.kind;
+        if (!io::hasFile(files.names) || !io::hasFile(files.labelled)) continue;
+        for (const char* ending : {".glb", ".basis.glb"}) {
+            const fs::path pictured = folder / (*scene + ending);
+            if (files.pictured.empty() && io::hasFile(pictured)) files.pictured = pictured;
+        }
+        return files;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LabelledFiles> findLabelledFiles(const fs::path& mesh) {
+    for (const auto find : {findScanNet, findScanNetPp, findReplica, findHabitat}) {
+        if (auto files = find(mesh)) return files;
+    }
+    return std::nullopt;
+}
+
+Result<LabelNames> readLabelNames(const LabelledFiles& files) {
+    if (!files.kind) return LabelNames{};
+    switch (*files.kind) {
+        case LabelKindOfFile::ReplicaInfo:
+            return readReplica(files.names);
+        case LabelKindOfFile::HabitatText:
+            return readHabitatText(files.names);
+        case LabelKindOfFile::MatterportHouse:
+            return readHouse(files.names);
+        case LabelKindOfFile::ScanNetSegments:
+        case LabelKindOfFile::ScanNetPpSegments:
+            return readSegments(files.names, files.segments);
+    }
+    return LabelNames{};
+}
+
+}  // namespace dollytrack::semantics

@@ -1,0 +1,421 @@
+#include "engine/io/gazebo/link_xml.h"
+#include "engine/io/import/reachable_files.h"
+#include "engine/scene/labels.h"
+#include "tests/engine/datasets/tiny_datasets.h"
+#include "tests/support/imported_scene.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+using Eigen::Vector3d;
+using test::find;
+using test::imported;
+using test::says;
+using test::TempFolder;
+
+Eigen::AlignedBox3d boxAround(const Scene& scene, const std::string& name) {
+    Eigen::AlignedBox3d box;
+    const Object* object = find(scene, name);
+    if (object == nullptr) return box;
+    for (std::uint32_t i = 0; i < object->vertex_count; ++i) {
+        box.extend(scene.positions[object->first_vertex + i].cast<double>());
+    }
+    return box;
+}
+
+void expectAround(const Scene& scene, const std::string& name, const Vector3d& low,
+                  const Vector3d& high) {
+    const Eigen::AlignedBox3d box = boxAround(scene, name);
+    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 && (box.max() - high).norm() < 1e-4)
+        << name << ": " << box.min().transpose() << " to " << box.max().transpose();
+}
+
+void writeSofa(const TempFolder& folder, const std::string& models) {
+    static_cast<void>(folder.write(models + "/sofa/model.config",
+                                   "<model><name>sofa</name><sdf version='1.4'>old.sdf</sdf>"
+                                   "<sdf version='1.6'>model.sdf</sdf></model>"));
+    static_cast<void>(folder.write(models + "/sofa/meshes/l.obj", test::lShapedModel()));
+    static_cast<void>(folder.write(models + "/sofa/model.sdf", R"(<sdf version="1.6"><model name="sofa">
+ <pose>0 0 10 0 0 0</pose>
+ <link name="link"><pose>0 0 1 0 0 0</pose>
+  <visual name="v"><geometry><mesh><uri>model://sofa/meshes/l.obj</uri><scale>1 2 1</scale></mesh></geometry></visual>
+  <collision name="c"><geometry><box><size>9 9 9</size></box></geometry></collision>
+ </link></model></sdf>)"));
+}
+
+std::string world(const std::string& models) {
+    return "<?xml version='1.0'?><sdf version='1.7'><world name='w'>" + models + "</world></sdf>";
+}
+
+// The L is 2 x 0.5 x 2, x from -1 to 1, y from 0 to 0.5, z from -0.5 to 1.5; here y is doubled.
+TEST(Gazebo, PlacesIncludedModelsAndShapes) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const Scene scene = imported(folder.write("worlds/room.world", world(R"(
+ <include><uri>model://sofa</uri><name>couch</name><pose>5 0 0 0 0 1.5707963267948966</pose></include>
+ <model name="sofa_1"><include><uri>model://sofa/</uri></include><pose degrees="true">0 7 0 0 0 90</pose></model>
+ <model name="house"><static>1</static>
+  <link name="floor"><visual name="v"><geometry><box><size>20 20 0.2</size></box></geometry>
+   <material><diffuse>1 0 0 1</diffuse></material></visual></link>
+  <frame name="corner"><pose>1 2 3 0 0 0</pose></frame>
+  <link name="column"><pose relative_to="corner">1 0 0 0 0 0</pose><visual name="v"><geometry>
+   <cylinder><radius>0.5</radius><length>2</length></cylinder></geometry></visual></link>
+  <link name="ball"><pose relative_to="column">0 0 2 0 0 0</pose><visual name="v"><geometry>
+   <sphere><radius>0.25</radius></sphere></geometry></visual></link></model>
+ <model name="cabinet"><link name="body"><visual name="v"><geometry><box><size>1 1 1</size></box></geometry></visual></link>
+  <link name="door"><pose>0 -0.55 0 0 0 0</pose><visual name="v"><geometry><box><size>1 0.1 1</size></box></geometry></visual></link>
+  <joint name="hinge" type="revolute"><parent>body</parent><child>door</child></joint></model>
+ <include><uri>model://lamp</uri></include>)")));
+    // An <include> without a pose of its own keeps the model's.
+    expectAround(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
+    expectAround(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
+    expectAround(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
+    EXPECT_EQ(find(scene, "floor")->nyu40, kNyuFloor);
+    expectAround(scene, "column", {1.5, 1.5, 2.0}, {2.5, 2.5, 4.0});
+    expectAround(scene, "ball", {1.75, 1.75, 4.75}, {2.25, 2.25, 5.25});
+    expectAround(scene, "cabinet", {-0.5, -0.6, -0.5}, {0.5, 0.5, 0.5});
+    EXPECT_EQ(find(scene, "door"), nullptr) << "a joint holds it to the cabinet";
+    EXPECT_TRUE(says(scene.report.warnings, "model://lamp"));
+    const Object* floor = find(scene, "floor");
+    const Material& red = scene.materials[scene.triangle_material[floor->first_triangle]];
+    EXPECT_TRUE(red.base_color.isApprox(Eigen::Vector3f(1, 0, 0)));
+}
+
+TEST(Gazebo, ModelsComeFromTheFoldersThatAreGiven) {
+    const TempFolder folder;
+    writeSofa(folder, "elsewhere/shared");
+    const auto path =
+        folder.write("here/room.sdf", world("<include><uri>model://sofa</uri></include>"));
+    const Result<Scene> alone = importScene(path);
+    ASSERT_FALSE(alone);
+    EXPECT_NE(alone.error().message.find("model://sofa"), std::string::npos);
+    const Scene scene = imported(path, {.model_folders = {folder.path() / "elsewhere/shared"}});
+    expectAround(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
+    // A model's own file is a scene, too, and finds itself.
+    EXPECT_NE(find(imported(folder.path() / "elsewhere/shared/sofa/model.sdf"), "sofa"), nullptr);
+}
+
+// Frames, nested models, included models and a joint, named from outside with "::".
+TEST(Gazebo, PosesAreRelativeToNestedFrames) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const std::string box =
+        "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual>";
+    const Scene scene = imported(folder.write("room.world", world(R"(
+ <model name="arm"><pose>0 0 5 0 0 0</pose>
+  <link name="base">)" + box + R"(</link>
+  <link name="far"><pose relative_to="grip::tool::tip">0 0 1 0 0 0</pose>)" + box + R"(</link>
+  <model name="grip"><pose degrees="1">10 0 0 0 0 90</pose>
+   <link name="palm">)" + box + R"(</link>
+   <model name="tool"><frame name="tip"><pose>2 0 0 0 0 0</pose></frame></model></model>
+  <joint name="wrist" type="fixed"><parent>base</parent><child>grip::palm</child></joint></model>
+ <model name="shelf" placement_frame="top"><pose>0 20 3 0 0 0</pose>
+  <frame name="top"><pose>0 0 2 0 0 0</pose></frame>
+  <link name="board"><visual name="v"><pose relative_to="top">0 0 1 0 0 0</pose><geometry>
+   <box><size>1 1 1</size></box></geometry></visual></link></model>
+ <include><uri>model://sofa</uri><name>couch</name><placement_frame>link</placement_frame>
+  <pose>0 30 0 0 0 0</pose></include>
+ <model name="cup"><pose relative_to="couch::link">0 0 4 0 0 0</pose><link name="l">)" + box +
+        R"(</link></model>
+ <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
+    // The wrist holds the palm, which stands turned at x = 10, to the base.
+    expectAround(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
+    EXPECT_EQ(find(scene, "palm"), nullptr);
+    expectAround(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
+    // The shelf's top is at its pose, and the board's visual one above.
+    expectAround(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
+    expectAround(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
+    expectAround(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
+    EXPECT_TRUE(says(scene.report.warnings, "<state>"));
+}
+
+TEST(Gazebo, NestedModelsKeepTheirNames) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const Scene scene = imported(folder.write("room.world", world(R"(<model name="corner">
+ <include><uri>model://sofa</uri></include>
+ <model name="stool"><pose>5 0 0 0 0 0</pose><link name="l"><visual name="v"><geometry>
+  <sphere><radius>1</radius></sphere></geometry></visual></link></model></model>)")));
+    EXPECT_NE(find(scene, "sofa"), nullptr);
+    EXPECT_NE(find(scene, "stool"), nullptr);
+}
+
+// Parts "seat" (a box at x = 4) and "back" (at x = 10).
+TEST(Gazebo, SubmeshesAreCentredOrMissed) {
+    const TempFolder folder;
+    const auto box = [](const std::string& name, int first, double x) {
+        std::string text = "o " + name + "\n";
+        for (int i = 0; i < 8; ++i) {
+            text += "v " + std::to_string(x + (i & 1)) + " " + std::to_string(i >> 1 & 1) + " " +
+                    std::to_string(i >> 2) + "\n";
+        }
+        for (const auto& face : {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                 {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
+            text += "f";
+            for (const int corner : face) text += fmt::format(" {}", corner + first);
+            text += "\n";
+        }
+        return text;
+    };
+    static_cast<void>(folder.write("chair.obj", box("seat", 0, 4.0) + box("back", 8, 10.0)));
+    const auto model = [](const std::string& name, const std::string& submesh) {
+        return "<model name='" + name + "'><link name='l'><visual name='v'><geometry><mesh><uri> "
+               "chair.obj </uri><submesh>" + submesh + "</submesh></mesh></geometry></visual></link></model>";
+    };
+    const Scene scene = imported(folder.write(
+        "room.world", world(model("placed", "<name>seat</name>") +
+                            model("centred", "<name>back</name><center>true</center>") +
+                            model("none", "<name>leg</name>"))));
+    expectAround(scene, "placed", {4, 0, 0}, {5, 1, 1});
+    expectAround(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    EXPECT_EQ(find(scene, "none"), nullptr);
+    EXPECT_TRUE(says(scene.report.warnings, "chair.obj: leg"));
+}
+
+// 0.5 in sRGB is 0.2140 in linear light, whatever program converts it.
+TEST(Gazebo, ColoursStayWithTheirVisual) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("l.obj", test::lShapedModel()));
+    int placed = 0;  // apart, since a mesh twice in one place counts once
+    const auto model = [&](const std::string& name, const std::string& material) {
+        return "<model name='" + name + "'><pose>" + std::to_string(5 * placed++) +
+               " 0 0 0 0 0</pose><link name='l'><visual name='v'><geometry><mesh><uri>"
+               "l.obj</uri></mesh></geometry>" + material + "</visual></link></model>";
+    };
+    const std::string grey = "<material><diffuse>0.5 0.5 +0.5 1</diffuse></material>";
+    const Scene scene = imported(
+        folder.write("room.world", world(model("plain", "") + model("grey", grey) +
+                                         model("grey_too", grey) + model("plain_too", ""))));
+    const auto materialOf = [&](const std::string& name) {
+        const Object* object = find(scene, name);
+        return object == nullptr ? 0U : scene.triangle_material[object->first_triangle];
+    };
+    EXPECT_EQ(materialOf("plain"), materialOf("plain_too"));
+    EXPECT_EQ(materialOf("grey"), materialOf("grey_too"));
+    ASSERT_NE(materialOf("plain"), materialOf("grey"));
+    const Eigen::Vector3f color = scene.materials[materialOf("grey")].base_color;
+    EXPECT_LT((color - Eigen::Vector3f::Constant(0.2140F)).norm(), 1e-3F) << color.transpose();
+    const Eigen::Vector3f plain = scene.materials[materialOf("plain")].base_color;
+    EXPECT_GT((plain - color).norm(), 1e-3F) << plain.transpose();
+}
+
+// Two pictures of one name: the mesh's path says which of them is meant.
+TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
+    const TempFolder folder;
+    const std::string head = "P6\n1 1\n255\n";
+    static_cast<void>(folder.write("models/m/meshes/map.ppm", head + "\xFF" + std::string(2, '\0')));
+    static_cast<void>(folder.write("models/m/materials/textures/map.ppm",
+                                   head + std::string(2, '\0') + "\xFF"));
+    std::string links;
+    for (const auto& [name, map] : {std::pair("red", "map.ppm"),
+                                    std::pair("blue", "../materials/textures/map.ppm")}) {
+        const std::string mesh = "models/m/meshes/" + std::string(name);
+        static_cast<void>(folder.write(mesh + ".mtl", "newmtl m\nmap_Kd " + std::string(map) + "\n"));
+        static_cast<void>(folder.write(
+            mesh + ".obj", "mtllib " + std::string(name) +
+                               ".mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                               "f 1/1 2/2 3/3\n"));
+        links += "<link name='" + std::string(name) + "'><pose>" +
+                 (links.empty() ? "0" : "5") + " 0 0 0 0 0</pose><visual name='v'><geometry><mesh><uri>"
+                 "model://m/meshes/" + name + ".obj</uri></mesh></geometry></visual></link>";
+    }
+    const Scene scene =
+        imported(folder.write("room.world", world("<model name='m'>" + links + "</model>")));
+    EXPECT_TRUE(scene.report.textures_missing.empty());
+    for (const auto& [name, channel] : {std::pair("red", 0U), std::pair("blue", 2U)}) {
+        const Object* object = find(scene, name);
+        ASSERT_NE(object, nullptr) << name;
+        const int texture =
+            scene.materials[scene.triangle_material[object->first_triangle]].texture;
+        ASSERT_GE(texture, 0) << name;
+        const auto& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
+        ASSERT_GE(rgba.size(), 4U) << name;
+        EXPECT_EQ(rgba[channel], 255) << name;
+        EXPECT_EQ(rgba[2U - channel], 0) << name;
+    }
+}
+
+// A mesh of the same file name in another model is another mesh.
+TEST(Gazebo, ModelsDoNotTakeFilesOfOthers) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    static_cast<void>(folder.write("models/lamp/meshes/l.obj", test::lShapedModel()));
+    static_cast<void>(folder.write("models/lamp/model.sdf", R"(<sdf version="1.6"><model name="lamp">
+ <link name="own"><visual name="v"><geometry><mesh><uri>model://lamp/meshes/l.obj</uri></mesh></geometry></visual></link>
+ <link name="other"><visual name="v"><geometry><mesh><uri>model://desk/meshes/l.obj</uri></mesh></geometry></visual></link>
+</model></sdf>)"));
+    const Scene scene = imported(folder.path() / "models/lamp/model.sdf");
+    EXPECT_EQ(scene.objects.size(), 1U);
+    EXPECT_TRUE(says(scene.report.warnings, "model://desk/meshes/l.obj"));
+}
+
+TEST(Gazebo, LightsThatAreIncludedAreLeftOut) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    static_cast<void>(folder.write("models/sun/model.sdf",
+                                   "<sdf version='1.6'><light name='sun' type='point'/></sdf>"));
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world("<include><uri>model://sun</uri></include><include><uri>model://sofa</uri></include>")));
+    EXPECT_EQ(scene.objects.size(), 1U);
+}
+
+// Links within a folder may be used; those that lead out may not.
+TEST(ReachableFiles, StopAtLinksThatLeadOut) {
+    const TempFolder folder;
+    const auto secret = folder.write("outside/secret.obj", "v 0 0 0\n");
+    const auto own = folder.write("scene/chairs/chair.obj", "v 0 0 0\n").parent_path();
+    const auto scene = own.parent_path();
+    std::filesystem::create_directory_symlink(secret.parent_path(), scene / "link");
+    std::filesystem::create_symlink(secret, scene / "secret.obj");
+    const io::ReachableFiles files({scene});
+    EXPECT_TRUE(files.find(scene, "chairs/chair.obj"));
+    EXPECT_TRUE(files.find(own, "../chairs/chair.obj"));
+    for (const char* name : {"link/secret.obj", "secret.obj", "../outside/secret.obj", "/etc/passwd"}) {
+        EXPECT_FALSE(files.find(scene, name)) << name;
+    }
+    EXPECT_TRUE(files.reaches(scene));
+    EXPECT_TRUE(files.reaches(own));
+    EXPECT_TRUE(files.reaches(own / "chair.obj"));
+    for (const auto& path : {scene / "link", scene / "link/secret.obj", scene / "secret.obj",
+                             scene / "../outside", scene / "nothing"}) {
+        EXPECT_FALSE(files.reaches(path)) << path;
+    }
+    EXPECT_EQ(files.namesIn(scene), std::vector<std::string>{"chairs"});
+    EXPECT_TRUE(files.namesIn(scene / "link").empty());
+}
+
+TEST(Gazebo, NumbersAreReadAsWritten) {
+    const auto numbers = gazebo::numbersOf(" +1.5\t-2e1, 1e-400 1e-310\n");
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(*numbers, (std::vector<double>{1.5, -20.0, 0.0, 1e-310}));
+    for (const char* text : {"1e400", "nan", "inf", "+-1", "++1", "+", "1.5m", "0x10"}) {
+        EXPECT_FALSE(gazebo::numbersOf(text)) << text;
+    }
+}
+
+// Roll by 90 degrees takes y to z, then yaw by 90 degrees takes x to y: worked out by hand.
+TEST(Gazebo, AnglesTurnAboutFixedAxes) {
+    const Eigen::Quaterniond rotation =
+        gazebo::rotationFromRollPitchYaw({M_PI / 2, 0.0, M_PI / 2});
+    EXPECT_LT((rotation * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-12);
+    EXPECT_LT((rotation * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((rotation * Vector3d::UnitZ() - Vector3d::UnitX()).norm(), 1e-12);
+    // Pitch by 90 degrees takes x to -z, which yaw leaves there, and z to x, which it takes to y.
+    const Eigen::Quaterniond other = gazebo::rotationFromRollPitchYaw({0.0, M_PI / 2, M_PI / 2});
+    EXPECT_LT((other * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((other * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
+}
+
+TEST(Gazebo, CirclesAndNonsenseAreRefused) {
+    const TempFolder folder;
+    // b includes c, and c includes b.
+    for (const std::string name : {"b", "c"}) {
+        static_cast<void>(folder.write(
+            "models/" + name + "/model.sdf",
+            "<sdf version='1.6'><model name='m'><include><uri>model://" +
+                std::string(name == "b" ? "c" : "b") + "</uri></include></model></sdf>"));
+    }
+    static_cast<void>(folder.write("models/a/model.sdf",
+                                   "<sdf version='1.6'><model name='a'><include><uri>model://a</uri>"
+                                   "</include><include><uri>model://a</uri></include></model></sdf>"));
+    const char* const kWorlds[] = {
+        "<include><uri>model://a</uri></include>",
+        "<include><uri>model://b</uri></include>",
+        "<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
+        "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
+        "<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
+        "<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
+        "<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
+        "<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
+        "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
+        "</sphere></geometry></visual></link></model>",
+        "<include><uri>file:///etc/passwd</uri></include>",
+        "<model name='m'><link name='l'><visual name='v'><geometry><mesh><uri>../../../etc/x.obj"
+        "</uri></mesh></geometry></visual></link></model>"};
+    for (const char* text : kWorlds) {
+        const Result<Scene> scene = importScene(folder.write("room.world", world(text)));
+        ASSERT_FALSE(scene) << text;
+        EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
+    }
+    const Result<Scene> circle = importScene(
+        folder.write("room.world", world("<include><uri>model://b</uri></include>")));
+    ASSERT_FALSE(circle);
+    EXPECT_NE(circle.error().message.find("includes itself"), std::string::npos);
+    const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
+    ASSERT_FALSE(damaged);
+    EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
+}
+
+// A chain of two joints: each child's origin counts from its parent's.
+TEST(Urdf, LinksStandWhereJointsPutThem) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("pkg/package.xml", "<package/>"));
+    static_cast<void>(folder.write("pkg/meshes/l.obj", test::lShapedModel()));
+    const Scene scene = imported(folder.write("pkg/urdf/room.urdf", R"(<robot name="room">
+ <material name="blue"><color rgba="0 0 1 1"/></material>
+ <link name="base"><visual><geometry><box size="2 2 0.2"/></geometry><material name="blue"/></visual></link>
+ <joint name="a" type="fixed"><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><parent link="base"/><child link="arm"/></joint>
+ <link name="arm"><visual><origin xyz="1 0 0"/><geometry><cylinder radius="0.5" length="1"/></geometry></visual></link>
+ <joint name="b" type="revolute"><origin xyz="2 0 0"/><parent link="arm"/><child link="sofa"/></joint>
+ <link name="sofa"><visual><geometry><mesh filename="package://other_name/meshes/l.obj" scale="1 1 2"/></geometry></visual></link>
+</robot>)"));
+    expectAround(scene, "base", {-1, -1, -0.1}, {1, 1, 0.1});
+    expectAround(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
+    // Turned by 90 degrees, (x, y, z) becomes (-y, x, z); z is doubled.
+    expectAround(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
+    const Object* base = find(scene, "base");
+    EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
+        Eigen::Vector3f(0, 0, 1)));
+    const Result<Scene> circle = importScene(folder.write("circle.urdf", R"(<robot name="r">
+ <link name="a"/><link name="b"/>
+ <joint name="1"><parent link="a"/><child link="b"/></joint>
+ <joint name="2"><parent link="b"/><child link="a"/></joint></robot>)"));
+    ASSERT_FALSE(circle);
+    EXPECT_NE(circle.error().message.find("form a circle"), std::string::npos);
+    // A chain this long would take minutes if each link's pose were computed from the root on.
+    std::string chain = "<link name='0'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+    constexpr int kLinks = 30'000;
+    for (int i = 1; i <= kLinks; ++i) {
+        const std::string number = std::to_string(i);
+        chain += "<joint><origin xyz='0.001 0 0'/><parent link='" + std::to_string(i - 1) +
+                 "'/><child link='" + number + "'/></joint><link name='" + number + "'";
+        chain += i < kLinks ? "/>" : "><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+    }
+    const Scene long_chain =
+        imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
+    expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
+    // A material without a name is its visual's alone.
+    const Scene nameless = imported(folder.write("colors.urdf", R"(<robot name="r">
+ <link name="green"><visual><geometry><box size="1 1 1"/></geometry>
+  <material name=""><color rgba="0 1 0 1"/></material></visual></link>
+ <link name="plain"><visual><origin xyz="5 0 0"/><geometry><box size="1 1 1"/></geometry>
+  <material name=""/></visual></link></robot>)"));
+    const Object* plain = find(nameless, "plain");
+    ASSERT_NE(plain, nullptr);
+    EXPECT_GT(nameless.materials[nameless.triangle_material[plain->first_triangle]].base_color.x(),
+              0.1F);
+    // Expanded files may mention their macros in a comment.
+    EXPECT_EQ(imported(folder.write("expanded.urdf",
+                                    "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
+                                    "<geometry><sphere radius='1'/></geometry></visual></link></robot>"))
+                  .objects.size(),
+              1U);
+    const Result<Scene> macros = importScene(folder.write(
+        "m.urdf", "<robot xmlns:xacro='x' name='r'><xacro:include filename='y'/></robot>"));
+    ASSERT_FALSE(macros);
+    EXPECT_NE(macros.error().message.find("xacro"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dollytrack

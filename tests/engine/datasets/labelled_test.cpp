@@ -1,0 +1,536 @@
+#include "engine/io/files/png_writer.h"
+#include "engine/io/import/ply_mesh.h"
+#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/semantics/labelled_faces.h"
+#include "engine/scene/labels.h"
+#include "tests/support/glb_writer.h"
+#include "tests/support/imported_scene.h"
+#include "tests/support/temp_folder.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+namespace {
+
+using Eigen::Vector3f;
+using test::find;
+using test::imported;
+using test::says;
+using test::TempFolder;
+
+/// Boxes of twelve triangles, z up, each with a number.
+struct NumberedBox {
+    Vector3f low;
+    Vector3f high;
+    int number;
+};
+
+struct Triangles {
+    std::vector<Vector3f> positions;
+    std::vector<std::array<int, 3>> faces;
+    std::vector<int> of_face;
+    std::vector<int> of_position;
+};
+
+Triangles trianglesOf(const std::vector<NumberedBox>& boxes) {
+    Triangles all;
+    for (const NumberedBox& box : boxes) {
+        const int base = static_cast<int>(all.positions.size());
+        for (int i = 0; i < 8; ++i) {
+            all.positions.emplace_back((i & 1) != 0 ? box.high.x() : box.low.x(),
+                                       (i & 2) != 0 ? box.high.y() : box.low.y(),
+                                       (i & 4) != 0 ? box.high.z() : box.low.z());
+            all.of_position.push_back(box.number);
+        }
+        for (const std::array<int, 4>& quad :
+             {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+              std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+            all.faces.push_back({base + quad[0], base + quad[1], base + quad[2]});
+            all.faces.push_back({base + quad[0], base + quad[2], base + quad[3]});
+            all.of_face.insert(all.of_face.end(), 2, box.number);
+        }
+    }
+    return all;
+}
+
+/// A room of 4 x 3 x 2.5 m in slabs, two chairs and a lamp.
+std::vector<NumberedBox> numberedRoom(int floor, int wall, int chair, int other, int lamp) {
+    return {{{0, 0, -0.1F}, {4, 3, 0}, floor},      {{0, 0, 0}, {4, 0.1F, 2.5F}, wall},
+            {{0, 2.9F, 0}, {4, 3, 2.5F}, wall},     {{0, 0, 0}, {0.1F, 3, 2.5F}, wall},
+            {{3.9F, 0, 0}, {4, 3, 2.5F}, wall},     {{1, 1, 0}, {1.5F, 1.5F, 0.9F}, chair},
+            {{2.5F, 1, 0}, {3, 1.5F, 0.9F}, other}, {{2, 2, 0}, {2.2F, 2.2F, 1.5F}, lamp}};
+}
+
+std::string asciiPly(const Triangles& mesh, bool faces_numbered, const std::string& property) {
+    std::ostringstream text;
+    text << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\n";
+    if (!faces_numbered) text << "property ushort " << property << "\n";
+    text << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\n";
+    if (faces_numbered) text << "property int " << property << "\n";
+    text << "end_header\n";
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        text << mesh.positions[i].transpose();
+        if (!faces_numbered) text << " " << mesh.of_position[i];
+        text << "\n";
+    }
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        text << "3 " << mesh.faces[i][0] << " " << mesh.faces[i][1] << " " << mesh.faces[i][2];
+        if (faces_numbered) text << " " << mesh.of_face[i];
+        text << "\n";
+    }
+    return text.str();
+}
+
+/// How many triangles each object has.
+std::map<std::string, std::size_t> trianglesByName(const Scene& scene) {
+    std::map<std::string, std::size_t> counts;
+    for (const Object& object : scene.objects) counts[object.name] = object.triangle_count;
+    return counts;
+}
+
+using Counts = std::map<std::string, std::size_t>;
+
+TEST(Labelled, ReplicasFacesAreTheObjectsOfItsInfo) {
+    const TempFolder folder;
+    const auto path =
+        folder.write("mesh_semantic.ply",
+                     asciiPly(trianglesOf(numberedRoom(3, 8, 11, 12, 40)), true, "object_id"));
+    static_cast<void>(folder.write("info_semantic.json", R"({"objects": [
+ {"id": 3, "class_id": 40, "class_name": "floor"}, {"id": 8, "class_name": "wall"},
+ {"id": 11, "class_name": "chair"}, {"id": 12, "class_name": "chair"}]})"));
+    const Scene scene = imported(path);
+    EXPECT_EQ(
+        trianglesByName(scene),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"unlabelled", 12}}));
+    EXPECT_EQ(find(scene, "chair_2")->nyu40, nyu40FromName("chair"));
+    EXPECT_EQ(find(scene, "wall")->role, Role::Structure);
+    EXPECT_EQ(find(scene, "unlabelled")->role, Role::Structure) << "40 is not in the list";
+    EXPECT_EQ(test::countTargets(scene), 2);
+}
+
+TEST(Labelled, ScanNetsVerticesHaveNyu40Classes) {
+    const TempFolder folder;
+    // 5 chair, 35 lamp, 2 floor, 1 wall.
+    const std::string labels = asciiPly(trianglesOf(numberedRoom(2, 1, 5, 5, 35)), false, "label");
+    const auto path = folder.write("scene0000_00_vh_clean_2.labels.ply", labels);
+    const Scene alone = imported(path);
+    EXPECT_EQ(trianglesByName(alone), (Counts{{"floor", 12},
+                                              {"wall", 12},
+                                              {"wall_2", 12},
+                                              {"wall_3", 12},
+                                              {"wall_4", 12},
+                                              {"chair", 12},
+                                              {"chair_2", 12},
+                                              {"lamp", 12}}));
+    // With its segments, objects are those of the aggregation; the class is the labels'.
+    std::string segments = "0";
+    for (int i = 1; i < 64; ++i) segments += fmt::format(",{}", i / 8);
+    static_cast<void>(folder.write("scene0000_00_vh_clean_2.0.010000.segs.json",
+                                   R"({"segIndices": [)" + segments + "]}"));
+    static_cast<void>(folder.write("scene0000_00.aggregation.json", R"({"segGroups": [
+ {"objectId": 0, "segments": [0], "label": "floor"},
+ {"objectId": 1, "segments": [1, 2, 3, 4], "label": "wall"},
+ {"objectId": 2, "segments": [5, 6], "label": "office bench"}]})"));
+    const Scene scene = imported(path);
+    EXPECT_EQ(trianglesByName(scene),
+              (Counts{{"floor", 12}, {"wall", 48}, {"office bench", 24}, {"unlabelled", 12}}));
+    EXPECT_EQ(find(scene, "office bench")->nyu40, nyu40FromName("chair"));
+    // The mesh with the colours has the same vertices; either may be opened.
+    std::string red = asciiPly(trianglesOf(numberedRoom(255, 255, 255, 255, 255)), false, "red");
+    red.replace(red.find("property ushort red"), 19, "property uchar red");
+    red.insert(red.find("element face"), "property uchar green\nproperty uchar blue\n");
+    std::size_t at = red.find("end_header");
+    for (int i = 0; i < 64; ++i) {
+        at = red.find(" 255\n", at);
+        red.insert(at + 4, " 0 0");
+    }
+    const auto pictured = folder.write("scene0000_00_vh_clean_2.ply", red);
+    for (const auto& opened : {path, pictured}) {
+        const Scene both = imported(opened);
+        EXPECT_EQ(trianglesByName(both), trianglesByName(scene));
+        EXPECT_TRUE(std::ranges::all_of(both.materials, [](const Material& material) {
+            return material.base_color.isApprox(Vector3f(1, 0, 0));
+        }));
+    }
+}
+
+std::vector<std::uint32_t> indicesOf(const Triangles& mesh) {
+    std::vector<std::uint32_t> indices;
+    for (const auto& face : mesh.faces) {
+        for (const int index : face) indices.push_back(static_cast<std::uint32_t>(index));
+    }
+    return indices;
+}
+
+/// The mesh as .glb: z up with the colours of objects, 0xHH20F0 where HH is ten times the number.
+std::string coloredGlb(const Triangles& mesh) {
+    test::GlbWriter writer;
+    std::vector<std::uint8_t> colors;
+    for (const int number : mesh.of_position) {
+        colors.insert(colors.end(), {static_cast<std::uint8_t>(10 * number), 0x20, 0xF0, 255});
+    }
+    const std::vector<std::uint32_t> indices = indicesOf(mesh);
+    const auto position =
+        writer.addAccessor(writer.addView(mesh.positions), 5126, "VEC3", mesh.positions.size());
+    const auto color =
+        writer.addAccessor(writer.addView(colors), 5121, "VEC4", mesh.positions.size(), true);
+    const auto index = writer.addAccessor(writer.addView(indices), 5125, "SCALAR", indices.size());
+    writer.addMesh(
+        "all", {{"attributes", {{"POSITION", position}, {"COLOR_0", color}}}, {"indices", index}});
+    return writer.glb();
+}
+
+/// The mesh as .glb with nothing but its triangles.
+std::string plainGlb(const Triangles& mesh, bool y_up) {
+    test::GlbWriter writer;
+    std::vector<Vector3f> positions = mesh.positions;
+    for (Vector3f& p : positions) {
+        if (y_up) p = {p.x(), p.z(), -p.y()};
+    }
+    const std::vector<std::uint32_t> indices = indicesOf(mesh);
+    const auto position =
+        writer.addAccessor(writer.addView(positions), 5126, "VEC3", positions.size());
+    const auto index = writer.addAccessor(writer.addView(indices), 5125, "SCALAR", indices.size());
+    writer.addMesh("all", {{"attributes", {{"POSITION", position}}}, {"indices", index}});
+    return writer.glb();
+}
+
+constexpr const char* kHouseText =
+    "HM3D Semantic Annotations\n1,0A20F0,\"floor\",0\n2,1420F0,\"wall\",0\n"
+    "3,1E20F0,\"chair\",0\n4,2820F0,\"bed side table\",0\n5,3220F0,\"lamp\",0\n";
+const Counts kHouse = {
+    {"floor", 12}, {"wall", 48}, {"chair", 12}, {"bed side table", 12}, {"lamp", 12}};
+
+TEST(Labelled, HabitatsColoursAreTheObjectsOfItsText) {
+    const TempFolder folder;
+    const Triangles mesh = trianglesOf(numberedRoom(1, 2, 3, 4, 5));
+    static_cast<void>(folder.write("house.semantic.txt", kHouseText));
+    const auto labelled = folder.write("house.semantic.glb", coloredGlb(mesh));
+    EXPECT_EQ(trianglesByName(imported(labelled)), kHouse);
+    // The mesh with the room's colours: the same room, y up, without colours of objects.
+    EXPECT_EQ(trianglesByName(imported(folder.write("house.glb", plainGlb(mesh, true)))), kHouse);
+    static_cast<void>(folder.write("house.semantic.txt", "title\n1,0A20F,floor,0\n"));
+    const Result<Scene> damaged = importScene(labelled);
+    ASSERT_FALSE(damaged);
+    EXPECT_TRUE(damaged.error().where.ends_with("house.semantic.txt:2")) << damaged.error().where;
+}
+
+// Turned a quarter about x either way or not at all, the box of this room is the same.
+TEST(Labelled, OfEqualBoxesTheTurnThatFitsTheSurfacesCounts) {
+    const TempFolder folder;
+    const Triangles mesh = trianglesOf({{{0, -1.5F, -1.5F}, {4, 1.5F, -1.4F}, 1},
+                                        {{0, -1.5F, -1.5F}, {4, -1.4F, 1.5F}, 2},
+                                        {{0, 1.4F, -1.5F}, {4, 1.5F, 1.5F}, 2},
+                                        {{0, -1.5F, -1.5F}, {0.1F, 1.5F, 1.5F}, 2},
+                                        {{3.9F, -1.5F, -1.5F}, {4, 1.5F, 1.5F}, 2},
+                                        {{1, -0.5F, -1.4F}, {1.5F, 0, -0.5F}, 3},
+                                        {{2.5F, -0.5F, -1.4F}, {3, 0, -0.5F}, 4},
+                                        {{2, 0.5F, -1.4F}, {2.2F, 0.7F, 0.1F}, 5}});
+    static_cast<void>(folder.write("house.semantic.txt", kHouseText));
+    static_cast<void>(folder.write("house.semantic.glb", coloredGlb(mesh)));
+    for (const bool y_up : {true, false}) {
+        const auto pictured = folder.write("house.glb", plainGlb(mesh, y_up));
+        EXPECT_EQ(trianglesByName(imported(pictured)), kHouse) << y_up;
+    }
+}
+
+// A sheet in the middle between a chair and a table belongs to the lower number.
+TEST(Labelled, AtEqualDistanceTheOrderOfBoxesDoesNotMatter) {
+    std::vector<NumberedBox> boxes = numberedRoom(1, 2, 3, 4, 5);
+    boxes[5] = {{1, 1, 0}, {1.5F, 1.5F, 0.9F}, 3};
+    boxes[6] = {{1.625F, 1, 0}, {2.125F, 1.5F, 0.9F}, 4};
+    boxes[7] = {{3, 2, 0}, {3.2F, 2.2F, 1.5F}, 5};
+    for (const bool reversed : {false, true}) {
+        if (reversed) std::ranges::reverse(boxes);
+        const TempFolder folder;
+        Triangles mesh = trianglesOf(boxes);
+        static_cast<void>(folder.write("house.semantic.txt", kHouseText));
+        static_cast<void>(folder.write("house.semantic.glb", coloredGlb(mesh)));
+        const int base = static_cast<int>(mesh.positions.size());
+        for (const float y : {1.2F, 1.3F}) {
+            for (const float z : {0.3F, 0.4F}) mesh.positions.emplace_back(1.5625F, y, z);
+        }
+        mesh.faces.push_back({base, base + 1, base + 3});
+        mesh.faces.push_back({base, base + 3, base + 2});
+        Counts expected = kHouse;
+        expected["chair"] += 2;
+        const auto pictured = folder.write("house.glb", plainGlb(mesh, false));
+        EXPECT_EQ(trianglesByName(imported(pictured)), expected) << reversed;
+    }
+}
+
+// Two pictures, in which the same place has different colours, on a mesh that is placed twice.
+TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("house.semantic.txt", kHouseText));
+    test::GlbWriter writer;
+    const std::vector<NumberedBox> boxes = numberedRoom(1, 2, 3, 4, 5);
+    const auto add = [&](const std::vector<NumberedBox>& some, bool backwards) {
+        const Triangles mesh = trianglesOf(some);
+        std::vector<std::uint8_t> pixels;
+        for (int i = 0; i < 5; ++i) {
+            const int number = backwards ? 5 - i : i + 1;
+            pixels.push_back(static_cast<std::uint8_t>(10 * number));
+            pixels.push_back(0x20);
+            pixels.push_back(0xF0);
+        }
+        const auto png = io::encodePng(5, 1, io::PngFormat::Rgb8, pixels);
+        const std::string bytes(png->begin(), png->end());
+        std::vector<float> places;
+        for (const int number : mesh.of_position) {
+            const int pixel = backwards ? 5 - number : number - 1;
+            places.insert(places.end(), {(static_cast<float>(pixel) + 0.5F) / 5.0F, 0.5F});
+        }
+        const std::size_t picture = writer.json["images"].size();
+        writer.json["images"].push_back(
+            {{"bufferView", writer.addView(bytes)}, {"mimeType", "image/png"}});
+        writer.json["textures"].push_back({{"source", picture}});
+        writer.json["materials"].push_back(
+            {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", picture}}}}}});
+        const std::vector<std::uint32_t> indices = indicesOf(mesh);
+        const std::size_t count = mesh.positions.size();
+        const auto position =
+            writer.addAccessor(writer.addView(mesh.positions), 5126, "VEC3", count);
+        const auto place = writer.addAccessor(writer.addView(places), 5126, "VEC2", count);
+        const auto index =
+            writer.addAccessor(writer.addView(indices), 5125, "SCALAR", indices.size());
+        writer.addMesh("some", {{"attributes", {{"POSITION", position}, {"TEXCOORD_0", place}}},
+                                {"indices", index},
+                                {"material", picture}});
+    };
+    add({boxes.begin(), boxes.begin() + 5}, false);
+    add({boxes.begin() + 5, boxes.end()}, true);
+    writer.json["scenes"][0]["nodes"].push_back(2);
+    writer.json["nodes"].push_back({{"mesh", 1}, {"translation", {0, 0.6, 0}}});
+    const Scene scene = imported(folder.write("house.semantic.glb", writer.glb()), {.unit_m = 1.0});
+    EXPECT_EQ(
+        trianglesByName(scene),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 24}, {"bed side table", 24}, {"lamp", 24}}));
+    // From y = 1 of the first chair to 2.1 of the second.
+    const Object* chair = find(scene, "chair");
+    ASSERT_NE(chair, nullptr);
+    EXPECT_NEAR(2.0 * chair->box.half_size.maxCoeff(), 1.1, 1e-4);
+}
+
+TEST(Labelled, MatterportsFacesAreTheObjectsOfItsHouse) {
+    const TempFolder folder;
+    const auto path = folder.write(
+        "abc_semantic.ply", asciiPly(trianglesOf(numberedRoom(0, 1, 2, 3, 4)), true, "object_id"));
+    static_cast<void>(folder.write(
+        "abc.house",
+        "ASCII 1.1\nC  0  1 floor 2 floor 0 0 0 0 0\nC 1 2 wall 1 wall 0 0 0 0 0\n"
+        "C 2 3 dining#chair 3 chair 0 0 0 0 0\nC 3 4 coat#rack 39 objects 0 0 0 0 0\n"
+        "O 0 0 0 1 1 1\nO 1 0 1 1 1 1\nO 2 0 2 1 1 1\nO 3 0 2 1 1 1\nO 4 0 3 1 1 1\n"));
+    EXPECT_EQ(
+        trianglesByName(imported(path)),
+        (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"coat rack", 12}}));
+}
+
+// The boxes of ARKitScenes are not read, which is said.
+TEST(Labelled, ArkitScenesBoxesAreSaidToBeLeftOut) {
+    const TempFolder folder;
+    const Triangles mesh = trianglesOf(numberedRoom(0, 0, 0, 0, 0));
+    const auto path = folder.write("41069021_3dod_mesh.ply", asciiPly(mesh, true, "flags"));
+    EXPECT_FALSE(says(imported(path).report.notes, "_3dod_annotation.json"));
+    static_cast<void>(folder.write("41069021_3dod_annotation.json", R"({"data": []})"));
+    const Scene scene = imported(path);
+    EXPECT_TRUE(says(scene.report.notes, "41069021_3dod_annotation.json are not read"));
+    EXPECT_EQ(scene.triangles.size(), mesh.faces.size());
+}
+
+TEST(Labelled, MoreThanAHundredThousandObjectsAreRefused) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 100001\nproperty list uchar int vertex_indices\n"
+        "property int object_id\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+    for (int i = 0; i <= 100'000; ++i) text += "3 0 1 2 " + std::to_string(i) + "\n";
+    const TempFolder folder;
+    const Result<Scene> scene = importScene(folder.write("many.ply", text));
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
+    EXPECT_NE(scene.error().message.find("100001 objects, and at most 100000"), std::string::npos)
+        << scene.error().message;
+}
+
+/// A triangle for each of these numbers, which its face has as `type` object_id.
+std::string facesNumbered(const std::string& type, const std::vector<std::string>& numbers) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face " +
+        std::to_string(numbers.size()) + "\nproperty list uchar int vertex_indices\nproperty " +
+        type + " object_id\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+    for (const std::string& number : numbers) text += "3 0 1 2 " + number + "\n";
+    return text;
+}
+
+TEST(PlyMesh, NumbersThatAreNotWholeAreNotLabels) {
+    const std::vector<std::string> numbers = {"3",   "nan",  "-nan", "inf", "-inf", "1e30",
+                                              "2.5", "-0.5", "-7",   "3.0", "0"};
+    for (const char* type : {"float", "double"}) {
+        const Result<PlyMesh> mesh = parsePlyMesh(facesNumbered(type, numbers), "ids.ply");
+        ASSERT_TRUE(mesh) << describe(mesh.error());
+        EXPECT_EQ(mesh->face_objects,
+                  (std::vector<std::int64_t>{3, -1, -1, -1, -1, -1, -1, -1, -7, 3, 0}));
+        // By rising number, what is unlabelled last.
+        const auto faces = semantics::labelFaces(*mesh, {}, false);
+        ASSERT_TRUE(faces);
+        EXPECT_EQ(faces->of_face, (std::vector<std::size_t>{1, 2, 2, 2, 2, 2, 2, 2, 2, 1, 0}));
+        EXPECT_FALSE(faces->objects[2].target);
+    }
+}
+
+TEST(PlyMesh, ReadsNumbersWithAPlusAndOutOfRange) {
+    const Result<PlyMesh> mesh = parsePlyMesh(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "+1.5 1e-400 -1e-400\n+.5e+1 -2 1e400\n0.0 -1e400 +0\n3 0 +1 2\n",
+        "numbers.ply");
+    ASSERT_TRUE(mesh) << describe(mesh.error());
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(mesh->positions[0], Vector3f(1.5F, 0, 0));
+    EXPECT_EQ(mesh->positions[1], Vector3f(5, -2, kInfinity));
+    EXPECT_EQ(mesh->positions[2], Vector3f(0, -kInfinity, 0));
+    EXPECT_EQ(mesh->face_indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    for (const char* wrong : {"+-1", "++1", "+", "1.5x", "1e"}) {
+        EXPECT_FALSE(parsePlyMesh(facesNumbered("float", {wrong}), "wrong.ply")) << wrong;
+    }
+}
+
+/// A number's bytes in the order of a file; the machines of the tests are little-endian.
+template <class T>
+void append(std::string& bytes, T value, bool big_endian) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), &value, sizeof(T));
+    if (big_endian) std::ranges::reverse(raw);
+    bytes.append(raw.data(), raw.size());
+}
+
+/// The mesh with numbers of objects; each coordinate's first byte in the file is `first`.
+std::string binaryPly(const Triangles& mesh, bool big_endian, std::uint8_t first) {
+    std::string bytes = "ply\nformat binary_" + std::string(big_endian ? "big" : "little") +
+                        "_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
+                        "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                        std::to_string(mesh.faces.size()) +
+                        "\nproperty list uchar int vertex_indices\nproperty short object_id\n"
+                        "end_header\n";
+    for (const Vector3f& p : mesh.positions) {
+        for (int i = 0; i < 3; ++i) {
+            std::uint32_t bits = 0;
+            const float value = p[i];
+            std::memcpy(&bits, &value, 4);
+            bits = big_endian ? (bits & 0x00FFFFFFU) | std::uint32_t{first} << 24U
+                              : (bits & 0xFFFFFF00U) | first;
+            append(bytes, bits, big_endian);
+        }
+    }
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        append(bytes, std::uint8_t{3}, big_endian);
+        for (const int index : mesh.faces[f]) append(bytes, std::int32_t{index}, big_endian);
+        append(bytes, static_cast<std::int16_t>(mesh.of_face[f]), big_endian);
+    }
+    return bytes;
+}
+
+// A line feed behind the header is a number's first byte, and no end of a line.
+TEST(PlyMesh, TheFirstByteMayBeALineFeed) {
+    const Triangles mesh = trianglesOf({{{0, 0, 0}, {1, 2, 3}, 300}});
+    const std::string bytes = binaryPly(mesh, false, 0x0A);
+    const Result<PlyMesh> read = parsePlyMesh(bytes, "box.ply");
+    ASSERT_TRUE(read) << describe(read.error());
+    ASSERT_EQ(read->positions.size(), 8U);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_LT((read->positions[i] - mesh.positions[i]).norm(), 1e-5F);
+    }
+    EXPECT_EQ(read->face_indices.size(), 36U);
+    EXPECT_EQ(read->face_objects, std::vector<std::int64_t>(12, 300));
+    // Cut anywhere, it is damaged.
+    for (std::size_t length = 0; length < bytes.size(); length += 7) {
+        EXPECT_FALSE(parsePlyMesh(bytes.substr(0, length), "box.ply")) << length;
+    }
+    const Result<PlyMesh> big = parsePlyMesh(binaryPly(mesh, true, 0x0A), "box.ply");
+    ASSERT_TRUE(big) << describe(big.error());
+    EXPECT_GT(big->positions[7].minCoeff(), 0.0F);
+    EXPECT_LT(big->positions[7].maxCoeff(), 1e-30F) << "an exponent of 0x0A";
+}
+
+TEST(PlyMesh, EitherByteOrderIsTheSameMesh) {
+    const Triangles mesh = trianglesOf({{{2, 2, 2}, {3, 3.5F, 3.75F}, 258}});
+    const Result<PlyMesh> big = parsePlyMesh(binaryPly(mesh, true, 0x40), "big.ply");
+    const Result<PlyMesh> text = parsePlyMesh(asciiPly(mesh, true, "object_id"), "text.ply");
+    ASSERT_TRUE(big && text);
+    EXPECT_EQ(big->positions, mesh.positions);
+    EXPECT_EQ(big->positions, text->positions);
+    EXPECT_EQ(big->face_indices, text->face_indices);
+    EXPECT_EQ(big->face_objects, text->face_objects);
+}
+
+TEST(PlyMesh, ReadsStripsAndPlacesOfCorners) {
+    const Result<PlyMesh> strips = parsePlyMesh(
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n8 0 1 2 3 -1 1 4 3\n",
+        "s.ply");
+    ASSERT_TRUE(strips) << describe(strips.error());
+    EXPECT_EQ(strips->face_indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 4, 3}));
+    const Result<PlyMesh> corners = parsePlyMesh(
+        "ply\nformat ascii 1.0\ncomment TextureFile dark  wood 1.png \r\nelement vertex "
+        "3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\n"
+        "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 2 0 1 6 0.1 0.2 0.3 0.4 0.5 0.6\n",
+        "c.ply");
+    ASSERT_TRUE(corners) << describe(corners.error());
+    EXPECT_EQ(corners->texture, "dark  wood 1.png");
+    ASSERT_EQ(corners->uvs.size(), 3U);
+    EXPECT_TRUE(corners->positions[0].isApprox(Vector3f(0, 1, 0)));
+    EXPECT_TRUE(corners->uvs[2].isApprox(Vector3f(0.5F, 0.6F, 0)));
+}
+
+/// Splats of a floor and a wall, and a faint one far away.
+std::string splats() {
+    std::string lines;
+    int count = 1;
+    for (int i = 0; i < 80; ++i) {
+        for (int k = 0; k < 60; ++k) {
+            const std::string x = std::to_string(0.05 * i);
+            const std::string other = std::to_string(0.05 * k);
+            for (const std::string& place : {x + " " + other + " 0", x + " 0 " + other}) {
+                lines += place + " 1.7724539 -1.7724539 0 2 -4\n";
+                ++count;
+            }
+        }
+    }
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) + "\n";
+    for (const char* name : {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0"}) {
+        text += std::string("property float ") + name + "\n";
+    }
+    return text + "end_header\n" + lines + "90 90 90 0 0 0 -3 -4\n";
+}
+
+TEST(Splats, AreToldFromScans) {
+    const TempFolder folder;
+    const auto path = folder.write("splats.ply", splats());
+    const Result<io::PointCloud> cloud = io::readPlyCloud(path);
+    ASSERT_TRUE(cloud) << describe(cloud.error());
+    EXPECT_TRUE(cloud->splats);
+    ASSERT_EQ(cloud->points.size(), 9600U) << "the faint one is left out";
+    // 0.5 + 1.7724539 / (2 sqrt(pi)) = 1.
+    EXPECT_NEAR(cloud->colors[0][0], 255, 1);
+    EXPECT_NEAR(cloud->colors[0][1], 0, 1);
+    EXPECT_NEAR(cloud->colors[0][2], 127, 1);
+    EXPECT_TRUE(says(imported(path).report.warnings, "Gaussian splats, not a scan"));
+}
+
+}  // namespace
+}  // namespace dollytrack
