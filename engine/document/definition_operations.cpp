@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 
 namespace dollytrack {
 namespace {
 
 constexpr double kTouch_m = 0.005;  // parts of one object touch, or nearly
+constexpr std::size_t kMostGrouped = 5'000;
 
 /// For each object of the scene before a definition (index id - 1) what it is afterwards: one, or
 /// several when it was taken apart.
@@ -150,8 +152,7 @@ Successors mergeOne(ProjectState& state, const Scene& scene, ObjectDefinition de
     return successors;
 }
 
-/// Those of the objects that are joined by gaps of at most `gap_m`, directly or through others of
-/// them: groups of two and more, by rising id.
+/// Groups of two or more objects that are connected by gaps of at most `gap_m`, by rising id.
 std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
                                                const std::vector<ObjectRef>& objects,
                                                double gap_m) {
@@ -176,11 +177,18 @@ std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
         while (parts[i].group != i) i = parts[i].group = parts[parts[i].group].group;
         return i;
     };
-    for (std::size_t b = 1; b < parts.size(); ++b) {
-        for (std::size_t a = 0; a < b; ++a) {
-            const std::size_t one = groupOf(a), other = groupOf(b);
-            if (one == other || parts[a].bounds.exteriorDistance(parts[b].bounds) > gap) continue;
-            if (findContact(parts[a].surfaces, parts[b].surfaces, gap).empty()) continue;
+    // Only objects whose extents along x overlap are compared.
+    std::vector<std::size_t> by_x(parts.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::ranges::stable_sort(by_x, {}, [&](std::size_t i) { return parts[i].bounds.min().x(); });
+    for (std::size_t k = 0; k < by_x.size(); ++k) {
+        const Part& a = parts[by_x[k]];
+        for (std::size_t m = k + 1; m < by_x.size(); ++m) {
+            const Part& b = parts[by_x[m]];
+            if (b.bounds.min().x() > a.bounds.max().x() + gap) break;
+            const std::size_t one = groupOf(by_x[k]), other = groupOf(by_x[m]);
+            if (one == other || a.bounds.exteriorDistance(b.bounds) > gap) continue;
+            if (findContact(a.surfaces, b.surfaces, gap).empty()) continue;
             parts[std::max(one, other)].group = std::min(one, other);
         }
     }
@@ -228,6 +236,10 @@ std::string group(ProjectState& state, const OperationContext& context,
     const JsonReader said = fields.field(fields.has("object") ? "object" : "class");
     const std::string name = fields.has("name") ? fields.field("name").text() : "";
     const double gap_m = fields.has("gap_m") ? fields.field("gap_m").number(0.0, 10.0) : kTouch_m;
+    if (fields.good() && objects.size() > kMostGrouped) {
+        said.refuse(fmt::format("These are {} objects; group at most {} at once.", objects.size(),
+                                kMostGrouped));
+    }
     if (fields.good()) refuseMoved(state, context, objects, said);
     if (!fields.good()) return {};
     std::vector<std::vector<ObjectRef>> groups = findGroups(context.scene, objects, gap_m);

@@ -364,5 +364,16 @@ TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
     }
 }
 
+// A school's room is high; its furniture is as large as furniture may be.
+TEST(FrameGuess, BelievesAHighHallWhereAllFurnitureHasItsUsualSize) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    boxes[1].low.z() = boxes[1].high.z() = 4.6;  // the ceiling
+    for (std::size_t i = 2; i < 6; ++i) boxes[i].high.z() = 4.6;
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+    EXPECT_EQ(scene.report.unit_m, 1.0);
+    EXPECT_TRUE(scene.report.proposal.isEmpty()) << joined(scene.report.warnings);
+}
+
 }  // namespace
 }  // namespace dollytrack

@@ -243,9 +243,11 @@ TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
         // One of all entries of a list, and all values in what operations hold, which are their
         // own.
         std::string kind;
-        for (const char c : path) {
-            const bool digit = c >= '0' && c <= '9';
-            if (!digit || kind.back() != '0') kind += digit ? '0' : c;
+        for (std::size_t at = 0; at < path.size();) {
+            const std::size_t end = std::min(path.find('/', at + 1), path.size());
+            const std::string part = path.substr(at, end - at);
+            kind += part.find_first_not_of("/0123456789") == std::string::npos ? "/0" : part;
+            at = end;
         }
         if (!seen.insert(kind).second || kind.find("/operations/") != std::string::npos) continue;
         ++fields;

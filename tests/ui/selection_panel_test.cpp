@@ -269,6 +269,14 @@ TEST_F(SelectionPanelTest, SeveralObjectsAreMerged) {
     EXPECT_EQ(state.edits.scene.definitions[0].objects.size(), 2U);
 }
 
+TEST_F(SelectionPanelTest, SeveralObjectsAreGroupedByWhatTouches) {
+    show({Kind::Objects, {sofa, table, mug, book}});
+    ASSERT_TRUE(screen.click("selection.group")) << screen.names();
+    ASSERT_EQ(state.edits.scene.definitions.size(), 1U) << "mug and book stand on the table";
+    EXPECT_EQ(state.edits.scene.definitions[0].objects.size(), 3U);
+    EXPECT_EQ(state.edits.scene.definitions[0].name, "table");
+}
+
 TEST_F(SelectionPanelTest, CandidateIsLookedThroughAndPinned) {
     show(Selection::ofCandidate(1, 2));
     ASSERT_TRUE(screen.click("selection.look")) << screen.names();

@@ -17,7 +17,8 @@ constexpr double kLowestRoom_m = 1.8;
 constexpr double kHighestRoom_m = 6.0;
 constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
-constexpr double kFactor = 1.6;  // sizes of furniture and rooms differ by no more from the usual
+constexpr double kFactor = 1.6;   // sizes of furniture and rooms differ by no more from the usual
+constexpr double kAllFit = 0.95;  // of UnitScore::furniture: every kind has about its usual size
 constexpr double kFloorShare = 0.3;  // of the largest floor, for another level to be a storey's
 constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
@@ -131,6 +132,11 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
     const auto near = [&](double likelier) {
         return likelier < kFactor * unit_m && unit_m < kFactor * likelier;
     };
+    const double storey_m = evidence.storey_height * unit_m;
+    if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
+        scoreUnit(evidence, unit_m).furniture >= kAllFit) {
+        return false;
+    }
     if (!near(medianVote(evidence, true))) return true;
     if (evidence.kinds.size() >= 3 && near(medianVote(evidence, false))) return false;
     return evidence.height * unit_m < kLowestRoom_m ||

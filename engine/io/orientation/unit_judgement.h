@@ -38,7 +38,8 @@ UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m);
 
 /// Whether the unit makes furniture and room too small or too large by a factor of 1.6, or the room
 /// alone too low or too high to be one (1.8 to 6 m from floor to floor). Where three kinds of
-/// furniture have about their usual size, a cut-away room is believed.
+/// furniture have about their usual size, a cut-away room is believed; where every kind has, so is a
+/// high hall.
 bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m);
 
 /// Metres per source unit as the median of votes: of each kind of furniture, the narrower its usual

@@ -86,7 +86,8 @@ bool staysInside(const std::string& name) {
     return true;
 }
 
-/// No file of such a dataset is larger; reading one that is could take hours.
+/// The largest size that a file of this dataset can have, bytes; reading a larger one could take
+/// hours.
 std::uintmax_t mostBytes(const StoredDataset& dataset) {
     constexpr std::uintmax_t kOfTables = std::uintmax_t{1} << 32U;
     constexpr std::uintmax_t kOfPixel = 256;  // of all images of a frame, in one HDF5 file

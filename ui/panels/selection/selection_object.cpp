@@ -289,7 +289,7 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
     }
     ImGui::Spacing();
     if (button("Go to", "selection.frame")) actions.frame = true;
-    heading("Make one object of them");
+    heading("Join them");
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##name", "Its name", &state.merge_name);
     nameItem("selection.merge_name");
@@ -299,6 +299,15 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
             {"op", "merge"}, {"objects", objectKeys(*view.scene, ids)}, {"name", state.merge_name}};
         state.merge_name.clear();
     }
+    ImGui::SameLine();
+    if (button("Group what touches", "selection.group")) {
+        actions.edit.operation = {{"op", "group"}, {"object", objectKeys(*view.scene, ids)}};
+        if (!state.merge_name.empty()) actions.edit.operation["name"] = state.merge_name;
+        state.merge_name.clear();
+    }
+    tooltip(
+        "Makes an object of each group of touching objects, such as the legs and seats of "
+        "chairs; with a name they are numbered");
 }
 
 }  // namespace dollytrack::ui
