@@ -130,7 +130,9 @@ std::vector<ObjectRef> OperationReader::objectsOrClass(const std::string& name) 
         return {};
     }
     if (has(name)) return objects(name);
-    const int wanted = nyu40("class");
+    const nlohmann::json& said = field("class").json();
+    const bool unknown = said.is_string() && said.get<std::string>() == nyu40Name(0);
+    const int wanted = unknown ? 0 : nyu40("class");
     std::vector<ObjectRef> refs;
     for (const Object& object : scene_.objects) {
         if (good() && object.nyu40 == wanted) refs.push_back({object.id, object.name});

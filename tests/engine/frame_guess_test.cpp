@@ -364,6 +364,19 @@ TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
     }
 }
 
+// A robot is no room, and its format's unit is the metre.
+TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
+    const TempFolder folder;
+    const Scene scene =
+        imported(folder.write("robot.urdf", R"(<robot name="chair"><link name="chair">
+<visual><geometry><box size="0.2 0.1 0.05"/></geometry></visual></link></robot>)"));
+    EXPECT_EQ(scene.report.unit_m, 1.0);
+    EXPECT_EQ(scene.report.unit_source, "format");
+    EXPECT_EQ(scene.report.up_axis, "z");
+    EXPECT_EQ(joined(scene.report.warnings).find("doubtful"), std::string::npos)
+        << joined(scene.report.warnings);
+}
+
 // A school's room is high; its furniture is as large as furniture may be.
 TEST(FrameGuess, BelievesAHighHallWhereAllFurnitureHasItsUsualSize) {
     const TempFolder folder;

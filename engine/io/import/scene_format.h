@@ -30,6 +30,8 @@ struct SceneFormat {
     bool shares_extension = false;
     /// How much longer reading takes than models of as many bytes do: clouds become surfaces.
     double work = 1.0;
+    /// Its specification fixes the unit and the upward axis, so that neither is doubted.
+    bool frame_is_specified = false;
 };
 
 /// Every kind that can be read. Where several share an extension the first that fits counts.

@@ -179,6 +179,19 @@ Status checkOptions(const ImportOptions& options) {
     return {};
 }
 
+FrameChoice frameOf(const RawScene& raw, const SceneFormat& format,
+                    const std::vector<ObjectDraft>& drafts, const ImportOptions& options) {
+    if (!format.frame_is_specified) {
+        return chooseFrame(raw, drafts, options.unit_m, options.up_axis);
+    }
+    const UpAxis up = options.up_axis.value_or(raw.file_up_axis);
+    FrameChoice frame = chooseFrame(raw, drafts, options.unit_m ? options.unit_m : raw.file_unit_m,
+                                    up.isAxis() ? std::optional(up) : std::nullopt);
+    if (!options.unit_m) frame.unit_source = "format";
+    if (!options.up_axis && up.isAxis()) frame.up_source = "format";
+    return frame;
+}
+
 }  // namespace
 
 Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions& options,
@@ -220,7 +233,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
 
     std::vector<ObjectDraft> all = annotated.drafts;
     all.insert(all.end(), drafts.begin(), drafts.end());
-    const FrameChoice frame = chooseFrame(raw, all, reading.unit_m, reading.up_axis);
+    const FrameChoice frame = frameOf(raw, **format, all, reading);
     scene.report.notes.insert(scene.report.notes.end(), raw.notes.begin(), raw.notes.end());
     scene.report.warnings.insert(scene.report.warnings.end(), raw.warnings.begin(),
                                  raw.warnings.end());
@@ -261,7 +274,9 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
                                      "\" lies outside or around the building and "
                                      "does not count for its size");
     }
-    scene.report.proposal = proposeImport(scene, frame, !knows_objects);
+    if (!(*format)->frame_is_specified) {
+        scene.report.proposal = proposeImport(scene, frame, !knows_objects);
+    }
     for (std::string& line : describe(scene.report.proposal)) {
         scene.report.warnings.push_back(std::move(line));
     }

@@ -217,6 +217,20 @@ TEST(Operation, PatternsAndClassesNameSeveralObjects) {
               std::string::npos);
 }
 
+TEST(Operation, ObjectsWithoutAClassAreNamedByThat) {
+    for (const json& operation :
+         {json{{"op", "exclude"}, {"class", "unknown"}},
+          json{{"op", "set_class"}, {"object", "unknown"}, {"class", "chair"}}}) {
+        Editing editing;
+        editing.imported = sofaScene();
+        editing.imported.objects.back().nyu40 = 0;
+        ASSERT_TRUE(editing.apply({operation})) << operation;
+        const ObjectChange& change = editing.state.edits.scene.changes.at(0);
+        EXPECT_EQ(change.object.name, editing.imported.objects.back().name);
+        EXPECT_EQ(editing.state.edits.scene.changes.size(), 1U);
+    }
+}
+
 TEST(Operation, AGroupIsMadeOfWhatTouches) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {6, 4, 2.6});  // 1..6
