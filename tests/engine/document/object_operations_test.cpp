@@ -224,7 +224,7 @@ TEST(Operation, ObjectsWithoutAClassAreNamedByThat) {
         Editing editing;
         editing.imported = sofaScene();
         editing.imported.objects.back().nyu40 = 0;
-        ASSERT_TRUE(editing.apply({operation})) << operation;
+        ASSERT_TRUE(editing.apply(json::array({operation}))) << operation;
         const ObjectChange& change = editing.state.edits.scene.changes.at(0);
         EXPECT_EQ(change.object.name, editing.imported.objects.back().name);
         EXPECT_EQ(editing.state.edits.scene.changes.size(), 1U);
