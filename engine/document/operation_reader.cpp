@@ -131,7 +131,7 @@ std::vector<ObjectRef> OperationReader::objectsOrClass(const std::string& name) 
     }
     if (has(name)) return objects(name);
     const nlohmann::json& said = field("class").json();
-    const bool unknown = said.is_string() && said.get<std::string>() == nyu40Name(0);
+    const bool unknown = said.is_string() && said.get<std::string>() == kWithoutClass;
     const int wanted = unknown ? 0 : nyu40("class");
     std::vector<ObjectRef> refs;
     for (const Object& object : scene_.objects) {

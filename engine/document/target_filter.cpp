@@ -61,7 +61,7 @@ bool isNamedBy(const Object& object, std::string_view pattern) {
     const int nyu40 = nyu40FromName(pattern);
     if (nyu40 != 0 && nyu40 == object.nyu40) return true;
     const std::string wanted = inSmallLetters(pattern);
-    if (object.nyu40 == 0 && wanted == nyu40Name(0)) return true;
+    if (object.nyu40 == 0 && wanted == kWithoutClass) return true;
     if (object.dataset_class && fitsPattern(wanted, inSmallLetters(object.dataset_class->name))) {
         return true;
     }
@@ -71,7 +71,7 @@ bool isNamedBy(const Object& object, std::string_view pattern) {
 
 bool isClassName(const Scene& scene, std::string_view pattern) {
     const std::string wanted = inSmallLetters(pattern);
-    if (nyu40FromName(pattern) != 0 || wanted == nyu40Name(0)) return true;
+    if (nyu40FromName(pattern) != 0 || wanted == kWithoutClass) return true;
     return scene.class_table &&
            std::ranges::any_of(scene.classes().classes(), [&](const DatasetClass& one) {
                return inSmallLetters(one.name) == wanted;

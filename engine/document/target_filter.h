@@ -9,6 +9,9 @@
 
 namespace dollytrack {
 
+/// The name of objects without a class, as reports print it, wherever a class may be named.
+inline constexpr std::string_view kWithoutClass = "unknown";
+
 /// Whether a pattern names the object: its NYU40 class in any usual spelling, or a name (its
 /// own, or that of its class, NYU40's or of the scene's own table) in which `*` stands for any text
 /// and `?` for one character. Capital and small letters are alike.
