@@ -240,9 +240,7 @@ class SceneOfLinks {
             return {};
         }
         const std::vector<std::size_t>& parts = picked->second;
-        std::size_t triangles = 0;
-        for (const std::size_t part : parts) triangles += model->parts[part].triangles.size();
-        if (Status fits = budget_.take(triangles, where_); !fits) return fits;
+        if (Status fits = budget_.take(*model, parts, where_); !fits) return fits;
         // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
         const double unit = model->file_unit_m.value_or(1.0);
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
