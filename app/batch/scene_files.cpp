@@ -4,7 +4,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
 #include "engine/io/habitat/habitat_reader.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/io/import/scene_format.h"
 
 #include <fmt/ranges.h>

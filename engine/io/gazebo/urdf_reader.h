@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/import/raw_scene.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/jobs/job.h"
 

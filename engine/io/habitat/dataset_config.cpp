@@ -163,7 +163,11 @@ class Dataset::FolderSearch {
         const fs::file_status status =
             files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
         // A folder that is missing is listed, too: the scene depends on whether it is there.
-        if (!fs::exists(status) || fs::is_directory(status)) at->second = files_.namesIn(folder);
+        if (!fs::exists(status) || fs::is_directory(status)) {
+            Result<std::vector<std::string>> names = files_.namesIn(folder);
+            if (!names) return tl::unexpected(names.error());
+            at->second = std::move(*names);
+        }
         work_ += at->second.size();
         if (work_ > kMostWork) return tooMany("files");
         return &at->second;

@@ -1,5 +1,5 @@
 #include "engine/io/gazebo/link_xml.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
@@ -291,8 +291,8 @@ TEST(ReachableFiles, StopAtLinksThatLeadOut) {
                              scene / "../outside", scene / "nothing"}) {
         EXPECT_FALSE(files.reaches(path)) << path;
     }
-    EXPECT_EQ(files.namesIn(scene), std::vector<std::string>{"chairs"});
-    EXPECT_TRUE(files.namesIn(scene / "link").empty());
+    EXPECT_EQ(files.namesIn(scene).value(), std::vector<std::string>{"chairs"});
+    EXPECT_TRUE(files.namesIn(scene / "link").value().empty());
 }
 
 TEST(Gazebo, NumbersAreReadAsWritten) {
