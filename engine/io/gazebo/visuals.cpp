@@ -242,12 +242,12 @@ class SceneOfLinks {
             unmatched_.push_back(visual.uri + ": " + visual.submesh);
             return {};
         }
+        if (Status fits = budget_.take(*model, picked->second, where_); !fits) return fits;
         std::vector<std::size_t> parts;
         std::ranges::copy_if(picked->second, std::back_inserter(parts), [&](std::size_t part) {
             return !isHidden(visual, model->materials[model->parts[part].material]);
         });
         if (parts.empty()) return {};
-        if (Status fits = budget_.take(*model, parts, where_); !fits) return fits;
         // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
         const double unit = model->file_unit_m.value_or(1.0);
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
