@@ -3,8 +3,9 @@
 #include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/habitat/dataset_config.h"
 #include "engine/io/habitat/habitat_reader.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/io/import/scene_format.h"
 
 #include <fmt/ranges.h>
@@ -225,12 +226,18 @@ Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
             all.push_back(std::move(file));
         }
     };
+    std::vector<fs::path> configs;
+    for (const SceneFile& file : files) {
+        if (habitat::isDatasetConfig(file.path)) {
+            configs.push_back(io::absoluteNormal(root / file.path));
+        }
+    }
     for (SceneFile& file : files) {
-        if (!file.path.string().ends_with(".scene_dataset_config.json")) {
+        if (!habitat::isDatasetConfig(file.path)) {
             add(std::move(file));
             continue;
         }
-        const auto scenes = habitat::scenesOfDataset(base / file.path);
+        const auto scenes = habitat::scenesOfDataset(base / file.path, configs);
         if (!scenes) return tl::unexpected<Error>(scenes.error());
         for (const fs::path& scene : *scenes) {
             const fs::path relative = scene.lexically_relative(root);

@@ -35,6 +35,31 @@ CLI::Validator upAxisOption() {
         "", "upward axis");
 }
 
+/// Adds a folder, or those of a list with colons between; a folder's own name may have colons.
+/// Folders of a list that are missing are skipped with a warning.
+void addModelFolders(const std::string& text, std::vector<std::string>& folders) {
+    const std::string wrong = CLI::ExistingDirectory(text);
+    if (wrong.empty()) {
+        folders.push_back(text);
+        return;
+    }
+    bool any = false;
+    std::vector<std::string> missing;
+    for (const std::string& part : CLI::detail::split(text, ':')) {
+        if (part.empty()) continue;
+        if (CLI::ExistingDirectory(part).empty()) {
+            folders.push_back(part);
+            any = true;
+        } else {
+            missing.push_back(part);
+        }
+    }
+    if (!any) throw CLI::ValidationError("--models", wrong);
+    for (const std::string& folder : missing) {
+        log::warn("import", "--models: there is no folder '" + folder + "'; it is skipped");
+    }
+}
+
 Status applyArguments(const SceneArguments& arguments, planning::PlanParams& params) {
     const FieldList fields = planning::listFields(params);
     std::vector<std::string> all = arguments.assignments;
@@ -330,12 +355,15 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
             "one's own for the dataset (JSON, see assets/labels)")
         ->type_name("FILE");
     command
-        .add_option("--models", arguments.models,
-                    "Folder with the models of a scene made of models (3D-FUTURE-model, "
-                    "ShapeNetCore.v2, Gazebo's models); may be repeated, or several with colons "
-                    "between (\"$GAZEBO_MODEL_PATH\")")
-        ->delimiter(':')
-        ->check(CLI::ExistingDirectory.description(""))
+        .add_option_function<std::vector<std::string>>(
+            "--models",
+            [&arguments](const std::vector<std::string>& given) {
+                arguments.models.clear();
+                for (const std::string& text : given) addModelFolders(text, arguments.models);
+            },
+            "Folder with the models of a scene made of models (3D-FUTURE-model, "
+            "ShapeNetCore.v2, Gazebo's models); may be repeated, or several with colons "
+            "between (\"$GAZEBO_MODEL_PATH\")")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command

@@ -75,6 +75,13 @@ TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
     EXPECT_EQ(found("set/*.scene_dataset_config.json", folder.path()), scenes);
     EXPECT_EQ(found("set/lit.scene_dataset_config.json", folder.path()), scenes);
     EXPECT_EQ(namesOf(scenes), (Names{"attic", "flat"}));
+    // Each scene would be read with the other config.
+    const std::string other = found("set/plain.scene_dataset_config.json", folder.path())[0];
+    EXPECT_TRUE(other.starts_with("error: the scene attic is read with ")) << other;
+    EXPECT_NE(other.find("lit.scene_dataset_config.json"), std::string::npos) << other;
+    const std::string large = config + std::string(std::size_t{1} << 20U, ' ');
+    const auto file = folder.write("large/large.scene_dataset_config.json", large);
+    EXPECT_TRUE(found(file.string(), folder.path())[0].starts_with("error: "));
     static_cast<void>(folder.write("set/lit.scene_dataset_config.json", "{"));
     EXPECT_TRUE(
         found("set/lit.scene_dataset_config.json", folder.path())[0].starts_with("error: "));

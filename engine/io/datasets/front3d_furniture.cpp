@@ -223,7 +223,7 @@ class Furnishing {
     std::set<const Front3dFurniture*> used_;
     std::map<std::string, ModelInfo> info_;
     bool says_valid_ = false;
-    ModelLibrary library_;
+    ModelLibrary library_{TexturePlace::AroundModelsFolder};
     std::vector<Placed> placed_;
     LeftOut missing_;
     LeftOut unreadable_;

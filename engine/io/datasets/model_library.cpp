@@ -1,5 +1,7 @@
 #include "engine/io/datasets/model_library.h"
 
+#include "engine/core/clean_text.h"
+#include "engine/io/datasets/object_names.h"
 #include "engine/io/import/model_reader.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
@@ -13,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTriangles = 60'000'000;
+constexpr std::size_t kMostRemarks = 20;
 
 bool staysInside(const fs::path& relative) {
     const fs::path normal = relative.lexically_normal();
@@ -23,6 +26,11 @@ std::size_t countTriangles(const RawScene& model) {
     std::size_t count = 0;
     for (const MeshPart& part : model.parts) count += part.triangles.size();
     return count;
+}
+
+/// What a copy of the part costs: vertices beyond those of its triangles are copied, too.
+std::size_t costOf(const MeshPart& part) {
+    return std::max({part.triangles.size(), part.positions.size() / 3, std::size_t{1}});
 }
 
 }  // namespace
@@ -85,7 +93,8 @@ Status ModelLibrary::read(const JobContext& job) {
         models_[i] = std::move(*read);
         if (countTriangles(models_[i]) == 0) reasons_[i] = "it holds no triangle";
         fs::path folder = paths_[i].parent_path();
-        if (folder.filename() == "models") folder = folder.parent_path();
+        const bool around = textures_ == TexturePlace::AroundModelsFolder;
+        if (around && folder.filename() == "models") folder = folder.parent_path();
         for (TextureRequest& texture : models_[i].textures) texture.folder = folder;
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
@@ -100,8 +109,47 @@ const std::string& ModelLibrary::reason(std::size_t index) const {
     return reasons_[index];
 }
 
+void ModelRemarks::add(const RawScene& model, const std::string& name) {
+    warnings_.add(model.warnings, name);
+    notes_.add(model.notes, name);
+}
+
+void ModelRemarks::addTo(RawScene& scene) const {
+    warnings_.addTo(scene.warnings, "further warning of a model is not shown",
+                    "further warnings of models are not shown");
+    notes_.addTo(scene.notes, "further note on a model is not shown",
+                 "further notes on models are not shown");
+}
+
+void ModelRemarks::List::add(const std::vector<std::string>& texts, const std::string& name) {
+    for (const std::string& text : texts) {
+        const auto [at, is_new] = numbers_.try_emplace(text, remarks_.size());
+        if (is_new) remarks_.push_back({text, {}});
+        remarks_[at->second].models.push_back(cleanText(name));
+    }
+}
+
+void ModelRemarks::List::addTo(std::vector<std::string>& lines, const char* one,
+                               const char* many) const {
+    for (std::size_t i = 0; i < std::min(remarks_.size(), kMostRemarks); ++i) {
+        lines.push_back(listOf(remarks_[i].models, 5) + ": " + remarks_[i].text);
+    }
+    if (remarks_.size() > kMostRemarks) {
+        lines.push_back(counted(remarks_.size() - kMostRemarks, one, many));
+    }
+}
+
 Status TriangleBudget::take(const RawScene& model, const std::string& where) {
-    return take(countTriangles(model), where);
+    std::size_t cost = 0;
+    for (const MeshPart& part : model.parts) cost += costOf(part);
+    return take(cost, where);
+}
+
+Status TriangleBudget::take(const RawScene& model, const std::vector<std::size_t>& parts,
+                            const std::string& where) {
+    std::size_t cost = 0;
+    for (const std::size_t part : parts) cost += costOf(model.parts[part]);
+    return take(cost, where);
 }
 
 Status TriangleBudget::take(std::size_t triangles, const std::string& where) {

@@ -28,10 +28,16 @@ std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& scene
 std::optional<std::filesystem::path> findBelow(const std::vector<std::filesystem::path>& folders,
                                                const std::filesystem::path& relative);
 
-/// Models read once each, however often they are placed. A model's textures are looked up beside
-/// it, or one folder up where it lies in a folder called "models".
+/// Where the textures of a library's models are looked up. ShapeNet and 3D-FUTURE have folders
+/// "models" with the textures in a folder beside.
+enum class TexturePlace { BesideModel, AroundModelsFolder };
+
+/// Models read once each, however often they are placed.
 class ModelLibrary {
   public:
+    explicit ModelLibrary(TexturePlace textures = TexturePlace::BesideModel)
+        : textures_(textures) {}
+
     /// Notes that a model will be needed; the same number for the same path.
     std::size_t add(const std::filesystem::path& path);
     /// Reads all that were added, in parallel. Error: Cancelled.
@@ -44,21 +50,51 @@ class ModelLibrary {
     }
 
   private:
+    TexturePlace textures_;
     std::map<std::filesystem::path, std::size_t> numbers_;
     std::vector<std::filesystem::path> paths_;
     std::vector<RawScene> models_;
     std::vector<std::string> reasons_;
 };
 
-/// Counts triangles as models are placed, so that few bytes cannot ask for endless memory.
+/// Warnings and notes of models, each once with the names of the models that have it.
+class ModelRemarks {
+  public:
+    void add(const RawScene& model, const std::string& name);
+    /// Adds at most 20 warnings and 20 notes to the scene's, and how many more there are.
+    void addTo(RawScene& scene) const;
+
+  private:
+    struct Remark {
+        std::string text;
+        std::vector<std::string> models;  // clean text, in order of appearance
+    };
+    class List {
+      public:
+        void add(const std::vector<std::string>& texts, const std::string& name);
+        void addTo(std::vector<std::string>& lines, const char* one, const char* many) const;
+
+      private:
+        std::vector<Remark> remarks_;
+        std::map<std::string, std::size_t> numbers_;  // by text
+    };
+    List warnings_;
+    List notes_;
+};
+
+/// Counts triangles as models are placed, so that few bytes cannot ask for endless memory or work:
+/// each part counts at least as one, and three vertices as one.
 class TriangleBudget {
   public:
     /// Error: BadInput, beyond 6e7 in all.
     Status take(const RawScene& model, const std::string& where);
-    /// The same for a part of a model.
-    Status take(std::size_t triangles, const std::string& where);
+    /// The same for some of the model's parts, by their indices.
+    Status take(const RawScene& model, const std::vector<std::size_t>& parts,
+                const std::string& where);
 
   private:
+    Status take(std::size_t triangles, const std::string& where);
+
     std::size_t used_ = 0;
 };
 

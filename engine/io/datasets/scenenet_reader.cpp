@@ -183,7 +183,7 @@ class SceneNetImport {
     const LabelTable& labels_;
     std::vector<fs::path> folders_;
     std::optional<fs::path> layout_;
-    ModelLibrary library_;
+    ModelLibrary library_{TexturePlace::AroundModelsFolder};
     std::vector<std::optional<std::size_t>> models_;
     std::size_t missing_ = 0;
     std::set<std::string> missing_categories_;

@@ -1,31 +1,16 @@
 #include "engine/io/gazebo/link_xml.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/sandbox/input_file.h"
+#include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/srgb.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dollytrack::gazebo {
 
 namespace {
-
-/// A finite number; 0 where it is too small for a double, as "1e-400" is.
-std::optional<double> numberOf(std::string_view word) {
-    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    const char* const end = word.data() + word.size();
-    double value = 0.0;
-    auto [last, error] = std::from_chars(word.data(), end, value);
-    if (error == std::errc::result_out_of_range) {
-        // It does not say whether the number is too large or too small; a wider type tells.
-        long double wide = 0.0L;
-        const auto again = std::from_chars(word.data(), end, wide);
-        if (again.ec == std::errc() && std::abs(wide) < 1.0L) error = std::errc();
-    }
-    if (error != std::errc() || last != end || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
 
 bool isMacro(const pugi::xml_node& node) {
     return std::string_view(node.name()).starts_with("xacro:");
@@ -75,8 +60,8 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
         const auto begin = text.find_first_not_of(kBlanks);
         if (begin == text.npos) return numbers;
         const auto end = std::min(text.find_first_of(kBlanks, begin), text.size());
-        const auto number = numberOf(text.substr(begin, end - begin));
-        if (!number) return std::nullopt;
+        const auto number = io::numberFrom(text.substr(begin, end - begin));
+        if (!number || !std::isfinite(*number)) return std::nullopt;
         numbers.push_back(*number);
         text.remove_prefix(end);
     }
@@ -92,6 +77,16 @@ Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_ya
     return Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
            Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
            Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX());
+}
+
+void noteUnknownShape(const pugi::xml_node& geometry, UnknownShapes& shapes) {
+    constexpr std::size_t kMostNames = 100;
+    for (const pugi::xml_node& shape : geometry.children()) {
+        const std::string name = cleanText(shape.name());
+        if (shape.type() != pugi::node_element || name == "empty") continue;
+        if (shapes.size() < kMostNames || shapes.contains(name)) ++shapes[name];
+        return;
+    }
 }
 
 std::optional<Eigen::Vector4f> colorOf(std::string_view text) {

@@ -42,6 +42,9 @@ struct XmlFile {
 /// Rotation about the fixed axes x, y and z, in this order; radians.
 [[nodiscard]] Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_yaw);
 
+/// Counts the shape of a <geometry> that is not read, as <heightmap> or <capsule>, by its element.
+void noteUnknownShape(const pugi::xml_node& geometry, UnknownShapes& shapes);
+
 /// A linear colour from three or four sRGB numbers of 0 to 1, the fourth of which is the opacity;
 /// nothing where the text is no colour.
 [[nodiscard]] std::optional<Eigen::Vector4f> colorOf(std::string_view text);

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDeepestModel = 16;
-constexpr std::size_t kMostSdfVisuals = 100'000;
+constexpr std::size_t kMostVisuals = 100'000;
 constexpr std::size_t kMostIncludes = 20'000;
 constexpr std::size_t kMostFrames = 1'000'000;
 constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;
@@ -104,7 +104,7 @@ class SdfReader {
         scene_.node = world ? world : sdf;
         if (Status opened = openChildren(scene_, !world); !opened) return opened;
         if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
-        joinLinks(scene_);
+        if (Status joined = joinLinks(scene_); !joined) return joined;
         if (world.child("state").child("model")) {
             warnings_.emplace_back(
                 "the <state> of the world is ignored, models stand at their own <pose>; copy the "
@@ -139,6 +139,7 @@ class SdfReader {
     }
 
     [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
+    [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
@@ -245,13 +246,16 @@ class SdfReader {
 
     Status openInclude(const Scope& scope, Frame& frame) {
         const std::string uri = textOf(frame.node.child("uri"));
-        const auto file = files_.findModel(scope.path.parent_path(), uri);
+        if (++includes_ > kMostIncludes) {
+            return wrong("the world includes more than 20,000 models; leave some out", scope.path);
+        }
+        const fs::path folder = scope.path.parent_path();
+        const auto [found, is_new] = found_models_.try_emplace({folder, uri});
+        if (is_new) found->second = files_.findModel(folder, uri);
+        const std::optional<fs::path>& file = found->second;
         if (!file) {
             missing_.push_back(cleanText(uri));
             return {};
-        }
-        if (++includes_ > kMostIncludes) {
-            return wrong("the world includes more than 20,000 models; leave some out", scope.path);
         }
         for (const Scope* around = &scope; around != nullptr; around = around->parent) {
             if (around->path != *file) continue;
@@ -281,32 +285,43 @@ class SdfReader {
                      *file);
     }
 
+    /// A frame and the scope that it lies in; null: the scope itself, as "arm::__model__" names it.
+    struct Step {
+        Scope* scope;
+        Frame* frame;
+    };
+
     /// The frames that a name as "gripper::finger" goes through, the last of which it means; none
-    /// where there is no such frame.
-    static std::vector<std::pair<Scope*, Frame*>> locate(Scope& scope, std::string_view name) {
-        constexpr std::size_t kLongestName = 4096;
-        if (name.size() > kLongestName) return {};
-        if (const auto at = scope.by_name.find(name); at != scope.by_name.end()) {
-            return {{&scope, &scope.frames[at->second]}};
+    /// where there is no such frame. The names of models end at the first "::"; only the last name
+    /// may hold one, as links of included models did before SDF 1.7.
+    static std::vector<Step> locate(Scope& scope, std::string_view name) {
+        std::vector<Step> steps;
+        Scope* around = &scope;
+        while (true) {
+            if (name == "__model__") {
+                steps.push_back({around, nullptr});
+                return steps;
+            }
+            if (const auto last = around->by_name.find(name); last != around->by_name.end()) {
+                steps.push_back({around, &around->frames[last->second]});
+                return steps;
+            }
+            const auto colons = name.find("::");
+            if (colons == name.npos) return {};
+            const auto at = around->by_name.find(name.substr(0, colons));
+            if (at == around->by_name.end()) return {};
+            Frame& frame = around->frames[at->second];
+            if (!frame.model) return {};
+            steps.push_back({around, &frame});
+            around = frame.model.get();
+            name.remove_prefix(colons + 2);
         }
-        for (auto colons = name.find("::"); colons != name.npos;
-             colons = name.find("::", colons + 2)) {
-            const auto at = scope.by_name.find(name.substr(0, colons));
-            if (at == scope.by_name.end()) continue;
-            Frame& outer = scope.frames[at->second];
-            if (!outer.model) continue;
-            auto inner = locate(*outer.model, name.substr(colons + 2));
-            if (inner.empty()) continue;
-            inner.insert(inner.begin(), {&scope, &outer});
-            return inner;
-        }
-        return {};
     }
 
     /// The pose of the frame that a name means, in the scope that names it.
     static Result<Eigen::Affine3d> poseOfName(Scope& scope, const std::string& name, int depth) {
         Eigen::Affine3d pose = Eigen::Affine3d::Identity();
-        if (name.empty() || name == "__model__" || name == "world") return pose;
+        if (name.empty() || name == "world") return pose;
         const auto steps = locate(scope, name);
         if (steps.empty()) {
             return wrong("a <pose> is relative to '" + cleanText(name) +
@@ -314,6 +329,7 @@ class SdfReader {
                          scope.path);
         }
         for (const auto& [around, frame] : steps) {
+            if (frame == nullptr) break;
             const auto step = poseOf(*around, *frame, depth + 1);
             if (!step) return step;
             pose = pose * *step;
@@ -364,7 +380,7 @@ class SdfReader {
             if (!pose) return tl::unexpected(pose.error());
             LinkObject object{nameOf(frame.node), {}};
             for (const pugi::xml_node& visual : frame.node.children("visual")) {
-                if (++visuals_ > kMostSdfVisuals) {
+                if (++visuals_ > kMostVisuals) {
                     return wrong("the world has more than 100,000 visuals; leave some out",
                                  scope.path);
                 }
@@ -395,6 +411,7 @@ class SdfReader {
             const auto steps = locate(*around, name);
             if (steps.empty()) return std::nullopt;
             const auto [inner, frame] = steps.back();
+            if (frame == nullptr) return std::nullopt;
             if (frame->link) return frame->link;
             if (!frame->is("frame")) return std::nullopt;
             name = frame->node.attribute("attached_to").value();
@@ -409,10 +426,13 @@ class SdfReader {
     }
 
     /// Links that joints hold together become one object, named by the first.
-    void joinLinks(Scope& scope) {
+    Status joinLinks(Scope& scope) {
         for (Frame& frame : scope.frames) {
-            if (frame.model) joinLinks(*frame.model);
+            if (frame.model) {
+                if (Status joined = joinLinks(*frame.model); !joined) return joined;
+            }
             if (!frame.is("joint")) continue;
+            if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
             const auto parent = linkOf(scope, textOf(frame.node.child("parent")));
             const auto child = linkOf(scope, textOf(frame.node.child("child")));
             if (!parent || !child) continue;
@@ -420,6 +440,7 @@ class SdfReader {
             const std::size_t b = firstOf(*child);
             first_[std::max(a, b)] = std::min(a, b);
         }
+        return {};
     }
 
     static double lengthIn(const pugi::xml_node& shape, const char* name) {
@@ -443,6 +464,8 @@ class SdfReader {
         visual.folder = scope.path.parent_path();
         visual.scene_from_visual = scene_from_scope * base * *pose;
         visual.color = colorIn(node);
+        visual.opacity = opacityIn(node);
+        if (!(visual.opacity > 0.0F)) return {};
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
             const pugi::xml_node scale = mesh.child("scale");
@@ -484,6 +507,7 @@ class SdfReader {
                                                    Eigen::Vector3d::UnitZ(), normal->normalized());
             }
         } else {
+            noteUnknownShape(geometry, unknown_shapes_);
             return {};
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
@@ -499,12 +523,13 @@ class SdfReader {
         std::optional<Eigen::Vector4f> color = colorOf(material.child_value("diffuse"));
         if (!color) color = namedColor(textOf(material.child("script").child("name")));
         if (!color) color = colorOf(material.child_value("ambient"));
-        const auto hidden = numbersOf(visual.child_value("transparency"));
-        if (hidden && hidden->size() == 1 && hidden->front() > 0.0 && hidden->front() < 1.0) {
-            if (!color) color = Eigen::Vector4f(0.8F, 0.8F, 0.8F, 1.0F);
-            (*color)[3] *= static_cast<float>(1.0 - hidden->front());
-        }
         return color;
+    }
+
+    static float opacityIn(const pugi::xml_node& visual) {
+        const auto hidden = numbersOf(visual.child_value("transparency"));
+        if (!hidden || hidden->size() != 1) return 1.0F;
+        return static_cast<float>(1.0 - std::clamp(hidden->front(), 0.0, 1.0));
     }
 
     const ModelPath& files_;
@@ -514,8 +539,11 @@ class SdfReader {
     std::vector<const Scope*> scope_of_link_;
     std::vector<std::size_t> first_;  // of the links that joints hold together, as a forest
     std::vector<std::string> missing_;
+    UnknownShapes unknown_shapes_;
     std::vector<std::string> warnings_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
+    /// Descriptions of included models, by the including file's folder and the <uri>.
+    std::map<std::pair<fs::path, std::string>, std::optional<fs::path>> found_models_;
     std::uint64_t xml_bytes_ = 0;       // of all files, each counted once
     std::uint64_t expanded_bytes_ = 0;  // the same, counted each time that one is included
     std::size_t frames_ = 0;
@@ -524,11 +552,6 @@ class SdfReader {
 };
 
 }  // namespace
-
-bool likeSdf(std::string_view head) {
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return first != std::string_view::npos && head[first] == '<';
-}
 
 Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
                          const JobContext& job) {
@@ -541,13 +564,13 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
                     "the XML holds no <sdf>, so it is no world of Gazebo; name a world or model",
                     path.string());
     }
-    const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options.model_folders)));
+    const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options)));
     SdfReader reader(files, job);
     if (Status read = reader.read(sdf, io::absoluteNormal(path), xml->bytes); !read) {
         return tl::unexpected(read.error());
     }
-    Result<RawScene> scene =
-        sceneOfLinks(reader.objects(), files, reader.missing(), path.string(), job);
+    Result<RawScene> scene = sceneOfLinks(
+        reader.objects(), files, {reader.missing(), reader.unknownShapes()}, path.string(), job);
     if (scene) {
         scene->warnings.insert(scene->warnings.end(), reader.warnings().begin(),
                                reader.warnings().end());

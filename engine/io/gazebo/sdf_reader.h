@@ -6,12 +6,8 @@
 #include "engine/jobs/job.h"
 
 #include <filesystem>
-#include <string_view>
 
 namespace dollytrack::gazebo {
-
-/// Whether the first bytes of an XML file may be those of a world or model of Gazebo.
-bool likeSdf(std::string_view head);
 
 /// Reads a world or model of Gazebo (SDF 1.4 and later), the visuals of its links. A model with one
 /// link, or whose links joints hold together, is one object; other links are objects of their own.

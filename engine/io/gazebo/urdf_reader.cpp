@@ -50,6 +50,8 @@ class UrdfReader {
         return links;
     }
 
+    [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
+
   private:
     [[nodiscard]] tl::unexpected<Error> wrong(std::string message) const {
         return fail(ErrorCode::BadInput, std::move(message), path_.string());
@@ -72,11 +74,11 @@ class UrdfReader {
     Result<Eigen::Affine3d> originOf(const pugi::xml_node& node) const {
         const pugi::xml_node origin = node.child("origin");
         const auto place = vectorOf(origin.attribute("xyz").as_string("0 0 0"));
-        const auto turn = vectorOf(origin.attribute("rpy").as_string("0 0 0"));
-        if (!place || !turn) {
+        const auto rotation = vectorOf(origin.attribute("rpy").as_string("0 0 0"));
+        if (!place || !rotation) {
             return wrong("the xyz or rpy of an <origin> is not three numbers; correct it");
         }
-        return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*turn));
+        return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*rotation));
     }
 
     /// The link's pose: the origins of the joints from the root on, each link's computed once.
@@ -141,6 +143,7 @@ class UrdfReader {
             const double width = 2.0 * number(cylinder, "radius");
             visual.size = {width, width, number(cylinder, "length")};
         } else {
+            noteUnknownShape(geometry, unknown_shapes_);
             return std::optional<Visual>();
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
@@ -154,14 +157,10 @@ class UrdfReader {
     std::map<std::string, pugi::xml_node> joints_;  // by the link that hangs on it
     std::map<std::string, Eigen::Affine3d> poses_;  // of links, in the root's frame
     std::map<std::string, Eigen::Vector4f> colors_;
+    UnknownShapes unknown_shapes_;
 };
 
 }  // namespace
-
-bool likeUrdf(std::string_view head) {
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return first != std::string_view::npos && head[first] == '<';
-}
 
 Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& files,
                                const JobContext& job) {
@@ -173,19 +172,16 @@ Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& f
                     "the XML holds no <robot>, so it is no URDF file; name a robot's file",
                     path.string());
     }
-    const Result<std::vector<LinkObject>> links = UrdfReader(path, job).read(robot);
+    UrdfReader reader(path, job);
+    const Result<std::vector<LinkObject>> links = reader.read(robot);
     if (!links) return tl::unexpected(links.error());
-    return sceneOfLinks(*links, ModelPath(files), {}, path.string(), job);
+    return sceneOfLinks(*links, ModelPath(files), {{}, reader.unknownShapes()}, path.string(), job);
 }
 
 Result<RawScene> readUrdf(const fs::path& path, const ImportOptions& options,
                           const JobContext& job) {
     return readUrdfModel(io::absoluteNormal(path),
-                         io::ReachableFiles(foldersOfWorld(path, options.model_folders)), job);
-}
-
-std::vector<fs::path> worldInputs(const fs::path& path, const ImportOptions& options) {
-    return foldersOfWorld(path, options.model_folders);
+                         io::ReachableFiles(foldersOfWorld(path, options)), job);
 }
 
 }  // namespace dollytrack::gazebo

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <tuple>
@@ -136,10 +137,9 @@ RawScene shapeScene(Visual::Shape shape) {
     return scene;
 }
 
-void paint(const Eigen::Vector4f& color, Material& material) {
-    material.base_color = color.head<3>().cwiseMax(0.0F).cwiseMin(1.0F);
-    const float opacity = std::clamp(color[3], 0.0F, 1.0F);
-    material.opacity = opacity > 0.0F ? opacity : 1.0F;
+/// Whether a colour without opacity hides what has this material. Textured ones keep their own.
+bool isHidden(const Visual& visual, const Material& material) {
+    return visual.color && material.texture < 0 && !((*visual.color)[3] > 0.0F);
 }
 
 using Submeshes = std::map<std::string, std::vector<std::size_t>>;
@@ -181,9 +181,9 @@ class SceneOfLinks {
         scene_.nodes.push_back({"", -1, 0});
     }
 
-    Result<RawScene> build(const std::vector<LinkObject>& links,
-                           const std::vector<std::string>& missing_models) {
-        missing_ = missing_models;
+    Result<RawScene> build(const std::vector<LinkObject>& links, const LeftOut& left_out) {
+        missing_ = left_out.models;
+        unknown_shapes_ = left_out.shapes;
         std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
         std::map<const Visual*, std::size_t> wanted;
         for (const LinkObject& link : links) {
@@ -229,37 +229,43 @@ class SceneOfLinks {
     Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
         const RawScene* model = library_.model(number);
         if (model == nullptr) {
-            unreadable_.push_back(visual.uri);
+            unreadable_.push_back(visual.uri + " (" + library_.reason(number) + ")");
             return {};
         }
         const auto [known, is_new] = submeshes_.try_emplace(number);
-        if (is_new) known->second = submeshesOf(*model);
+        if (is_new) {
+            known->second = submeshesOf(*model);
+            remarks_.add(*model, library_.path(number).filename().string());
+        }
         const auto picked = known->second.find(visual.submesh);
         if (picked == known->second.end()) {
             unmatched_.push_back(visual.uri + ": " + visual.submesh);
             return {};
         }
-        const std::vector<std::size_t>& parts = picked->second;
-        std::size_t triangles = 0;
-        for (const std::size_t part : parts) triangles += model->parts[part].triangles.size();
-        if (Status fits = budget_.take(triangles, where_); !fits) return fits;
+        if (Status fits = budget_.take(*model, picked->second, where_); !fits) return fits;
+        std::vector<std::size_t> parts;
+        std::ranges::copy_if(picked->second, std::back_inserter(parts), [&](std::size_t part) {
+            return !isHidden(visual, model->materials[model->parts[part].material]);
+        });
+        if (parts.empty()) return {};
         // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
         const double unit = model->file_unit_m.value_or(1.0);
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
         scaled.linear() = (unit * visual.scale).asDiagonal();
         if (visual.center_submesh) {
             Eigen::AlignedBox3d box;
-            for (const std::size_t part : parts)
+            for (const std::size_t part : picked->second)
                 box.extend(model->parts[part].bounds.cast<double>());
             scaled = scaled * Eigen::Translation3d(-box.center());
         }
         ModelPlacement& placement = placements_.try_emplace(number, *model, scene_).first->second;
-        append(placement.place(object.name, visual.scene_from_visual * scaled, parts), visual.color,
+        append(placement.place(object.name, visual.scene_from_visual * scaled, parts), visual,
                object);
         return {};
     }
 
     Status placeShape(const Visual& visual, SourceObject& object) {
+        if (isHidden(visual, Material{})) return {};
         auto at = shapes_.find(visual.shape);
         if (at == shapes_.end()) {
             auto shape = std::make_unique<RawScene>(shapeScene(visual.shape));
@@ -269,32 +275,36 @@ class SceneOfLinks {
         if (Status fits = budget_.take(*at->second.model, where_); !fits) return fits;
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
         scaled.linear() = visual.size.asDiagonal();
-        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled),
-               visual.color, object);
+        append(at->second.placement.place(object.name, visual.scene_from_visual * scaled), visual,
+               object);
         return {};
     }
 
-    /// Adds parts to an object, in the visual's own colour where it has one.
-    void append(const std::vector<std::size_t>& parts, const std::optional<Eigen::Vector4f>& color,
-                SourceObject& object) {
+    /// Adds parts to an object, in the visual's own colour and opacity where it has them.
+    void append(const std::vector<std::size_t>& parts, const Visual& visual, SourceObject& object) {
         object.parts.insert(object.parts.end(), parts.begin(), parts.end());
-        if (!color) return;
+        if (!visual.color && visual.opacity >= 1.0F) return;
         for (const std::size_t part : parts) {
-            scene_.parts[part].material = painted(scene_.parts[part].material, *color);
+            scene_.parts[part].material = painted(scene_.parts[part].material, visual);
         }
     }
 
-    /// The number of the material in this colour, which other visuals of the same mesh do not get.
-    /// Textured materials keep their texture.
-    std::uint32_t painted(std::uint32_t number, const Eigen::Vector4f& color) {
-        if (scene_.materials[number].texture >= 0) return number;
+    /// The number of the material in this visual's colour and opacity, which other visuals of the
+    /// same mesh do not get. Textured materials keep their texture and colour.
+    std::uint32_t painted(std::uint32_t number, const Visual& visual) {
+        Material material = scene_.materials[number];
+        const bool textured = material.texture >= 0;
+        if (textured && visual.opacity >= 1.0F) return number;
+        if (visual.color && !textured) {
+            material.base_color = visual.color->head<3>().cwiseMax(0.0F).cwiseMin(1.0F);
+            material.opacity = (*visual.color)[3];
+        }
+        material.opacity = std::clamp(material.opacity * visual.opacity, 0.0F, 1.0F);
+        const Eigen::Vector3f& color = material.base_color;
         const auto next = static_cast<std::uint32_t>(scene_.materials.size());
         const auto [at, is_new] =
-            painted_.try_emplace({number, color[0], color[1], color[2], color[3]}, next);
-        if (is_new) {
-            scene_.materials.push_back(scene_.materials[number]);
-            paint(color, scene_.materials.back());
-        }
+            painted_.try_emplace({number, color[0], color[1], color[2], material.opacity}, next);
+        if (is_new) scene_.materials.push_back(std::move(material));
         return at->second;
     }
 
@@ -319,6 +329,12 @@ class SceneOfLinks {
             "meshes cannot be read and are left out; export them again");
         say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
             "submeshes are not in their meshes and are left out; correct their names");
+        remarks_.addTo(scene_);
+        for (const auto& [shape, count] : unknown_shapes_) {
+            scene_.warnings.push_back(io::counted(count, "visual is", "visuals are") +
+                                      " left out, since <" + shape +
+                                      "> is not read; replace it by a mesh");
+        }
         if (scene_.objects.empty()) {
             std::string message = "no link has a visual that can be drawn, so there is no scene";
             for (const std::string& warning : scene_.warnings) message += "; " + warning;
@@ -337,6 +353,7 @@ class SceneOfLinks {
     JobContext job_;
     RawScene scene_;
     io::ModelLibrary library_;
+    io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
     std::map<std::size_t, ModelPlacement> placements_;  // by number in the library
     std::map<Visual::Shape, Shape> shapes_;
@@ -344,6 +361,7 @@ class SceneOfLinks {
     /// Numbers of materials, by the number of the material before and the colour.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
     std::vector<std::string> missing_;
+    UnknownShapes unknown_shapes_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> unmatched_;
 };
@@ -397,10 +415,12 @@ std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::
     return find(folder, name + "/model.sdf");
 }
 
-std::vector<fs::path> foldersOfWorld(const fs::path& scene, const std::vector<fs::path>& given) {
+std::vector<fs::path> foldersOfWorld(const fs::path& scene, const ImportOptions& options) {
     const fs::path own = io::absoluteNormal(scene).parent_path();
     std::vector<fs::path> absolute;
-    for (const fs::path& folder : given) absolute.push_back(io::absoluteNormal(folder));
+    for (const fs::path& folder : options.model_folders) {
+        absolute.push_back(io::absoluteNormal(folder));
+    }
     std::vector<fs::path> folders = io::foldersFor(own / scene.filename(), absolute,
                                                    {"models", "meshes", "media", "materials"});
     folders.insert(folders.begin(), own);
@@ -414,9 +434,9 @@ std::vector<fs::path> foldersOfWorld(const fs::path& scene, const std::vector<fs
 }
 
 Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links, const ModelPath& files,
-                              const std::vector<std::string>& missing_models,
-                              const std::string& where, const JobContext& job) {
-    return SceneOfLinks(files, where, job).build(links, missing_models);
+                              const LeftOut& left_out, const std::string& where,
+                              const JobContext& job) {
+    return SceneOfLinks(files, where, job).build(links, left_out);
 }
 
 }  // namespace dollytrack::gazebo

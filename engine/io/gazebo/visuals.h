@@ -2,11 +2,13 @@
 
 #include "engine/core/result.h"
 #include "engine/io/import/raw_scene.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/import/scene_import.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/jobs/job.h"
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -27,6 +29,16 @@ struct Visual {
     std::filesystem::path folder;  // of the file that names the mesh
     Eigen::Affine3d scene_from_visual = Eigen::Affine3d::Identity();
     std::optional<Eigen::Vector4f> color;  // linear red, green, blue; opacity
+    float opacity = 1.0F;                  // above 0; multiplies the colour's or the mesh's own
+};
+
+/// How many visuals have a shape that is not read, by the element's name.
+using UnknownShapes = std::map<std::string, std::size_t>;
+
+/// The parts of a scene that are left out.
+struct LeftOut {
+    std::vector<std::string> models;  // that were not found
+    UnknownShapes shapes;
 };
 
 /// A link, or several that joints hold together.
@@ -60,17 +72,17 @@ class ModelPath {
     mutable std::map<std::filesystem::path, std::string> names_;  // in files read so far
 };
 
-/// The folders that a world or robot may name files of: those given, `models`, `meshes` and the
-/// like beside it, the package that it lies in and, of a model, the folder of models around it.
-[[nodiscard]] std::vector<std::filesystem::path> foldersOfWorld(
-    const std::filesystem::path& scene, const std::vector<std::filesystem::path>& given);
+/// The folders that a world or robot may name files of: those of the options, `models`, `meshes`
+/// and the like beside it, the package that it lies in and, of a model, the folder of models around
+/// it.
+[[nodiscard]] std::vector<std::filesystem::path> foldersOfWorld(const std::filesystem::path& scene,
+                                                                const ImportOptions& options);
 
-/// Makes a scene of the links: z up, metres. Meshes and submeshes that are not there are named in a
-/// warning, and nothing stands in their place. Errors: BadInput, when there is nothing to draw;
-/// Cancelled.
+/// Makes a scene of the links: z up, metres. Meshes and submeshes that are not there, and what is
+/// left out already, are named in warnings, and nothing stands in their place. Errors: BadInput,
+/// when there is nothing to draw; Cancelled.
 [[nodiscard]] Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links,
-                                            const ModelPath& files,
-                                            const std::vector<std::string>& missing_models,
+                                            const ModelPath& files, const LeftOut& left_out,
                                             const std::string& where, const JobContext& job);
 
 }  // namespace dollytrack::gazebo

@@ -21,8 +21,8 @@ struct Primitive {
     std::vector<Eigen::Vector3f> normals;
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
-    std::size_t lines = 0;                      // points and lines, which are left out
-    std::vector<Eigen::Vector3f> colors;        // of its vertices, as the file has them; see readMesh
+    std::size_t lines = 0;                // points and lines, which are left out
+    std::vector<Eigen::Vector3f> colors;  // of its vertices, as the file has them; see readMesh
     std::optional<Eigen::Vector3f> mean_color;  // linear, of its vertices; multiplies the material
 };
 

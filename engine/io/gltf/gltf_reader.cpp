@@ -61,22 +61,20 @@ void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
     }
 }
 
-/// Reads each mesh that has a placement once. MeshPlacement::mesh becomes an index into these.
+/// Reads each mesh of the file that has a placement once; the others stay empty.
 std::vector<std::vector<Primitive>> readPlacedMeshes(
     const Document& document, const std::vector<PictureCoordinates>& coordinates, bool keep_colors,
-    std::vector<MeshPlacement>& placements, const JobContext& job) {
+    const std::vector<MeshPlacement>& placements, const JobContext& job) {
     std::vector<std::size_t> used;
     for (const MeshPlacement& placement : placements) used.push_back(placement.mesh);
     std::ranges::sort(used);
     const auto repeated = std::ranges::unique(used);
     used.erase(repeated.begin(), repeated.end());
-    for (MeshPlacement& placement : placements) {
-        const auto at = std::ranges::lower_bound(used, placement.mesh) - used.begin();
-        placement.mesh = static_cast<std::size_t>(at);
-    }
-    std::vector<std::vector<Primitive>> meshes(used.size());
+    if (!used.empty()) static_cast<void>(document.entry("meshes", used.back()));  // throws
+    std::vector<std::vector<Primitive>> meshes(used.empty() ? 0 : used.back() + 1);
     parallelFor(used.size(), [&](std::size_t i) {
-        if (!job.cancelled()) meshes[i] = readMesh(document, used[i], coordinates, keep_colors);
+        if (job.cancelled()) return;
+        meshes[used[i]] = readMesh(document, used[i], coordinates, keep_colors);
     });
     return meshes;
 }

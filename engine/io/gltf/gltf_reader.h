@@ -18,9 +18,9 @@ namespace dollytrack::gltf {
 
 /// The meshes of a file with the colours of their vertices, each once, and their placements.
 struct ColoredMeshes {
-    RawScene scene;  // materials and textures alone
-    std::vector<std::vector<Primitive>> meshes;
-    std::vector<MeshPlacement> placements;  // MeshPlacement::mesh is an index into `meshes`
+    RawScene scene;                              // materials and textures alone
+    std::vector<std::vector<Primitive>> meshes;  // of the file; empty where they are not placed
+    std::vector<MeshPlacement> placements;
 };
 
 /// The same for readers that need the colours of vertices. Errors: BadInput, Cancelled.

@@ -1,6 +1,7 @@
 #include "engine/io/habitat/dataset_config.h"
 
 #include "engine/core/name_pattern.h"
+#include "engine/core/natural_order.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/sandbox/input_file.h"
 
@@ -9,7 +10,7 @@
 #include <cstdint>
 #include <string_view>
 #include <system_error>
-#include <tuple>
+#include <utility>
 
 namespace dollytrack::habitat {
 namespace {
@@ -19,11 +20,10 @@ using nlohmann::json;
 
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
 constexpr std::size_t kMostConfigs = 16;  // in one folder
-constexpr std::uint64_t kMostConfigBytes = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
 constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
 constexpr std::size_t kMostFiles = 100'000;       // of one kind
-constexpr std::size_t kMostWork = 10'000'000;     // names listed and compared with a pattern
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
@@ -88,8 +88,8 @@ json merged(json defaults, const json& changes) {
     return defaults;
 }
 
-Result<json> readConfig(const fs::path& path) {
-    const Result<std::string> text = io::readNamedFile(path, kMostConfigBytes);
+Result<json> readConfig(const fs::path& path, std::uint64_t most_bytes) {
+    const Result<std::string> text = io::readNamedFile(path, most_bytes);
     if (!text) return tl::unexpected(text.error());
     return io::parseBoundedJson(*text, path.string());
 }
@@ -101,15 +101,12 @@ const json& sectionOf(const json& document, const char* key) {
 }
 
 std::vector<fs::path> configsIn(const fs::path& folder) {
-    constexpr std::size_t kMostEntries = 20'000;
     std::vector<fs::path> configs;
     std::error_code error;
-    std::size_t seen = 0;
     fs::directory_iterator at(folder, error);
-    for (const fs::directory_iterator end; !error && at != end && ++seen < kMostEntries;
-         at.increment(error)) {
+    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
         std::error_code unknown;
-        if (at->path().filename().string().ends_with(kConfigEnding) && !at->is_symlink(unknown)) {
+        if (isDatasetConfig(at->path()) && !at->is_symlink(unknown)) {
             configs.push_back(at->path());
         }
     }
@@ -124,8 +121,13 @@ std::vector<fs::path> configsIn(const fs::path& folder) {
 /// where a config leads into too many.
 class Dataset::FolderSearch {
   public:
-    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where)
-        : files_(files), root_(std::move(root)), where_(std::move(where)) {}
+    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where,
+                 JobContext job, std::size_t most_names)
+        : files_(files),
+          root_(std::move(root)),
+          where_(std::move(where)),
+          job_(std::move(job)),
+          most_names_(most_names) {}
 
     /// The folders and files that a path with wildcards stands for.
     Result<std::vector<fs::path>> expand(const std::string& pattern) {
@@ -144,11 +146,12 @@ class Dataset::FolderSearch {
                 if (!names) return tl::unexpected(names.error());
                 work_ += (*names)->size();
                 for (const std::string& name : **names) {
-                    const bool fits = part == "*" || part == "**" || fitsPattern(part, name);
-                    if (fits && next.size() <= kMostFiles) next.push_back(folder / name);
+                    if (next.size() <= kMostFiles && fitsPattern(part, name)) {
+                        next.push_back(folder / name);
+                    }
                 }
             }
-            if (next.size() > kMostFiles || work_ > kMostWork) return tooMany("files");
+            if (next.size() > kMostFiles || work_ > most_names_) return tooMany("files");
             level = std::move(next);
         }
         return level;
@@ -158,14 +161,19 @@ class Dataset::FolderSearch {
     Result<const std::vector<std::string>*> list(const fs::path& folder) {
         const auto [at, is_new] = listings_.try_emplace(folder);
         if (!is_new) return &at->second;
+        if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
         if (listings_.size() > kMostFolders) return tooMany("folders");
         std::error_code error;
         const fs::file_status status =
             files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
         // A folder that is missing is listed, too: the scene depends on whether it is there.
-        if (!fs::exists(status) || fs::is_directory(status)) at->second = files_.namesIn(folder);
+        if (!fs::exists(status) || fs::is_directory(status)) {
+            Result<std::vector<std::string>> names = files_.namesIn(folder);
+            if (!names) return tl::unexpected(names.error());
+            at->second = std::move(*names);
+        }
         work_ += at->second.size();
-        if (work_ > kMostWork) return tooMany("files");
+        if (work_ > most_names_) return tooMany("files");
         return &at->second;
     }
 
@@ -187,9 +195,15 @@ class Dataset::FolderSearch {
     const io::ReachableFiles& files_;
     fs::path root_;
     std::string where_;
+    JobContext job_;
+    std::size_t most_names_;
     std::map<fs::path, std::vector<std::string>> listings_;
     std::size_t work_ = 0;
 };
+
+bool isDatasetConfig(const fs::path& path) {
+    return path.filename().string().ends_with(kConfigEnding);
+}
 
 std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
     constexpr int kMostFoldersUp = 4;
@@ -202,27 +216,45 @@ std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
     return {};
 }
 
-fs::path chooseDatasetConfig(const std::vector<fs::path>& configs, const fs::path& scene) {
+ConfigChoice::ConfigChoice(DatasetScope scope, JobContext job)
+    : scope_(scope), job_(std::move(job)) {
+    scope_.scenes_only = true;
+}
+
+const ConfigChoice::Listed& ConfigChoice::listedBy(const fs::path& config) {
+    const auto [at, is_new] = listed_.try_emplace(config);
+    if (!is_new) return at->second;
+    const fs::path folder = config.parent_path();
+    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job_, scope_);
+    if (!dataset) return at->second;
+    for (const DatasetScene& scene : dataset->scenes()) {
+        at->second.scenes.insert(scene.file);
+        at->second.folders.insert(scene.file.parent_path());
+    }
+    return at->second;
+}
+
+fs::path ConfigChoice::choose(const std::vector<fs::path>& configs, const fs::path& scene) {
     if (configs.empty()) return {};
     if (configs.size() == 1) return configs.front();
     const fs::path own = io::absoluteNormal(scene).parent_path();
     for (const fs::path& config : configs) {
-        const fs::path folder = config.parent_path();
-        const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}));
-        if (!dataset) continue;
-        for (const DatasetScene& listed : dataset->scenes()) {
-            if (listed.file.parent_path() == own) return config;
-        }
+        if (listedBy(config).folders.contains(own)) return config;
     }
     return configs.front();
 }
 
+bool ConfigChoice::lists(const fs::path& config, const fs::path& scene) {
+    return listedBy(config).scenes.contains(io::absoluteNormal(scene));
+}
+
 Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
-                              io::ReachableFiles files) {
+                              io::ReachableFiles files, const JobContext& job,
+                              const DatasetScope& scope) {
     Dataset dataset(folder, std::move(files));
     json document = json::object();
     if (!config.empty()) {
-        Result<json> read = readConfig(config);
+        Result<json> read = readConfig(config, scope.most_config_bytes);
         if (!read) return tl::unexpected(read.error());
         if (!read->is_object()) {
             return fail(ErrorCode::BadInput,
@@ -232,8 +264,11 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
         }
         document = std::move(*read);
     }
-    FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string());
+    FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string(),
+                        job, scope.most_names);
     for (const KindWords& words : kWords) {
+        const bool has_scenes = words.kind == Kind::Stage || words.kind == Kind::SceneInstance;
+        if (scope.scenes_only && !has_scenes) continue;
         json section = sectionOf(document, words.section);
         if (config.empty()) {
             for (const char* usual : words.usual) {
@@ -308,56 +343,63 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     return {};
 }
 
-Result<Template> Dataset::load(Kind kind, const fs::path& file) const {
-    Template found{sections_.at(kind).defaults, file.parent_path(), file};
-    if (file.extension() != ".json") {
-        found.attributes["render_asset"] = file.filename().string();
-        return found;
+Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path& file) const {
+    const auto known = by_file_.find({kind, file});
+    if (known != by_file_.end()) return known->second;
+    auto found = std::make_shared<Template>(
+        Template{sections_.at(kind).defaults, file.parent_path(), file});
+    if (file.extension() == ".json") {
+        const Result<json> read = readConfig(file, kMostTemplateBytes);
+        if (!read) return tl::unexpected(read.error());
+        if (!read->is_object()) {
+            return fail(ErrorCode::BadInput,
+                        "the file is not a JSON object; it is damaged or of another program",
+                        file.string());
+        }
+        found->attributes = merged(std::move(found->attributes), *read);
+    } else {
+        found->attributes["render_asset"] = file.filename().string();
     }
-    const Result<json> read = readConfig(file);
-    if (!read) return tl::unexpected(read.error());
-    if (!read->is_object()) {
-        return fail(ErrorCode::BadInput,
-                    "the file is not a JSON object; it is damaged or of another program",
-                    file.string());
-    }
-    found.attributes = merged(std::move(found.attributes), *read);
-    return found;
+    return by_file_[{kind, file}] = std::move(found);
 }
 
 /// The template that the config's own list describes under this handle.
-Result<std::optional<Template>> Dataset::findConfigured(const Section& section, Kind kind,
-                                                        const std::string& handle) const {
+Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& section, Kind kind,
+                                                                const std::string& handle) const {
     const auto at = section.config_of.find(handle);
-    if (at == section.config_of.end()) return std::optional<Template>();
+    if (at == section.config_of.end()) return std::shared_ptr<const Template>();
+    const auto [known, is_new] = by_handle_.try_emplace({kind, handle});
+    if (!is_new) return known->second;
     const json& config = section.configs[at->second];
     const std::string original = io::textIn(config, "original_file");
     Template found{section.defaults, folder_, {}};
     if (!original.empty()) {
         const auto file = files_.find(folder_, original);
-        if (!file) return std::optional<Template>();
-        Result<Template> loaded = load(kind, *file);
+        if (!file) return known->second;
+        const auto loaded = load(kind, *file);
         if (!loaded) return tl::unexpected(loaded.error());
-        found = std::move(*loaded);
+        found = **loaded;
     }
     const json& changes = sectionOf(config, "attributes");
     // Names of files that the config itself gives count from the config.
     if (changes.contains("render_asset")) found.folder = folder_;
     found.attributes = merged(std::move(found.attributes), changes);
-    return std::optional<Template>(std::move(found));
+    return known->second = std::make_shared<const Template>(std::move(found));
 }
 
-Result<std::optional<Template>> Dataset::find(Kind kind, const std::string& name) const {
+Result<std::shared_ptr<const Template>> Dataset::find(Kind kind, const std::string& name) const {
     const Section& section = sections_.at(kind);
     for (const std::string& handle : {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
         auto configured = findConfigured(section, kind, handle);
         if (!configured || *configured) return configured;
     }
     const auto file = findFile(kind, name);
-    if (!file) return std::optional<Template>();
-    Result<Template> loaded = load(kind, *file);
-    if (!loaded) return tl::unexpected(loaded.error());
-    return std::optional<Template>(std::move(*loaded));
+    if (!file) return std::shared_ptr<const Template>();
+    return load(kind, *file);
+}
+
+bool Dataset::searchesWereCut() const {
+    return slow_searches_ > kMostSlowSearches;
 }
 
 std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) const {
@@ -410,7 +452,7 @@ std::vector<DatasetScene> Dataset::scenes() const {
     // A dataset without scene instances (HM3D, Gibson) has a scene for each stage.
     if (scenes.empty()) gather(Kind::Stage);
     std::sort(scenes.begin(), scenes.end(), [](const DatasetScene& a, const DatasetScene& b) {
-        return std::tie(a.name, a.file) < std::tie(b.name, b.file);
+        return a.name == b.name ? a.file < b.file : comesBefore(a.name, b.name);
     });
     scenes.erase(
         std::unique(scenes.begin(), scenes.end(),

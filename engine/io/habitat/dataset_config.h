@@ -1,15 +1,20 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
+#include "engine/jobs/job.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::habitat {
@@ -30,39 +35,76 @@ struct DatasetScene {
     std::filesystem::path file;  // NAME.scene_instance.json, NAME.stage_config.json or a model
 };
 
-/// The dataset configs (NAME.scene_dataset_config.json) of the dataset that a scene file belongs
-/// to, by name: those of the nearest folder that has any, which is the scene's own or one of the
-/// four above. No file is opened. Symbolic links are skipped; of more than 16 configs the first
-/// count.
+/// What Dataset::open() reads of a dataset, and how much at most.
+struct DatasetScope {
+    bool scenes_only = false;  // stages and scene instances alone
+    std::uint64_t most_config_bytes = std::uint64_t{64} << 20U;
+    std::size_t most_names = 10'000'000;  // listed and compared with patterns
+};
+
+/// Whether a file is a dataset config by its name: NAME.scene_dataset_config.json.
+[[nodiscard]] bool isDatasetConfig(const std::filesystem::path& path);
+
+/// The dataset configs of the dataset that a scene file belongs to, by name: those of the nearest
+/// folder that has any, which is the scene's own or one of the four above. No file is opened.
+/// Symbolic links are skipped; of more than 16 configs the first count.
 [[nodiscard]] std::vector<std::filesystem::path> findDatasetConfigs(
     const std::filesystem::path& scene);
 
-/// Of several configs the first that lists a scene in the scene's own folder, else the first of
-/// all; empty without configs. It reads the configs, so only the process that reads scenes calls
-/// it.
-[[nodiscard]] std::filesystem::path chooseDatasetConfig(
-    const std::vector<std::filesystem::path>& configs, const std::filesystem::path& scene);
+/// Chooses the configs of scenes. Reads each config once; those that cannot be read list nothing.
+class ConfigChoice {
+  public:
+    ConfigChoice(DatasetScope scope, JobContext job);
+
+    /// The config to use: the first that lists a scene in the scene's folder, otherwise the first;
+    /// empty without configs.
+    [[nodiscard]] std::filesystem::path choose(const std::vector<std::filesystem::path>& configs,
+                                               const std::filesystem::path& scene);
+
+    /// Whether the config lists this scene file.
+    [[nodiscard]] bool lists(const std::filesystem::path& config,
+                             const std::filesystem::path& scene);
+
+  private:
+    struct Listed {
+        std::set<std::filesystem::path> scenes;
+        std::set<std::filesystem::path> folders;  // of the scenes
+    };
+    const Listed& listedBy(const std::filesystem::path& config);
+
+    DatasetScope scope_;
+    JobContext job_;
+    std::map<std::filesystem::path, Listed> listed_;  // by config
+};
 
 /// A dataset of Habitat: finds templates by the folders and the list of its config. Without a
 /// config they are looked up in the usual folders (stages, objects, urdf and the same in configs).
+/// Each template is read once. For one thread.
 class Dataset {
   public:
     /// `config` may be empty; names then count from `folder`. Lists every folder of the config
-    /// once. Error: BadInput, for a damaged config and for one that names too many folders or
-    /// files.
+    /// once. Errors: Cancelled; BadInput, for a damaged config and for one that names too many
+    /// folders or files.
     static Result<Dataset> open(const std::filesystem::path& config,
-                                const std::filesystem::path& folder, io::ReachableFiles files);
+                                const std::filesystem::path& folder, io::ReachableFiles files,
+                                const JobContext& job, const DatasetScope& scope = {});
 
     /// The template of this name: a handle of the config, the name of a file, a path to one, or a
-    /// part of a file's name. Nothing where no file fits. Error: BadInput, for a file that is
+    /// part of a file's name. Null where no file fits. Error: BadInput, for a file that is
     /// damaged.
-    [[nodiscard]] Result<std::optional<Template>> find(Kind kind, const std::string& name) const;
+    [[nodiscard]] Result<std::shared_ptr<const Template>> find(Kind kind,
+                                                               const std::string& name) const;
+
+    /// Whether more than 2,000 names were no file's own, so that find() did not look for the rest
+    /// by paths and parts of names.
+    [[nodiscard]] bool searchesWereCut() const;
 
     /// The template in this file, a description or a model, with the dataset's default attributes.
     /// Error: BadInput.
-    [[nodiscard]] Result<Template> load(Kind kind, const std::filesystem::path& file) const;
+    [[nodiscard]] Result<std::shared_ptr<const Template>> load(
+        Kind kind, const std::filesystem::path& file) const;
 
-    /// Every scene that is there, in order of name.
+    /// Every scene that is there, in natural order of name.
     [[nodiscard]] std::vector<DatasetScene> scenes() const;
 
     /// The file that the config gives a semantic lexicon's handle, else of that name.
@@ -86,8 +128,8 @@ class Dataset {
     };
     class FolderSearch;
     Status readSection(const nlohmann::json& values, Kind kind, FolderSearch& search);
-    [[nodiscard]] Result<std::optional<Template>> findConfigured(const Section& section, Kind kind,
-                                                                 const std::string& handle) const;
+    [[nodiscard]] Result<std::shared_ptr<const Template>> findConfigured(
+        const Section& section, Kind kind, const std::string& handle) const;
     [[nodiscard]] std::optional<std::filesystem::path> findFile(Kind kind,
                                                                 const std::string& name) const;
 
@@ -95,6 +137,10 @@ class Dataset {
     io::ReachableFiles files_;
     std::map<Kind, Section> sections_;
     nlohmann::json lexicons_;
+    /// Read so far: by file, and by handle of the config's own list (null: its file is missing).
+    mutable std::map<std::pair<Kind, std::filesystem::path>, std::shared_ptr<const Template>>
+        by_file_;
+    mutable std::map<std::pair<Kind, std::string>, std::shared_ptr<const Template>> by_handle_;
     mutable std::size_t slow_searches_ = 0;  // for names that are no file's own; limited
 };
 

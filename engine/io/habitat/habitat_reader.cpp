@@ -1,6 +1,7 @@
 #include "engine/io/habitat/habitat_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
@@ -30,7 +31,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::string_view kDatasetEnding = ".scene_dataset_config.json";
 constexpr std::size_t kMostInstances = 100'000;
 
 /// Three numbers, or `usual` without a value; nothing for a value of another kind.
@@ -78,11 +78,6 @@ bool isOff(const json& object, const char* key) {
 bool isOn(const json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_boolean() && found->get<bool>();
-}
-
-std::string lowerCase(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
 }
 
 /// The names of the attributes that say which way a mesh is stored.
@@ -239,8 +234,12 @@ class SceneReader {
     }
 
   private:
+    static tl::unexpected<Error> cancelled() {
+        return fail(ErrorCode::Cancelled, "import was cancelled");
+    }
+
     static bool isLocal(const std::string& origin) {
-        const std::string small = lowerCase(origin);
+        const std::string small = inSmallLetters(origin);
         return small == "asset_local" || small == "as_local";
     }
 
@@ -292,8 +291,7 @@ class SceneReader {
         if (Status fits = budget_.take(*read, path_.string()); !fits) return fits;
         placeWithNodes(*read, scene_from_stage);
         stage_up_axis_ = read->file_up_axis;
-        scene_.notes.insert(scene_.notes.end(), read->notes.begin(), read->notes.end());
-        keepWarnings(*read, name);
+        remarks_.add(*read, name);
         return {};
     }
 
@@ -321,15 +319,6 @@ class SceneReader {
             rotationFromUpAndFront(attributes, semanticAxisKeys(attributes));
         return (asset_from_semantic.col(0) - Eigen::Vector3d::UnitX()).norm() < 1e-6 &&
                asset_from_semantic(1, 1) > -1e-6;
-    }
-
-    /// Warnings of a model, to be given on with the names of all models that have the same.
-    void keepWarnings(const RawScene& model, const std::string& name) {
-        for (const std::string& warning : model.warnings) {
-            const auto [at, is_new] = model_warnings_.try_emplace(warning);
-            if (is_new) warning_order_.push_back(warning);
-            at->second.push_back(cleanText(name));
-        }
     }
 
     /// The stage's own nodes and objects are kept: they tell its walls, doors and furniture apart.
@@ -374,13 +363,13 @@ class SceneReader {
 
     /// A template of objects with its model's file.
     struct ObjectTemplate {
-        Template found;
+        std::shared_ptr<const Template> found;
         fs::path model;
     };
 
     struct Wanted {
         const json* instance;
-        const Template* found;  // in an ObjectTemplate
+        std::shared_ptr<const Template> found;
         std::size_t model;
         std::string name;
     };
@@ -391,14 +380,15 @@ class SceneReader {
         if (!*found) return std::optional<ObjectTemplate>();
         const auto asset = assetOf(**found, "render_asset", dataset_.files());
         if (!asset) return std::optional<ObjectTemplate>();
-        return ObjectTemplate{std::move(**found), *asset};
+        return ObjectTemplate{std::move(*found), *asset};
     }
 
     Status addObjects(const json::array_t& instances) {
         io::ModelLibrary library;
         std::vector<Wanted> wanted;
-        std::map<std::string, std::optional<ObjectTemplate>> known;  // Wanted points into it
+        std::map<std::string, std::optional<ObjectTemplate>> known;
         for (const json& instance : instances) {
+            if (job_.cancelled()) return cancelled();
             if (!instance.is_object()) continue;
             if (isOff(instance, "is_instance_visible")) {
                 ++hidden_;
@@ -415,11 +405,12 @@ class SceneReader {
                 missing_.push_back(name);
                 continue;
             }
-            wanted.push_back({&instance, &at->second->found, library.add(at->second->model), name});
+            wanted.push_back({&instance, at->second->found, library.add(at->second->model), name});
         }
         if (Status read = library.read(job_); !read) return read;
         std::map<std::size_t, ModelPlacement> placements;
         for (const Wanted& one : wanted) {
+            if (job_.cancelled()) return cancelled();
             const RawScene* model = library.model(one.model);
             if (model == nullptr) {
                 unreadable_.push_back(one.name + " (" + library.reason(one.model) + ")");
@@ -432,7 +423,7 @@ class SceneReader {
             }
             if (Status fits = budget_.take(*model, path_.string()); !fits) return fits;
             const auto [at, is_new] = placements.try_emplace(one.model, *model, scene_);
-            if (is_new) keepWarnings(*model, shortName(one.name));
+            if (is_new) remarks_.add(*model, shortName(one.name));
             SourceObject object = describe(one.name, *one.found, *one.instance);
             object.parts = at->second.place(object.name, sceneFromObject(one, *model, *placement));
             scene_.objects.push_back(std::move(object));
@@ -481,21 +472,16 @@ class SceneReader {
         return object;
     }
 
-    /// A template of articulated objects with its model, which several instances share.
-    struct ArticulatedTemplate {
-        std::optional<Template> found;
+    /// A model of articulated objects, which several templates and instances share.
+    struct ArticulatedModel {
         std::unique_ptr<RawScene> model;  // null: it cannot be read
         std::string reason;
         std::unique_ptr<ModelPlacement> placement;
     };
 
-    Result<ArticulatedTemplate> readArticulated(const std::string& name) {
-        ArticulatedTemplate read;
-        auto found = dataset_.find(Kind::ArticulatedObject, name);
-        if (!found) return tl::unexpected(found.error());
-        read.found = std::move(*found);
-        if (!read.found) return read;
-        Result<RawScene> model = gazebo::readUrdfModel(read.found->file, dataset_.files(), job_);
+    Result<ArticulatedModel> readArticulated(const fs::path& file, const std::string& name) {
+        ArticulatedModel read;
+        Result<RawScene> model = gazebo::readUrdfModel(file, dataset_.files(), job_);
         if (!model) {
             if (model.error().code == ErrorCode::Cancelled) return tl::unexpected(model.error());
             read.reason = model.error().message;
@@ -503,30 +489,35 @@ class SceneReader {
         }
         read.model = std::make_unique<RawScene>(std::move(*model));
         read.placement = std::make_unique<ModelPlacement>(*read.model, scene_);
-        keepWarnings(*read.model, shortName(name));
+        remarks_.add(*read.model, shortName(name));
         return read;
     }
 
     Status addArticulated(const json& instance) {
         if (!instance.is_object()) return {};
         const std::string name = io::textIn(instance, "template_name");
-        auto at = articulated_.find(name);
-        if (at == articulated_.end()) {
-            Result<ArticulatedTemplate> read = readArticulated(name);
-            if (!read) return tl::unexpected(read.error());
-            at = articulated_.emplace(name, std::move(*read)).first;
-        }
-        const ArticulatedTemplate& known = at->second;
-        const auto placement = instanceTransform(instance);
-        if (!known.found) {
+        if (job_.cancelled()) return cancelled();
+        const auto found = dataset_.find(Kind::ArticulatedObject, name);
+        if (!found) return tl::unexpected(found.error());
+        if (!*found) {
             missing_.push_back(name);
-        } else if (!known.model) {
+            return {};
+        }
+        auto at = articulated_.find((*found)->file);
+        if (at == articulated_.end()) {
+            Result<ArticulatedModel> read = readArticulated((*found)->file, name);
+            if (!read) return tl::unexpected(read.error());
+            at = articulated_.emplace((*found)->file, std::move(*read)).first;
+        }
+        const ArticulatedModel& known = at->second;
+        const auto placement = instanceTransform(instance);
+        if (!known.model) {
             unreadable_.push_back(name + " (" + known.reason + ")");
         } else if (!placement) {
             bad_.push_back(name);
         } else {
             if (Status fits = budget_.take(*known.model, path_.string()); !fits) return fits;
-            SourceObject object = describe(name, *known.found, instance);
+            SourceObject object = describe(name, **found, instance);
             object.parts = known.placement->place(
                 object.name, Eigen::Translation3d(placement->translation) * placement->rotation *
                                  scaling(placement->scale));
@@ -573,7 +564,12 @@ class SceneReader {
             "models cannot be read and were left out");
         say(bad_, "object has no valid translation, rotation or scale and was left out",
             "objects have no valid translation, rotation or scale and were left out");
-        giveWarnings();
+        if (dataset_.searchesWereCut()) {
+            scene_.warnings.emplace_back(
+                "more than 2,000 names of templates are no file's name; the rest were not looked "
+                "up by parts of names, so name their files");
+        }
+        remarks_.addTo(scene_);
         if (hidden_ > 0) {
             scene_.notes.push_back(io::counted(hidden_, "object is marked as invisible",
                                                "objects are marked as invisible"));
@@ -589,26 +585,14 @@ class SceneReader {
         return std::move(scene_);
     }
 
-    void giveWarnings() {
-        constexpr std::size_t kMostWarnings = 20;
-        for (std::size_t i = 0; i < std::min(warning_order_.size(), kMostWarnings); ++i) {
-            const std::string& warning = warning_order_[i];
-            scene_.warnings.push_back(io::listOf(model_warnings_.at(warning), 5) + ": " + warning);
-        }
-        if (warning_order_.size() > kMostWarnings) {
-            scene_.warnings.push_back(io::counted(warning_order_.size() - kMostWarnings,
-                                                  "further warning of a model is not shown",
-                                                  "further warnings of models are not shown"));
-        }
-    }
-
     const fs::path& path_;
     const Dataset& dataset_;
     const LabelTable& labels_;
     JobContext job_;
     RawScene scene_;
-    std::map<std::string, ArticulatedTemplate> articulated_;  // by name
+    std::map<fs::path, ArticulatedModel> articulated_;  // by file
     std::map<std::int64_t, std::string> lexicon_;
+    io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
     io::ObjectNames names_;
     bool com_by_default_ = true;
@@ -618,13 +602,7 @@ class SceneReader {
     std::vector<std::string> missing_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> bad_;
-    std::map<std::string, std::vector<std::string>> model_warnings_;  // names of models by text
-    std::vector<std::string> warning_order_;
 };
-
-bool isDatasetConfig(const fs::path& path) {
-    return path.filename().string().ends_with(kDatasetEnding);
-}
 
 /// The configs of the dataset that a scene belongs to, or the config itself.
 std::vector<fs::path> configsOf(const fs::path& path) {
@@ -655,7 +633,8 @@ std::vector<fs::path> foldersOf(const fs::path& path, const std::vector<fs::path
     return folders;
 }
 
-Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
+Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options,
+                          const JobContext& job) {
     const std::vector<fs::path> configs = configsOf(path);
     const std::vector<fs::path> folders = foldersOf(path, configs, options);
     if (!isDatasetConfig(path)) {
@@ -667,8 +646,8 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options) {
             io::InputRecord::note(io::InputUse::Listing, folder);
         }
     }
-    return Dataset::open(chooseDatasetConfig(configs, path), folders.front(),
-                         io::ReachableFiles(folders));
+    return Dataset::open(ConfigChoice({}, job).choose(configs, path), folders.front(),
+                         io::ReachableFiles(folders), job);
 }
 
 tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, const fs::path& path) {
@@ -686,6 +665,23 @@ tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, con
                             "plan all of them with 'dollytrack batch'",
                             scenes.size(), io::listOf(names, 5), scenes.front().file.string()),
                 path.string());
+}
+
+/// The error of a batch whose scene would be read with another config than the one it names.
+tl::unexpected<Error> readWithAnother(const fs::path& other, const DatasetScene& scene,
+                                      const fs::path& config) {
+    const std::string name = cleanText(scene.name);
+    if (other.empty()) {
+        return fail(ErrorCode::BadInput,
+                    "the scene " + name +
+                        " does not find this config, which is a link or too far above it; put "
+                        "the config itself at most four folders above",
+                    config.string());
+    }
+    return fail(ErrorCode::BadInput,
+                "the scene " + name + " is read with " + cleanText(other.string()) +
+                    ", not with this config; name that one, or move it elsewhere",
+                config.string());
 }
 
 bool holdsAny(std::string_view head, std::initializer_list<std::string_view> keys) {
@@ -716,7 +712,7 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
                              const JobContext& job) {
     const Result<LabelTable> labels = labelsOf(options);
     if (!labels) return tl::unexpected(labels.error());
-    const Result<Dataset> dataset = datasetOf(path, options);
+    const Result<Dataset> dataset = datasetOf(path, options, job);
     if (!dataset) return tl::unexpected(dataset.error());
     fs::path scene = io::absoluteNormal(path);
     if (isDatasetConfig(path)) {
@@ -728,33 +724,47 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
     Kind kind = Kind::SceneInstance;
     if (name.ends_with(".stage_config.json") || scene.extension() != ".json") kind = Kind::Stage;
     if (name.ends_with(".object_config.json")) kind = Kind::Object;
-    const Result<Template> document = dataset->load(kind, scene);
-    if (!document) return tl::unexpected(document.error());
+    const auto loaded = dataset->load(kind, scene);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const Template& document = **loaded;
     SceneReader reader(scene, *dataset, *labels, job);
-    return document->attributes.contains("render_asset")
-               ? reader.readPart(*document)
-               : reader.readInstance(document->attributes);
+    return document.attributes.contains("render_asset") ? reader.readPart(document)
+                                                        : reader.readInstance(document.attributes);
 }
 
 std::vector<fs::path> habitatInputs(const fs::path& path, const ImportOptions& options) {
     return foldersOf(path, configsOf(path), options);
 }
 
-Result<std::vector<fs::path>> scenesOfDataset(const fs::path& config) {
-    const Result<Dataset> dataset = datasetOf(config, {});
+Result<std::vector<fs::path>> scenesOfDataset(const fs::path& given,
+                                              const std::vector<fs::path>& also_named) {
+    constexpr DatasetScope kScope = {true, std::uint64_t{1} << 20U, 100'000};
+    const fs::path config = io::absoluteNormal(given);
+    const fs::path folder = config.parent_path();
+    const JobContext job;
+    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job, kScope);
     if (!dataset) return tl::unexpected(dataset.error());
+    ConfigChoice choice(kScope, job);
+    std::map<fs::path, fs::path> chosen;  // by folder of scenes
     std::vector<fs::path> files;
     for (const DatasetScene& scene : dataset->scenes()) {
         if (scene.file.extension() != ".json") {
-            const Result<Template> stage = dataset->load(Kind::Stage, scene.file);
+            const auto stage = dataset->load(Kind::Stage, scene.file);
             if (!stage) return tl::unexpected(stage.error());
             // A batch names the model alone. Labelled models find their axes without the config.
-            if (changesGeometry(*stage) && !semantics::findLabelledFiles(scene.file)) {
+            if (changesGeometry(**stage) && !semantics::findLabelledFiles(scene.file)) {
                 return fail(ErrorCode::BadInput,
                             "the config gives axes or a size to stages without a stage config; "
                             "write NAME.stage_config.json beside each, or list the models with "
                             "their upward axis and unit",
                             config.string());
+            }
+        } else {
+            const auto [at, is_new] = chosen.try_emplace(scene.file.parent_path());
+            if (is_new) at->second = choice.choose(findDatasetConfigs(scene.file), scene.file);
+            const bool named = std::ranges::find(also_named, at->second) != also_named.end();
+            if (at->second != config && !(named && choice.lists(at->second, scene.file))) {
+                return readWithAnother(at->second, scene, config);
             }
         }
         files.push_back(scene.file);

@@ -15,8 +15,8 @@ namespace dollytrack::habitat {
 /// stage config or an object config.
 bool likeHabitat(std::string_view head);
 
-/// Whether a file describes a stage or an object, by its name: a part of scenes, and a scene only
-/// when somebody names it.
+/// Whether a file describes a stage or an object, by its name. Batches skip these files; they are
+/// read only when named directly.
 bool isHabitatPart(const std::filesystem::path& path);
 
 /// Reads a scene of Habitat: a scene instance with stage, objects and articulated objects; a stage
@@ -30,8 +30,13 @@ Result<RawScene> readHabitat(const std::filesystem::path& path, const ImportOpti
 std::vector<std::filesystem::path> habitatInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options);
 
-/// The scene files of a dataset config, in order of name: what a batch makes jobs of. Error:
-/// BadInput, also where the config gives axes or a size to models that it lists as scenes.
-Result<std::vector<std::filesystem::path>> scenesOfDataset(const std::filesystem::path& config);
+/// The scene files of a dataset config, in natural order of name: what a batch makes jobs of. The
+/// config is of unknown origin and parsed in this process, so at most 1 MiB and 100,000 names are
+/// read. `also_named` are the other configs of the batch, absolute. Error: BadInput, also where the
+/// config gives axes or a size to models that it lists as scenes, and where a scene would be read
+/// with a config that is not named.
+Result<std::vector<std::filesystem::path>> scenesOfDataset(
+    const std::filesystem::path& config,
+    const std::vector<std::filesystem::path>& also_named = {});
 
 }  // namespace dollytrack::habitat

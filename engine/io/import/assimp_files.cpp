@@ -1,6 +1,6 @@
 #include "engine/io/import/assimp_files.h"
 
-#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/model_text_repair.h"
 #include "engine/io/import/scene_format.h"
 
 #include <algorithm>
@@ -59,10 +59,10 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
     if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
     auto bytes = files_.read(name);
     const bool material = lowerExtension(name) == ".mtl";
-    if (material) defects_.noteMaterial(name, bytes && *bytes);
+    if (material) repairs_.noteMaterial(name, bytes && *bytes);
     if (!bytes || !*bytes) return nullptr;
     if (material && (**bytes).size() < kLeastMaterialBytes) return nullptr;
-    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), defects_.mended_faces);
+    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), repairs_.mended_faces);
 }
 
 }  // namespace dollytrack

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/io/files/file_source.h"
-#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/model_text_repair.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -24,8 +24,9 @@ constexpr std::size_t kLeastMaterialBytes = 8;
 /// is not there.
 class AssimpFiles : public Assimp::IOSystem {
   public:
-    /// `files` and `defects` have to outlive this object.
-    AssimpFiles(const FileSource& files, TextDefects& defects) : files_(files), defects_(defects) {}
+    /// `files` and `repairs` have to outlive this object.
+    AssimpFiles(const FileSource& files, ModelTextRepairs& repairs)
+        : files_(files), repairs_(repairs) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -34,7 +35,7 @@ class AssimpFiles : public Assimp::IOSystem {
 
   private:
     const FileSource& files_;
-    TextDefects& defects_;
+    ModelTextRepairs& repairs_;
 };
 
 }  // namespace dollytrack

@@ -1,7 +1,7 @@
 #include "engine/io/import/assimp_folder.h"
 
 #include "engine/io/import/assimp_files.h"
-#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/model_text_repair.h"
 #include "engine/io/import/scene_format.h"
 
 #include <algorithm>
@@ -44,8 +44,8 @@ class FileStream : public Assimp::IOStream {
 
 }  // namespace
 
-AssimpFolder::AssimpFolder(std::filesystem::path scene, TextDefects& defects)
-    : scene_(std::move(scene)), folder_(scene_.parent_path()), defects_(defects) {}
+AssimpFolder::AssimpFolder(std::filesystem::path scene, ModelTextRepairs& repairs)
+    : scene_(std::move(scene)), folder_(scene_.parent_path()), repairs_(repairs) {}
 
 bool AssimpFolder::Exists(const char* file) const {
     return scene_ == file || folder_.has(folder_.relative(file));
@@ -57,11 +57,11 @@ Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     Result<InputFile> opened =
         is_scene ? openNamedFile(scene_) : folder_.open(folder_.relative(file));
     const bool material = lowerExtension(file) == ".mtl";
-    if (material) defects_.noteMaterial(file, opened.has_value());
+    if (material) repairs_.noteMaterial(file, opened.has_value());
     if (!opened) return nullptr;
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;
     return mendText(new FileStream(std::move(*opened)), lowerExtension(file),
-                    defects_.mended_faces);
+                    repairs_.mended_faces);
 }
 
 void AssimpFolder::Close(Assimp::IOStream* stream) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/model_text_repair.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 #include <assimp/IOStream.hpp>
@@ -14,8 +14,8 @@ namespace dollytrack::io {
 /// read only.
 class AssimpFolder : public Assimp::IOSystem {
   public:
-    /// `defects` has to outlive this object.
-    AssimpFolder(std::filesystem::path scene, TextDefects& defects);
+    /// `repairs` has to outlive this object.
+    AssimpFolder(std::filesystem::path scene, ModelTextRepairs& repairs);
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
@@ -28,7 +28,7 @@ class AssimpFolder : public Assimp::IOSystem {
   private:
     std::filesystem::path scene_;
     ConfinedFolder folder_;
-    TextDefects& defects_;
+    ModelTextRepairs& repairs_;
 };
 
 }  // namespace dollytrack::io

@@ -363,15 +363,15 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     return raw;
 }
 
-void noteDefects(TextDefects& defects, const Path& path, std::vector<std::string>& notes) {
-    if (const std::size_t faces = defects.mended_faces; faces > 0) {
+void noteRepairs(ModelTextRepairs& repairs, const Path& path, std::vector<std::string>& notes) {
+    if (const std::size_t faces = repairs.mended_faces; faces > 0) {
         notes.push_back(
             fmt::format("{} texture coordinates that are not in the file; without them "
                         "{} one colour of the picture",
                         faces == 1 ? "1 face names" : fmt::format("{} faces name", faces),
                         faces == 1 ? "it has" : "they have"));
     }
-    std::set<std::string>& missing = defects.missing_materials;
+    std::set<std::string>& missing = repairs.missing_materials;
     // assimp tries the file of the model's own name in place of each that is missing.
     if (missing.size() > 1) missing.erase(path.stem().string() + ".mtl");
     constexpr std::ptrdiff_t kMostNamed = 10;
@@ -386,7 +386,7 @@ void noteDefects(TextDefects& defects, const Path& path, std::vector<std::string
 
 /// Reads `path` with an importer that is set up to find it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
-                      TextDefects& defects, const JobContext& job) {
+                      ModelTextRepairs& repairs, const JobContext& job) {
     const std::string where = path.string();
     try {
         keepOurReaders(*importer);
@@ -404,7 +404,7 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
                         where);
         }
         Result<RawScene> raw = convert(*scene, *importer->GetIOHandler(), path, job);
-        if (raw) noteDefects(defects, path, raw->notes);
+        if (raw) noteRepairs(repairs, path, raw->notes);
         static BackgroundDisposal disposal;
         disposal.take(std::move(importer));
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
@@ -422,17 +422,17 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
 Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
     // The importer may live on after this function, but opens nothing then.
-    TextDefects defects;
-    importer->SetIOHandler(new io::AssimpFolder(path, defects));  // the importer owns it
-    return read(std::move(importer), path, defects, job);
+    ModelTextRepairs repairs;
+    importer->SetIOHandler(new io::AssimpFolder(path, repairs));  // the importer owns it
+    return read(std::move(importer), path, repairs, job);
 }
 
 Result<RawScene> readWithAssimp(const FileSource& files, const std::string& name,
                                 const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
-    TextDefects defects;
-    importer->SetIOHandler(new AssimpFiles(files, defects));  // the importer owns it
-    return read(std::move(importer), name, defects, job);
+    ModelTextRepairs repairs;
+    importer->SetIOHandler(new AssimpFiles(files, repairs));  // the importer owns it
+    return read(std::move(importer), name, repairs, job);
 }
 
 }  // namespace dollytrack

@@ -6,6 +6,7 @@
 #include "engine/io/files/hdf5_functions.h"
 #include "engine/io/gazebo/sdf_reader.h"
 #include "engine/io/gazebo/urdf_reader.h"
+#include "engine/io/gazebo/visuals.h"
 #include "engine/io/habitat/habitat_reader.h"
 #include "engine/io/homes/home_reader.h"
 #include "engine/io/import/model_reader.h"
@@ -66,11 +67,6 @@ std::vector<std::filesystem::path> modelInputs(const std::filesystem::path& path
     return io::hypersimInputs(*folder);
 }
 
-char firstLetter(std::string_view head) {
-    const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return at == std::string_view::npos ? '\0' : head[at];
-}
-
 constexpr double kCloudWork = 8.0;
 
 bool anything(std::string_view /*head*/) {
@@ -82,7 +78,7 @@ bool likeGltf(std::string_view head) {
 bool likeGlb(std::string_view head) {
     return head.starts_with("glTF");
 }
-bool likeCollada(std::string_view head) {
+bool likeXml(std::string_view head) {
     return firstLetter(head) == '<';
 }
 bool likePcd(std::string_view head) {
@@ -117,7 +113,7 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"an FBX file", {".fbx"}, anything, readAnyModel, modelInputs},
         {"a glTF file", {".gltf"}, likeGltf, readAnyModel, modelInputs},
         {"a GLB file", {".glb"}, likeGlb, readAnyModel, modelInputs},
-        {"a Collada file", {".dae"}, likeCollada, readAnyModel, modelInputs},
+        {"a Collada file", {".dae"}, likeXml, readAnyModel, modelInputs},
         {"a PLY file of points",
          {".ply"},
          io::isPlyOfPoints,
@@ -129,17 +125,17 @@ const std::vector<SceneFormat>& sceneFormats() {
         {"an STL file", {".stl"}, anything, readAnyModel, modelInputs},
         {"a world of Gazebo",
          {".world", ".sdf"},
-         gazebo::likeSdf,
+         likeXml,
          gazebo::readSdf,
-         gazebo::worldInputs,
+         gazebo::foldersOfWorld,
          false,
          1.0,
          true},
         {"a URDF file",
          {".urdf"},
-         gazebo::likeUrdf,
+         likeXml,
          gazebo::readUrdf,
-         gazebo::worldInputs,
+         gazebo::foldersOfWorld,
          false,
          1.0,
          true},
@@ -211,6 +207,11 @@ bool isSceneFile(const std::filesystem::path& path) {
 void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options) {
     const Result<std::filesystem::path> folder = annotationsFor(path, options);
     if (folder && !folder->empty()) io::hdf5Functions();
+}
+
+char firstLetter(std::string_view head) {
+    const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return at == std::string_view::npos ? '\0' : head[at];
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

@@ -48,6 +48,9 @@ bool isSceneFile(const std::filesystem::path& path);
 /// about to give up opening files.
 void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options);
 
+/// The first character of a text behind blanks and a byte-order mark; 0 where there is none.
+char firstLetter(std::string_view head);
+
 /// ".GLTF" of "room.GLTF" as ".gltf".
 std::string lowerExtension(const std::filesystem::path& path);
 

@@ -4,7 +4,6 @@
 #include "engine/io/trajectories/number_lines.h"
 
 #include <charconv>
-#include <limits>
 
 namespace dollytrack::io {
 namespace {
@@ -92,24 +91,6 @@ std::size_t bytesOfPly(PlyKind kind) {
         default:
             return 4;
     }
-}
-
-std::optional<double> plyNumber(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    double value = 0.0;
-    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (last != text.data() + text.size() || error == std::errc::invalid_argument) {
-        return std::nullopt;
-    }
-    if (error == std::errc()) return value;
-    // Out of range: small by its exponent, else by a zero before the point.
-    const std::size_t exponent = text.find_first_of("eE");
-    const std::size_t first = text.find_first_not_of("-");
-    const bool small = exponent != std::string_view::npos
-                           ? text[exponent + 1] == '-'
-                           : text[first] == '0' || text[first] == '.';
-    const double size = small ? 0.0 : std::numeric_limits<double>::infinity();
-    return text[0] == '-' ? -size : size;
 }
 
 Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/trajectories/number_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -47,10 +48,6 @@ std::size_t bytesOfPly(PlyKind kind);
 /// The header of a PLY file. Errors: BadInput, one sentence with the line.
 Result<PlyHeader> readPlyHeader(const std::filesystem::path& path, std::string_view bytes);
 
-/// A number of a text file: also "+1.5"; 0 or infinity where it is too small or too large for a
-/// double. Nothing where it is no number.
-std::optional<double> plyNumber(std::string_view text);
-
 /// Numbers one after the other, from text or from bytes.
 class PlyNumbers {
   public:
@@ -70,7 +67,7 @@ class PlyNumbers {
         const std::size_t end = std::min(data_.find_first_of(" \t\r\n", begin), data_.size());
         const std::string_view text = data_.substr(begin, end - begin);
         data_.remove_prefix(end);
-        return plyNumber(text);
+        return numberFrom(text);
     }
 
     template <class T>

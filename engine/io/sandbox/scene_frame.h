@@ -18,7 +18,7 @@ struct ReadScene {
 
 /// The version of the frames and of what readers put into them. To be raised whenever the same
 /// file is read differently: frames of other versions are neither read nor kept.
-inline constexpr std::uint32_t kFrameVersion = 9;
+inline constexpr std::uint32_t kFrameVersion = 10;
 
 /// Bytes that a frame of this outcome takes.
 [[nodiscard]] std::size_t frameSize(const Result<ReadScene>& outcome);

@@ -150,20 +150,20 @@ std::optional<LabelledFiles> findScanNet(const fs::path& mesh) {
     LabelledFiles files;
     files.nyu40 = true;
     const fs::path labels = folder / (*scan + "_vh_clean_2.labels.ply");
-    const fs::path pictured = folder / (*scan + "_vh_clean_2.ply");
+    const fs::path textured = folder / (*scan + "_vh_clean_2.ply");
     if (io::hasFile(labels)) files.labelled = labels;
-    if (io::hasFile(pictured)) files.pictured = pictured;
+    if (io::hasFile(textured)) files.textured = textured;
     const fs::path segments = folder / (*scan + "_vh_clean_2.0.010000.segs.json");
     for (const char* ending : {".aggregation.json", "_vh_clean.aggregation.json"}) {
         const fs::path groups = folder / (*scan + ending);
         if (!io::hasFile(groups) || !io::hasFile(segments)) continue;
-        files.kind = LabelKindOfFile::ScanNetSegments;
+        files.kind = LabelFileKind::ScanNetSegments;
         files.names = groups;
         files.segments = segments;
         break;
     }
     if (files.labelled.empty() && !files.kind) return std::nullopt;
-    if (files.labelled.empty()) files.labelled = files.pictured;
+    if (files.labelled.empty()) files.labelled = files.textured;
     return files;
 }
 
@@ -172,14 +172,14 @@ std::optional<LabelledFiles> findScanNetPp(const fs::path& mesh) {
     const fs::path groups = mesh.parent_path() / "segments_anno.json";
     const fs::path segments = mesh.parent_path() / "segments.json";
     if (!io::hasFile(groups) || !io::hasFile(segments)) return std::nullopt;
-    return LabelledFiles{mesh, {}, LabelKindOfFile::ScanNetPpSegments, groups, segments};
+    return LabelledFiles{mesh, {}, LabelFileKind::ScanNetPpSegments, groups, segments};
 }
 
 std::optional<LabelledFiles> findReplica(const fs::path& mesh) {
     if (mesh.filename() != "mesh_semantic.ply") return std::nullopt;
     const fs::path names = mesh.parent_path() / "info_semantic.json";
     if (!io::hasFile(names)) return std::nullopt;
-    return LabelledFiles{mesh, {}, LabelKindOfFile::ReplicaInfo, names, {}};
+    return LabelledFiles{mesh, {}, LabelFileKind::ReplicaInfo, names, {}};
 }
 
 /// HM3D: X.basis.glb, X.semantic.glb, X.semantic.txt. Matterport3D: X.glb, X_semantic.ply, X.house.
@@ -195,19 +195,19 @@ std::optional<LabelledFiles> findHabitat(const fs::path& mesh) {
     struct Row {
         const char* names;
         const char* mesh;
-        LabelKindOfFile kind;
+        LabelFileKind kind;
     };
-    for (const Row& row : {Row{".semantic.txt", ".semantic.glb", LabelKindOfFile::HabitatText},
-                           Row{".semantic.txt", ".semantic.ply", LabelKindOfFile::HabitatText},
-                           Row{".house", "_semantic.ply", LabelKindOfFile::MatterportHouse}}) {
+    for (const Row& row : {Row{".semantic.txt", ".semantic.glb", LabelFileKind::HabitatText},
+                           Row{".semantic.txt", ".semantic.ply", LabelFileKind::HabitatText},
+                           Row{".house", "_semantic.ply", LabelFileKind::MatterportHouse}}) {
         LabelledFiles files;
         files.labelled = folder / (*scene + row.mesh);
         files.names = folder / (*scene + row.names);
         files.kind = row.kind;
         if (!io::hasFile(files.names) || !io::hasFile(files.labelled)) continue;
         for (const char* ending : {".glb", ".basis.glb"}) {
-            const fs::path pictured = folder / (*scene + ending);
-            if (files.pictured.empty() && io::hasFile(pictured)) files.pictured = pictured;
+            const fs::path textured = folder / (*scene + ending);
+            if (files.textured.empty() && io::hasFile(textured)) files.textured = textured;
         }
         return files;
     }
@@ -226,14 +226,14 @@ std::optional<LabelledFiles> findLabelledFiles(const fs::path& mesh) {
 Result<LabelNames> readLabelNames(const LabelledFiles& files) {
     if (!files.kind) return LabelNames{};
     switch (*files.kind) {
-        case LabelKindOfFile::ReplicaInfo:
+        case LabelFileKind::ReplicaInfo:
             return readReplica(files.names);
-        case LabelKindOfFile::HabitatText:
+        case LabelFileKind::HabitatText:
             return readHabitatText(files.names);
-        case LabelKindOfFile::MatterportHouse:
+        case LabelFileKind::MatterportHouse:
             return readHouse(files.names);
-        case LabelKindOfFile::ScanNetSegments:
-        case LabelKindOfFile::ScanNetPpSegments:
+        case LabelFileKind::ScanNetSegments:
+        case LabelFileKind::ScanNetPpSegments:
             return readSegments(files.names, files.segments);
     }
     return LabelNames{};

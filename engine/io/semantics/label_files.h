@@ -15,26 +15,26 @@ namespace dollytrack::semantics {
 
 /// What the files beside a mesh say of the numbers and colours of its faces.
 struct LabelNames {
-    std::map<std::int64_t, std::string> categories;    // of each object's number; clean text
-    std::map<std::uint32_t, std::int64_t> of_color;    // object of a colour 0xRRGGBB
-    std::vector<std::int64_t> segments;                // segment of each vertex
-    std::map<std::int64_t, std::int64_t> of_segment;   // object of a segment
+    std::map<std::int64_t, std::string> categories;   // of each object's number; clean text
+    std::map<std::uint32_t, std::int64_t> of_color;   // object of a colour 0xRRGGBB
+    std::vector<std::int64_t> segments;               // segment of each vertex
+    std::map<std::int64_t, std::int64_t> of_segment;  // object of a segment
 };
 
 /// The kinds of files that name a mesh's objects.
-enum class LabelKindOfFile {
-    ReplicaInfo,      // info_semantic.json
-    HabitatText,      // NAME.semantic.txt
-    MatterportHouse,  // NAME.house
-    ScanNetSegments,  // NAME.aggregation.json and NAME_vh_clean_2.0.010000.segs.json
+enum class LabelFileKind {
+    ReplicaInfo,        // info_semantic.json
+    HabitatText,        // NAME.semantic.txt
+    MatterportHouse,    // NAME.house
+    ScanNetSegments,    // NAME.aggregation.json and NAME_vh_clean_2.0.010000.segs.json
     ScanNetPpSegments,  // segments_anno.json and segments.json
 };
 
 /// A labelled mesh and the files that belong to it.
 struct LabelledFiles {
     std::filesystem::path labelled;  // the mesh whose faces carry numbers or colours
-    std::filesystem::path pictured;  // the mesh with the room's colours, if it is another one
-    std::optional<LabelKindOfFile> kind;
+    std::filesystem::path textured;  // the mesh with the room's colours, if it is another one
+    std::optional<LabelFileKind> kind;
     std::filesystem::path names;     // empty: the mesh has numbers without names
     std::filesystem::path segments;  // of the two kinds that have them
     bool nyu40 = false;              // the mesh's class numbers are NYU40's (ScanNet)

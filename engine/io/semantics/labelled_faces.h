@@ -24,8 +24,8 @@ struct LabelledFaces {
 };
 
 /// The objects of a mesh by the numbers of its faces, else of its vertices (the number that two of
-/// a face's corners share, else its first corner's), by rising number. Without numbers of objects, connected pieces
-/// of one class are objects. Nothing where the mesh has no numbers.
+/// a face's corners share, else its first corner's), by rising number. Without numbers of objects,
+/// connected pieces of one class are objects. Nothing where the mesh has no numbers.
 [[nodiscard]] std::optional<LabelledFaces> labelFaces(const PlyMesh& mesh, const LabelNames& names,
                                                       bool nyu40);
 

@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostMeshBytes = std::uint64_t{4} << 30U;
 constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 29U;
+constexpr std::size_t kMostTriangles = 60'000'000;  // that placements of glTF meshes may have
 
 Result<PlyMesh> readPlyMesh(const fs::path& path) {
     const Result<std::string> bytes = io::readNamedFile(path, kMostMeshBytes);
@@ -129,12 +130,17 @@ class ColoredMesh {
             if (!file) return tl::unexpected(file.error());
             return file->readAll(kMostMeshBytes);
         };
-        const Result<gltf::ColoredMeshes> read =
+        Result<gltf::ColoredMeshes> read =
             gltf::readColoredMeshes(std::move(*bytes), beside, path_.string(), job);
         if (!read) return tl::unexpected(read.error());
         const Objects objects = objectsOf(*read, folder, job);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+        for (std::vector<gltf::Primitive>& primitives : read->meshes) {
+            for (gltf::Primitive& primitive : primitives) keepUsedPositions(primitive);
+        }
+        if (Status few = checkPlacements(*read, objects); !few) return tl::unexpected(few.error());
         for (const gltf::MeshPlacement& placement : read->placements) {
+            if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
             const std::vector<gltf::Primitive>& primitives = read->meshes[placement.mesh];
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 add(primitives[i], placement.source_from_mesh, objects[placement.mesh][i]);
@@ -158,6 +164,27 @@ class ColoredMesh {
     static constexpr std::int64_t kNone = -1;
     /// Of each mesh, primitive and triangle.
     using Objects = std::vector<std::vector<std::vector<std::int64_t>>>;
+
+    /// Few bytes can ask for many copies of a large mesh.
+    [[nodiscard]] Status checkPlacements(const gltf::ColoredMeshes& read,
+                                         const Objects& objects) const {
+        std::vector<std::size_t> cost(objects.size(), 0);
+        for (std::size_t m = 0; m < objects.size(); ++m) {
+            // Primitives without triangles take time, too.
+            for (const auto& of : objects[m]) cost[m] += std::max(of.size(), std::size_t{1});
+        }
+        std::size_t placed = 0;
+        for (const gltf::MeshPlacement& placement : read.placements) {
+            placed += cost[placement.mesh];
+            if (placed <= kMostTriangles) continue;
+            return fail(ErrorCode::BadInput,
+                        fmt::format("the nodes of the labelled mesh place more than {} triangles "
+                                    "in all; split the scene",
+                                    kMostTriangles),
+                        path_.string());
+        }
+        return {};
+    }
 
     /// Pictures are large: only one of them is decoded at a time, for all that it is on.
     [[nodiscard]] Objects objectsOf(const gltf::ColoredMeshes& read,
@@ -257,6 +284,25 @@ class ColoredMesh {
         });
     }
 
+    /// Each placement copies the positions, so those that no triangle uses are dropped before.
+    static void keepUsedPositions(gltf::Primitive& primitive) {
+        constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
+        std::vector<std::uint32_t> renumbered(primitive.positions.size(), kUnused);
+        std::vector<Eigen::Vector3f> used;
+        for (std::uint32_t& index : primitive.indices) {
+            if (index >= renumbered.size()) {
+                index = kUnused;
+                continue;
+            }
+            if (renumbered[index] == kUnused) {
+                renumbered[index] = static_cast<std::uint32_t>(used.size());
+                used.push_back(primitive.positions[index]);
+            }
+            index = renumbered[index];
+        }
+        primitive.positions = std::move(used);
+    }
+
     void add(const gltf::Primitive& primitive, const Eigen::Affine3d& source_from_mesh,
              const std::vector<std::int64_t>& objects) {
         const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -285,51 +331,55 @@ Eigen::AlignedBox3d boundsOf(const RawScene& scene) {
 }
 
 /// The mean distance of some triangles of a mesh from the labelled surfaces.
-double meanDistance(const RawScene& pictured, const Eigen::Affine3d& turn,
-                    const LabelledSurface& surface, double radius) {
+double meanDistance(const RawScene& textured, const Eigen::Affine3d& rotation,
+                    const LabelledSurface& surface, double radius, const JobContext& job) {
     constexpr std::size_t kEnough = 2000;
     std::size_t count = 0;
-    for (const MeshPart& part : pictured.parts) count += part.triangles.size();
+    for (const MeshPart& part : textured.parts) count += part.triangles.size();
     const std::size_t step = count / kEnough + 1;
     double sum = 0.0;
     std::size_t at = 0;
-    for (const MeshPart& part : pictured.parts) {
+    for (const MeshPart& part : textured.parts) {
         for (const Triangle& triangle : part.triangles) {
             if (at++ % step > 0) continue;
-            sum += surface.distance(middleOf(cornersOf(part, triangle, turn)), radius);
+            if (job.cancelled()) return 0.0;
+            sum += surface.distance(middleOf(cornersOf(part, triangle, rotation)), radius);
         }
     }
     return sum / static_cast<double>((count + step - 1) / step);
 }
 
-/// The two meshes of a scan may be stored with different upward axes: the turn that makes their
-/// boxes most alike; of turns that do so equally well, the one that brings the surfaces together.
-Eigen::Affine3d labelledFromPictured(const Eigen::AlignedBox3d& labelled, const RawScene& pictured,
-                                     const LabelledSurface& surface, double radius) {
+/// The two meshes of a scan may be stored with different upward axes: the rotation that makes their
+/// boxes most alike; of rotations that do so equally well, the one that brings the surfaces
+/// together.
+Eigen::Affine3d labelledFromTextured(const Eigen::AlignedBox3d& labelled, const RawScene& textured,
+                                     const LabelledSurface& surface, double radius,
+                                     const JobContext& job) {
     constexpr double kAlike = 0.01;  // of the diagonal
-    const Eigen::AlignedBox3d box = boundsOf(pictured);
-    std::array<Eigen::Affine3d, 3> turns;
-    turns.fill(Eigen::Affine3d::Identity());
-    if (labelled.isEmpty() || box.isEmpty()) return turns[0];
-    turns[1].linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-    turns[2].linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    const Eigen::AlignedBox3d box = boundsOf(textured);
+    std::array<Eigen::Affine3d, 3> rotations;
+    rotations.fill(Eigen::Affine3d::Identity());
+    if (labelled.isEmpty() || box.isEmpty()) return rotations[0];
+    rotations[1].linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    rotations[2].linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     std::array<double, 3> apart{};
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        const Eigen::AlignedBox3d turned = box.transformed(turns[i]);
-        apart[i] = (turned.min() - labelled.min()).norm() + (turned.max() - labelled.max()).norm();
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        const Eigen::AlignedBox3d rotated = box.transformed(rotations[i]);
+        apart[i] =
+            (rotated.min() - labelled.min()).norm() + (rotated.max() - labelled.max()).norm();
     }
     const double most = std::ranges::min(apart) + kAlike * box.diagonal().norm();
     std::optional<std::size_t> best;
     double least = 0.0;
-    for (std::size_t i = 0; i < turns.size(); ++i) {
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
         if (apart[i] > most) continue;
-        const double mean = meanDistance(pictured, turns[i], surface, radius);
+        const double mean = meanDistance(textured, rotations[i], surface, radius, job);
         // A room that looks the same either way stays as it is.
         if (best && mean >= least - 1e-6 * radius) continue;
         best = i;
         least = mean;
     }
-    return turns[best.value_or(0)];
+    return rotations[best.value_or(0)];
 }
 
 /// The triangles of `part` that belong to one object, as a part of their own.
@@ -356,22 +406,23 @@ MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
     return picked;
 }
 
-/// Gives the pictured mesh the objects of the labelled one.
-RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
+/// Gives the textured mesh the objects of the labelled one.
+RawScene transfer(RawScene labelled, RawScene textured, const JobContext& job) {
     constexpr double kReach = 0.02;  // of the scene's diagonal: beyond there is no label
-    const double radius = kReach * boundsOf(pictured).diagonal().norm();
+    const double radius = kReach * boundsOf(textured).diagonal().norm();
     const std::vector<SourceObject> objects = labelled.objects;
     const std::size_t none = objects.size();
     const LabelledSurface surface(labelled);
-    const Eigen::Affine3d turn =
-        labelledFromPictured(boundsOf(labelled), pictured, surface, radius);
+    const Eigen::Affine3d rotation =
+        labelledFromTextured(boundsOf(labelled), textured, surface, radius, job);
     // The triangles of each part by object. Only objects that a part has triangles of take memory.
-    std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(pictured.parts.size());
-    parallelFor(pictured.parts.size(), [&](std::size_t p) {
-        const MeshPart& part = pictured.parts[p];
+    std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(textured.parts.size());
+    parallelFor(textured.parts.size(), [&](std::size_t p) {
+        const MeshPart& part = textured.parts[p];
         for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-            if (t % 4096 == 0 && job.cancelled()) return;
-            const int object = surface.objectAt(cornersOf(part, part.triangles[t], turn), radius);
+            if (t % 64 == 0 && job.cancelled()) return;
+            const int object =
+                surface.objectAt(cornersOf(part, part.triangles[t], rotation), radius);
             of_part[p][object > 0 ? static_cast<std::size_t>(object) - 1 : none].push_back(t);
         }
     });
@@ -379,7 +430,7 @@ RawScene transfer(RawScene labelled, RawScene pictured, const JobContext& job) {
     for (std::size_t p = 0; p < of_part.size(); ++p) {
         for (const auto& entry : of_part[p]) parts_of[entry.first].push_back(p);
     }
-    RawScene scene = std::move(pictured);
+    RawScene scene = std::move(textured);
     const std::vector<MeshPart> parts = std::move(scene.parts);
     scene.parts.clear();
     scene.nodes = {{"", -1, 0}};
@@ -435,20 +486,20 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
         is_ply ? readPlyMesh(files.labelled) : ColoredMesh(files.labelled, *names).read(job);
     if (!mesh) return tl::unexpected(mesh.error());
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
-    if (files.kind == LabelKindOfFile::HabitatText && is_ply && mesh->face_objects.empty() &&
+    if (files.kind == LabelFileKind::HabitatText && is_ply && mesh->face_objects.empty() &&
         mesh->colors.size() == mesh->positions.size()) {
         for (const Eigen::Vector3f& color : mesh->colors) {
             const auto found = names->of_color.find(packedColor(color));
             mesh->position_objects.push_back(found == names->of_color.end() ? -1 : found->second);
         }
     }
-    const bool other = !files.pictured.empty() && files.pictured != files.labelled;
+    const bool other = !files.textured.empty() && files.textured != files.labelled;
     bool same_vertices = false;
-    if (other && is_ply && lowerExtension(files.pictured) == ".ply") {
-        Result<PlyMesh> pictured = readPlyMesh(files.pictured);
-        if (!pictured) return tl::unexpected(pictured.error());
-        same_vertices = pictured->positions.size() == mesh->positions.size();
-        if (same_vertices) mesh->colors = std::move(pictured->colors);
+    if (other && is_ply && lowerExtension(files.textured) == ".ply") {
+        Result<PlyMesh> textured = readPlyMesh(files.textured);
+        if (!textured) return tl::unexpected(textured.error());
+        same_vertices = textured->positions.size() == mesh->positions.size();
+        if (same_vertices) mesh->colors = std::move(textured->colors);
     }
     if (!names->segments.empty() && names->segments.size() != mesh->positions.size()) {
         return fail(
@@ -468,9 +519,9 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
     if (Status few = checkCount(*faces, files.labelled); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, files.names);
     if (other && !same_vertices) {
-        Result<RawScene> pictured = readModel(files.pictured, job);
-        if (!pictured) return pictured;
-        scene = transfer(std::move(scene), std::move(*pictured), job);
+        Result<RawScene> textured = readModel(files.textured, job);
+        if (!textured) return textured;
+        scene = transfer(std::move(scene), std::move(*textured), job);
         scene.file_up_axis = UpAxis();  // these sets store z up in glTF, too
     } else if (!is_ply) {
         scene.notes.push_back(

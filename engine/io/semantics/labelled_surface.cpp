@@ -8,10 +8,10 @@
 
 namespace dollytrack::semantics {
 
-Corners cornersOf(const MeshPart& part, const Triangle& triangle, const Eigen::Affine3d& turn) {
+Corners cornersOf(const MeshPart& part, const Triangle& triangle, const Eigen::Affine3d& rotation) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = turn * part.positions[triangle[k]].cast<double>();
+        corners[k] = rotation * part.positions[triangle[k]].cast<double>();
     }
     return corners;
 }
@@ -21,25 +21,33 @@ Eigen::Vector3d middleOf(const Corners& corners) {
 }
 
 LabelledSurface::LabelledSurface(const RawScene& labelled) {
+    constexpr double kSame = 1e-6;  // of the diagonal
+    for (const MeshPart& part : labelled.parts) {
+        if (!part.triangles.empty()) box_.extend(part.bounds.cast<double>());
+    }
+    if (!box_.isEmpty() && box_.diagonal().norm() > 0.0) key_step_ = kSame * box_.diagonal().norm();
     for (std::size_t i = 0; i < labelled.objects.size(); ++i) {
         const int number = static_cast<int>(i) + 1;
         for (const std::size_t p : labelled.objects[i].parts) {
             const MeshPart& part = labelled.parts[p];
             for (const Triangle& t : part.triangles) {
+                // Of equal triangles the lowest object's is the one that counts.
+                if (!same_.try_emplace(keyOf(cornersOf(part, t)), number).second) continue;
                 triangles_.push_back(
                     {{part.positions[t[0]], part.positions[t[1]], part.positions[t[2]]}, number});
-                same_.try_emplace(keyOf(cornersOf(part, t)), number);
             }
         }
     }
     if (!triangles_.empty()) build(0, triangles_.size());
 }
 
-LabelledSurface::Key LabelledSurface::keyOf(const Corners& corners) {
+LabelledSurface::Key LabelledSurface::keyOf(const Corners& corners) const {
+    constexpr double kMost = 1e15;
     Key key{};
     for (std::size_t k = 0; k < 3; ++k) {
         for (int axis = 0; axis < 3; ++axis) {
-            key[k][static_cast<std::size_t>(axis)] = std::llround(1000.0 * corners[k][axis]);
+            const double steps = (corners[k][axis] - box_.min()[axis]) / key_step_;
+            key[k][static_cast<std::size_t>(axis)] = std::llround(std::clamp(steps, -kMost, kMost));
         }
     }
     std::ranges::sort(key);
@@ -50,10 +58,11 @@ LabelledSurface::Key LabelledSurface::keyOf(const Corners& corners) {
 void LabelledSurface::build(std::size_t begin, std::size_t end) {
     constexpr std::size_t kLeaf = 8;
     const std::size_t index = nodes_.size();
-    nodes_.push_back({{}, begin, end, 0});
+    nodes_.push_back({{}, begin, end, 0, std::numeric_limits<int>::max()});
     Eigen::AlignedBox3f box;
     for (std::size_t i = begin; i < end; ++i) {
         for (const Eigen::Vector3f& corner : triangles_[i].corners) box.extend(corner);
+        nodes_[index].lowest = std::min(nodes_[index].lowest, triangles_[i].object);
     }
     nodes_[index].box = box;
     if (end - begin <= kLeaf) return;
@@ -74,10 +83,11 @@ void LabelledSurface::build(std::size_t begin, std::size_t end) {
     build(middle, end);
 }
 
-/// Calls visit(distance, object) for the triangles within `reach`, which it may lower.
-template <class Visit>
-void LabelledSurface::visitNear(const Eigen::Vector3d& point, const double& reach,
-                                Visit&& visit) const {
+/// Calls visit(distance, object) for triangles, those nearby first, but for those that
+/// skip(distance, object) leaves out. A box of triangles is left out by its distance and the lowest
+/// object in it.
+template <class Skip, class Visit>
+void LabelledSurface::visitNear(const Eigen::Vector3d& point, Skip&& skip, Visit&& visit) const {
     const auto distanceOf = [&](std::size_t node) {
         return nodes_[node].box.cast<double>().exteriorDistance(point);
     };
@@ -87,7 +97,7 @@ void LabelledSurface::visitNear(const Eigen::Vector3d& point, const double& reac
         const std::size_t index = open.back();
         open.pop_back();
         const Node& node = nodes_[index];
-        if (distanceOf(index) > reach) continue;
+        if (skip(distanceOf(index), node.lowest)) continue;
         if (node.second > 0) {
             const bool first_nearer = distanceOf(index + 1) <= distanceOf(node.second);
             open.push_back(first_nearer ? node.second : index + 1);
@@ -99,7 +109,7 @@ void LabelledSurface::visitNear(const Eigen::Vector3d& point, const double& reac
             const Eigen::Vector3d closest =
                 closestOnTriangle(point, a.cast<double>(), b.cast<double>(), c.cast<double>());
             const double distance = (closest - point).norm();
-            if (distance <= reach) visit(distance, triangles_[i].object);
+            if (!skip(distance, triangles_[i].object)) visit(distance, triangles_[i].object);
         }
     }
 }
@@ -111,14 +121,17 @@ int LabelledSurface::objectAt(const Corners& corners, double radius) const {
     const Eigen::Vector3d point = middleOf(corners);
     const double reach = std::min(distance(point, radius) + kEqual * radius, radius);
     int lowest = std::numeric_limits<int>::max();
-    visitNear(point, reach,
-              [&](double /*distance*/, int object) { lowest = std::min(lowest, object); });
+    visitNear(
+        point, [&](double distance, int object) { return distance > reach || object >= lowest; },
+        [&](double /*distance*/, int object) { lowest = object; });
     return lowest == std::numeric_limits<int>::max() ? 0 : lowest;
 }
 
 double LabelledSurface::distance(const Eigen::Vector3d& point, double radius) const {
     double least = radius;
-    visitNear(point, least, [&](double distance, int /*object*/) { least = distance; });
+    visitNear(
+        point, [&](double distance, int /*object*/) { return !(distance < least); },
+        [&](double distance, int /*object*/) { least = distance; });
     return least;
 }
 

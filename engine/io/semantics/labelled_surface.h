@@ -17,12 +17,12 @@ namespace dollytrack::semantics {
 using Corners = std::array<Eigen::Vector3d, 3>;
 
 [[nodiscard]] Corners cornersOf(const MeshPart& part, const Triangle& triangle,
-                                const Eigen::Affine3d& turn = Eigen::Affine3d::Identity());
+                                const Eigen::Affine3d& rotation = Eigen::Affine3d::Identity());
 
 [[nodiscard]] Eigen::Vector3d middleOf(const Corners& corners);
 
-/// The triangles of a labelled scene in a tree of boxes, to find the object of another mesh's
-/// triangle. All questions may be asked from many threads.
+/// The triangles of a labelled scene, each once, in a tree of boxes, to find the object of another
+/// mesh's triangle. Const calls are thread-safe.
 class LabelledSurface {
   public:
     explicit LabelledSurface(const RawScene& labelled);
@@ -44,15 +44,18 @@ class LabelledSurface {
         std::size_t begin;  // of the triangles in it
         std::size_t end;
         std::size_t second;  // child; the first one comes next. 0: a leaf
+        int lowest;          // number of the objects in it
     };
-    /// A triangle's corners to a thousandth of a unit, in an order of their own.
+    /// A triangle's corners in millionths of the scene's diagonal, in an order of their own.
     using Key = std::array<std::array<std::int64_t, 3>, 3>;
 
-    static Key keyOf(const Corners& corners);
+    [[nodiscard]] Key keyOf(const Corners& corners) const;
     void build(std::size_t begin, std::size_t end);
-    template <class Visit>
-    void visitNear(const Eigen::Vector3d& point, const double& reach, Visit&& visit) const;
+    template <class Skip, class Visit>
+    void visitNear(const Eigen::Vector3d& point, Skip&& skip, Visit&& visit) const;
 
+    Eigen::AlignedBox3d box_;
+    double key_step_ = 1.0;
     std::vector<Labelled> triangles_;
     std::vector<Node> nodes_;
     std::map<Key, int> same_;

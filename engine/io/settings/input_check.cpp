@@ -182,8 +182,8 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
         if (format.begins_like(head)) return &format;
         kinds += (kinds.empty() ? "" : " or ") + std::string(format.name);
     }
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (extension == ".json" && first != head.npos && (head[first] == '{' || head[first] == '[')) {
+    const char first = firstLetter(head);
+    if (extension == ".json" && (first == '{' || first == '[')) {
         return fail(ErrorCode::BadInput, std::string(adviceForJson(head)), where);
     }
     return fail(

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace dollytrack::io {
 namespace {
@@ -39,6 +40,32 @@ std::vector<std::string_view> splitLines(std::string_view text) {
 
 std::string placeOf(const std::filesystem::path& path, int line) {
     return fmt::format("{}:{}", path.string(), line);
+}
+
+std::optional<double> numberFrom(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double value = 0.0;
+    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (last != text.data() + text.size() || error == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (error == std::errc()) return value;
+    // Out of range. Whether it is too large or too small is said by the power of ten of its first
+    // digit that is not 0.
+    const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view digits = text.substr(0, end);
+    std::string_view power = text.substr(std::min(end + 1, text.size()));
+    if (power.starts_with('+')) power.remove_prefix(1);
+    long long exponent = 0;
+    const auto parsed = std::from_chars(power.data(), power.data() + power.size(), exponent);
+    if (parsed.ec == std::errc::result_out_of_range) {
+        exponent = std::numeric_limits<long long>::max() / (power[0] == '-' ? -2 : 2);
+    }
+    const auto point = static_cast<long long>(std::min(digits.find('.'), end));
+    const auto first = static_cast<long long>(std::min(digits.find_first_of("123456789"), end));
+    const double size =
+        exponent + point - first > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+    return text[0] == '-' ? -size : size;
 }
 
 Result<double> parseNumber(std::string_view word, const std::filesystem::path& path, int line) {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ std::vector<std::string_view> splitLines(std::string_view text);
 
 /// "file.txt:12", for errors.
 std::string placeOf(const std::filesystem::path& path, int line);
+
+/// A number, also as "+1.5"; 0 or infinity where it is too small or too large for a double. Nothing
+/// where the text is no number.
+std::optional<double> numberFrom(std::string_view text);
 
 /// A finite number. Error: BadInput, with the place.
 Result<double> parseNumber(std::string_view word, const std::filesystem::path& path, int line);

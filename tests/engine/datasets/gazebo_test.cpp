@@ -1,5 +1,5 @@
 #include "engine/io/gazebo/link_xml.h"
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
@@ -36,7 +36,8 @@ Eigen::AlignedBox3d boxAround(const Scene& scene, const std::string& name) {
 void expectAround(const Scene& scene, const std::string& name, const Vector3d& low,
                   const Vector3d& high) {
     const Eigen::AlignedBox3d box = boxAround(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 && (box.max() - high).norm() < 1e-4)
+    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
+                (box.max() - high).norm() < 1e-4)
         << name << ": " << box.min().transpose() << " to " << box.max().transpose();
 }
 
@@ -45,7 +46,8 @@ void writeSofa(const TempFolder& folder, const std::string& models) {
                                    "<model><name>sofa</name><sdf version='1.4'>old.sdf</sdf>"
                                    "<sdf version='1.6'>model.sdf</sdf></model>"));
     static_cast<void>(folder.write(models + "/sofa/meshes/l.obj", test::lShapedModel()));
-    static_cast<void>(folder.write(models + "/sofa/model.sdf", R"(<sdf version="1.6"><model name="sofa">
+    static_cast<void>(
+        folder.write(models + "/sofa/model.sdf", R"(<sdf version="1.6"><model name="sofa">
  <pose>0 0 10 0 0 0</pose>
  <link name="link"><pose>0 0 1 0 0 0</pose>
   <visual name="v"><geometry><mesh><uri>model://sofa/meshes/l.obj</uri><scale>1 2 1</scale></mesh></geometry></visual>
@@ -114,7 +116,8 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
     const Scene scene = imported(folder.write("room.world", world(R"(
  <model name="arm"><pose>0 0 5 0 0 0</pose>
   <link name="base">)" + box + R"(</link>
-  <link name="far"><pose relative_to="grip::tool::tip">0 0 1 0 0 0</pose>)" + box + R"(</link>
+  <link name="far"><pose relative_to="grip::tool::tip">0 0 1 0 0 0</pose>)" +
+                                                                  box + R"(</link>
   <model name="grip"><pose degrees="1">10 0 0 0 0 90</pose>
    <link name="palm">)" + box + R"(</link>
    <model name="tool"><frame name="tip"><pose>2 0 0 0 0 0</pose></frame></model></model>
@@ -125,8 +128,9 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
    <box><size>1 1 1</size></box></geometry></visual></link></model>
  <include><uri>model://sofa</uri><name>couch</name><placement_frame>link</placement_frame>
   <pose>0 30 0 0 0 0</pose></include>
- <model name="cup"><pose relative_to="couch::link">0 0 4 0 0 0</pose><link name="l">)" + box +
-        R"(</link></model>
+ <model name="cup"><pose relative_to="couch::link">0 0 4 0 0 0</pose><link name="l">)" +
+                                                                  box +
+                                                                  R"(</link></model>
  <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
     // The wrist holds the palm, which stands turned at x = 10, to the base.
     expectAround(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
@@ -159,8 +163,12 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
             text += "v " + std::to_string(x + (i & 1)) + " " + std::to_string(i >> 1 & 1) + " " +
                     std::to_string(i >> 2) + "\n";
         }
-        for (const auto& face : {std::array{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
-                                 {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
+        for (const auto& face : {std::array{1, 3, 4, 2},
+                                 {5, 6, 8, 7},
+                                 {1, 2, 6, 5},
+                                 {3, 7, 8, 4},
+                                 {1, 5, 7, 3},
+                                 {2, 4, 8, 6}}) {
             text += "f";
             for (const int corner : face) text += fmt::format(" {}", corner + first);
             text += "\n";
@@ -169,8 +177,10 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
     };
     static_cast<void>(folder.write("chair.obj", box("seat", 0, 4.0) + box("back", 8, 10.0)));
     const auto model = [](const std::string& name, const std::string& submesh) {
-        return "<model name='" + name + "'><link name='l'><visual name='v'><geometry><mesh><uri> "
-               "chair.obj </uri><submesh>" + submesh + "</submesh></mesh></geometry></visual></link></model>";
+        return "<model name='" + name +
+               "'><link name='l'><visual name='v'><geometry><mesh><uri> "
+               "chair.obj </uri><submesh>" +
+               submesh + "</submesh></mesh></geometry></visual></link></model>";
     };
     const Scene scene = imported(folder.write(
         "room.world", world(model("placed", "<name>seat</name>") +
@@ -190,7 +200,8 @@ TEST(Gazebo, ColoursStayWithTheirVisual) {
     const auto model = [&](const std::string& name, const std::string& material) {
         return "<model name='" + name + "'><pose>" + std::to_string(5 * placed++) +
                " 0 0 0 0 0</pose><link name='l'><visual name='v'><geometry><mesh><uri>"
-               "l.obj</uri></mesh></geometry>" + material + "</visual></link></model>";
+               "l.obj</uri></mesh></geometry>" +
+               material + "</visual></link></model>";
     };
     const std::string grey = "<material><diffuse>0.5 0.5 +0.5 1</diffuse></material>";
     const Scene scene = imported(
@@ -213,21 +224,24 @@ TEST(Gazebo, ColoursStayWithTheirVisual) {
 TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
     const TempFolder folder;
     const std::string head = "P6\n1 1\n255\n";
-    static_cast<void>(folder.write("models/m/meshes/map.ppm", head + "\xFF" + std::string(2, '\0')));
-    static_cast<void>(folder.write("models/m/materials/textures/map.ppm",
-                                   head + std::string(2, '\0') + "\xFF"));
+    static_cast<void>(
+        folder.write("models/m/meshes/map.ppm", head + "\xFF" + std::string(2, '\0')));
+    static_cast<void>(
+        folder.write("models/m/materials/textures/map.ppm", head + std::string(2, '\0') + "\xFF"));
     std::string links;
-    for (const auto& [name, map] : {std::pair("red", "map.ppm"),
-                                    std::pair("blue", "../materials/textures/map.ppm")}) {
+    for (const auto& [name, map] :
+         {std::pair("red", "map.ppm"), std::pair("blue", "../materials/textures/map.ppm")}) {
         const std::string mesh = "models/m/meshes/" + std::string(name);
-        static_cast<void>(folder.write(mesh + ".mtl", "newmtl m\nmap_Kd " + std::string(map) + "\n"));
+        static_cast<void>(
+            folder.write(mesh + ".mtl", "newmtl m\nmap_Kd " + std::string(map) + "\n"));
         static_cast<void>(folder.write(
             mesh + ".obj", "mtllib " + std::string(name) +
                                ".mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                                "f 1/1 2/2 3/3\n"));
-        links += "<link name='" + std::string(name) + "'><pose>" +
-                 (links.empty() ? "0" : "5") + " 0 0 0 0 0</pose><visual name='v'><geometry><mesh><uri>"
-                 "model://m/meshes/" + name + ".obj</uri></mesh></geometry></visual></link>";
+        links += "<link name='" + std::string(name) + "'><pose>" + (links.empty() ? "0" : "5") +
+                 " 0 0 0 0 0</pose><visual name='v'><geometry><mesh><uri>"
+                 "model://m/meshes/" +
+                 name + ".obj</uri></mesh></geometry></visual></link>";
     }
     const Scene scene =
         imported(folder.write("room.world", world("<model name='m'>" + links + "</model>")));
@@ -250,7 +264,8 @@ TEST(Gazebo, ModelsDoNotTakeFilesOfOthers) {
     const TempFolder folder;
     writeSofa(folder, "models");
     static_cast<void>(folder.write("models/lamp/meshes/l.obj", test::lShapedModel()));
-    static_cast<void>(folder.write("models/lamp/model.sdf", R"(<sdf version="1.6"><model name="lamp">
+    static_cast<void>(
+        folder.write("models/lamp/model.sdf", R"(<sdf version="1.6"><model name="lamp">
  <link name="own"><visual name="v"><geometry><mesh><uri>model://lamp/meshes/l.obj</uri></mesh></geometry></visual></link>
  <link name="other"><visual name="v"><geometry><mesh><uri>model://desk/meshes/l.obj</uri></mesh></geometry></visual></link>
 </model></sdf>)"));
@@ -264,9 +279,9 @@ TEST(Gazebo, LightsThatAreIncludedAreLeftOut) {
     writeSofa(folder, "models");
     static_cast<void>(folder.write("models/sun/model.sdf",
                                    "<sdf version='1.6'><light name='sun' type='point'/></sdf>"));
-    const Scene scene = imported(folder.write(
-        "room.world",
-        world("<include><uri>model://sun</uri></include><include><uri>model://sofa</uri></include>")));
+    const Scene scene = imported(
+        folder.write("room.world", world("<include><uri>model://sun</uri></"
+                                         "include><include><uri>model://sofa</uri></include>")));
     EXPECT_EQ(scene.objects.size(), 1U);
 }
 
@@ -281,7 +296,8 @@ TEST(ReachableFiles, StopAtLinksThatLeadOut) {
     const io::ReachableFiles files({scene});
     EXPECT_TRUE(files.find(scene, "chairs/chair.obj"));
     EXPECT_TRUE(files.find(own, "../chairs/chair.obj"));
-    for (const char* name : {"link/secret.obj", "secret.obj", "../outside/secret.obj", "/etc/passwd"}) {
+    for (const char* name :
+         {"link/secret.obj", "secret.obj", "../outside/secret.obj", "/etc/passwd"}) {
         EXPECT_FALSE(files.find(scene, name)) << name;
     }
     EXPECT_TRUE(files.reaches(scene));
@@ -291,14 +307,19 @@ TEST(ReachableFiles, StopAtLinksThatLeadOut) {
                              scene / "../outside", scene / "nothing"}) {
         EXPECT_FALSE(files.reaches(path)) << path;
     }
-    EXPECT_EQ(files.namesIn(scene), std::vector<std::string>{"chairs"});
-    EXPECT_TRUE(files.namesIn(scene / "link").empty());
+    EXPECT_EQ(files.namesIn(scene).value(), std::vector<std::string>{"chairs"});
+    EXPECT_TRUE(files.namesIn(scene / "link").value().empty());
 }
 
 TEST(Gazebo, NumbersAreReadAsWritten) {
     const auto numbers = gazebo::numbersOf(" +1.5\t-2e1, 1e-400 1e-310\n");
     ASSERT_TRUE(numbers);
     EXPECT_EQ(*numbers, (std::vector<double>{1.5, -20.0, 0.0, 1e-310}));
+    // 1e-396, too small, and 1e395, too large for a double, whatever their exponents say.
+    const std::string zeros(400, '0');
+    EXPECT_EQ(gazebo::numbersOf("0." + zeros + "1e5"), std::vector<double>{0.0});
+    EXPECT_EQ(gazebo::numbersOf(zeros + "1e5"), std::vector<double>{1e5});
+    EXPECT_FALSE(gazebo::numbersOf("1" + zeros + "e-5"));
     for (const char* text : {"1e400", "nan", "inf", "+-1", "++1", "+", "1.5m", "0x10"}) {
         EXPECT_FALSE(gazebo::numbersOf(text)) << text;
     }
@@ -306,8 +327,7 @@ TEST(Gazebo, NumbersAreReadAsWritten) {
 
 // Roll by 90 degrees takes y to z, then yaw by 90 degrees takes x to y: worked out by hand.
 TEST(Gazebo, AnglesTurnAboutFixedAxes) {
-    const Eigen::Quaterniond rotation =
-        gazebo::rotationFromRollPitchYaw({M_PI / 2, 0.0, M_PI / 2});
+    const Eigen::Quaterniond rotation = gazebo::rotationFromRollPitchYaw({M_PI / 2, 0.0, M_PI / 2});
     EXPECT_LT((rotation * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-12);
     EXPECT_LT((rotation * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12);
     EXPECT_LT((rotation * Vector3d::UnitZ() - Vector3d::UnitX()).norm(), 1e-12);
@@ -317,44 +337,172 @@ TEST(Gazebo, AnglesTurnAboutFixedAxes) {
     EXPECT_LT((other * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
 }
 
+constexpr const char* kBall =
+    "<visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry></visual>";
+
+/// A visual of a mesh, with elements besides its geometry.
+std::string meshVisual(const std::string& uri, const std::string& others = "") {
+    return "<visual name='v'><geometry><mesh><uri>" + uri + "</uri></mesh></geometry>" + others +
+           "</visual>";
+}
+
+/// A model with one link, at x = `x`.
+std::string modelAt(double x, const std::string& name, const std::string& visuals) {
+    return fmt::format("<model name='{}'><pose>{} 0 0 0 0 0</pose><link name='l'>{}</link></model>",
+                       name, x, visuals);
+}
+
+// Each world shows a ball besides, so that it could be read but for the fault.
 TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     const TempFolder folder;
-    // b includes c, and c includes b.
-    for (const std::string name : {"b", "c"}) {
+    // a includes itself, b includes c, and c includes b.
+    for (const auto& [name, other] : {std::pair("a", "a"), {"b", "c"}, {"c", "b"}}) {
         static_cast<void>(folder.write(
-            "models/" + name + "/model.sdf",
-            "<sdf version='1.6'><model name='m'><include><uri>model://" +
-                std::string(name == "b" ? "c" : "b") + "</uri></include></model></sdf>"));
+            fmt::format("models/{}/model.sdf", name),
+            fmt::format("<sdf version='1.6'><model name='m'><include><uri>model://{}</uri>"
+                        "</include></model></sdf>",
+                        other)));
     }
-    static_cast<void>(folder.write("models/a/model.sdf",
-                                   "<sdf version='1.6'><model name='a'><include><uri>model://a</uri>"
-                                   "</include><include><uri>model://a</uri></include></model></sdf>"));
-    const char* const kWorlds[] = {
-        "<include><uri>model://a</uri></include>",
-        "<include><uri>model://b</uri></include>",
-        "<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
-        "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
-        "<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
-        "<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
-        "<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
-        "<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
-        "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
-        "</sphere></geometry></visual></link></model>",
-        "<include><uri>file:///etc/passwd</uri></include>",
-        "<model name='m'><link name='l'><visual name='v'><geometry><mesh><uri>../../../etc/x.obj"
-        "</uri></mesh></geometry></visual></link></model>"};
-    for (const char* text : kWorlds) {
-        const Result<Scene> scene = importScene(folder.write("room.world", world(text)));
+    struct Case {
+        const char* text;
+        const char* message;
+    };
+    const Case kCases[] = {
+        {"<include><uri>model://a</uri></include>", "includes itself"},
+        {"<include><uri>model://b</uri></include>", "includes itself"},
+        {"<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
+         "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
+         "relative to itself"},
+        {"<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
+         "relative to itself"},
+        {"<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
+         "which is not there"},
+        {"<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
+         "relative to itself"},
+        {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
+         "not six numbers"},
+        {"<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
+         "</sphere></geometry></visual></link></model>",
+         "not above 0"}};
+    const std::string ball = modelAt(9, "ball", kBall);
+    EXPECT_EQ(imported(folder.write("room.world", world(ball))).objects.size(), 1U);
+    for (const auto& [text, message] : kCases) {
+        const Result<Scene> scene = importScene(folder.write("room.world", world(ball + text)));
         ASSERT_FALSE(scene) << text;
         EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
+        EXPECT_NE(scene.error().message.find(message), std::string::npos)
+            << text << ": " << scene.error().message;
     }
-    const Result<Scene> circle = importScene(
-        folder.write("room.world", world("<include><uri>model://b</uri></include>")));
-    ASSERT_FALSE(circle);
-    EXPECT_NE(circle.error().message.find("includes itself"), std::string::npos);
     const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
     ASSERT_FALSE(damaged);
     EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
+}
+
+// A mesh that can be read, in a folder that the world may not name files of.
+TEST(Gazebo, MeshesOutsideAreLeftOut) {
+    const TempFolder folder;
+    const auto outside = folder.write("outside/l.obj", test::lShapedModel());
+    static_cast<void>(folder.write("room/meshes/l.obj", test::lShapedModel()));
+    for (const std::string& uri : {std::string("../outside/l.obj"), outside.string(),
+                                   fmt::format("file://{}", outside.string())}) {
+        const Scene scene =
+            imported(folder.write("room/room.world", world(modelAt(0, "ball", kBall) +
+                                                           modelAt(5, "l", meshVisual(uri)))));
+        EXPECT_EQ(find(scene, "l"), nullptr) << uri;
+        EXPECT_TRUE(says(scene.report.warnings, "was not found")) << uri;
+    }
+    EXPECT_NE(find(imported(folder.write("room/room.world",
+                                         world(modelAt(5, "l", meshVisual("meshes/l.obj"))))),
+                   "l"),
+              nullptr);
+}
+
+TEST(Gazebo, IncludesThatAreMissingCountToo) {
+    const TempFolder folder;
+    std::string text = modelAt(0, "ball", kBall);
+    for (int i = 0; i < 20'001; ++i) text += "<include><uri>model://none</uri></include>";
+    const Result<Scene> scene = importScene(folder.write("room.world", world(text)));
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().message.find("more than 20,000"), std::string::npos)
+        << scene.error().message;
+}
+
+TEST(Gazebo, PosesMayBeRelativeToANestedModel) {
+    const TempFolder folder;
+    const Scene scene = imported(
+        folder.write("room.world", world(modelAt(7, "arm", kBall) +
+                                         "<model name='cup'><pose relative_to='arm::__model__'>"
+                                         "0 5 0 0 0 0</pose><link name='l'>" +
+                                         kBall + "</link></model>")));
+    expectAround(scene, "cup", {6, 4, -1}, {8, 6, 1});
+}
+
+// Before SDF 1.7 the links of included models were stored with such names.
+TEST(Gazebo, LinksMayHaveColonsInTheirNames) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write(
+        "room.world", world(fmt::format("<model name='robot'><link name='arm::base'>{0}</link>"
+                                        "<link name='arm::hand'><pose relative_to='arm::base'>"
+                                        "5 0 0 0 0 0</pose>{0}</link><joint name='j' type='fixed'>"
+                                        "<parent>arm::base</parent><child>arm::hand</child>"
+                                        "</joint></model>",
+                                        kBall))));
+    EXPECT_EQ(scene.objects.size(), 1U);
+    expectAround(scene, "robot", {-1, -1, -1}, {6, 1, 1});
+}
+
+// The mesh is red. A transparency of 0.25 leaves an opacity of 0.75.
+TEST(Gazebo, TransparencyKeepsTheColour) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("red.mtl", "newmtl red\nKd 1 0 0\n"));
+    static_cast<void>(folder.write("l.obj", fmt::format("mtllib red.mtl\no model\nusemtl red\n{}",
+                                                        test::lShapedModel().substr(8))));
+    const auto sees = [](const char* transparency) {
+        return fmt::format("<transparency>{}</transparency>", transparency);
+    };
+    const auto diffuse = [](const char* color) {
+        return fmt::format("<material><diffuse>{}</diffuse></material>", color);
+    };
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world(modelAt(0, "clear", meshVisual("l.obj", sees("0.25"))) +
+              modelAt(5, "both", meshVisual("l.obj", sees("0.25") + diffuse("0 0 1 0.5"))) +
+              modelAt(10, "plain", meshVisual("l.obj")) +
+              modelAt(15, "unseen", meshVisual("l.obj", sees("1"))) +
+              modelAt(20, "hidden", meshVisual("l.obj", diffuse("0 0 1 0"))))));
+    const auto expectMaterial = [&](const std::string& name, const Eigen::Vector3f& color,
+                                    float opacity) {
+        const Object* object = find(scene, name);
+        ASSERT_NE(object, nullptr) << name;
+        const Material& material = scene.materials[scene.triangle_material[object->first_triangle]];
+        EXPECT_LT((material.base_color - color).norm(), 1e-3F)
+            << name << ": " << material.base_color.transpose();
+        EXPECT_NEAR(material.opacity, opacity, 1e-3F) << name;
+    };
+    expectMaterial("clear", {1, 0, 0}, 0.75F);
+    expectMaterial("both", {0, 0, 1}, 0.375F);
+    expectMaterial("plain", {1, 0, 0}, 1.0F);
+    EXPECT_EQ(scene.objects.size(), 3U);
+}
+
+TEST(Gazebo, NamesWhatIsNotReadOfModelsAndShapes) {
+    const TempFolder folder;
+    static_cast<void>(
+        folder.write("l.obj", fmt::format("mtllib gone.mtl\n{}", test::lShapedModel())));
+    static_cast<void>(folder.write("empty.obj", "v 0 0 0\n"));
+    const auto shape = [](const char* name) {
+        return fmt::format("<visual name='v'><geometry><{0}/></geometry></visual>", name);
+    };
+    const Scene scene = imported(folder.write(
+        "room.world", world(modelAt(0, "l", meshVisual("l.obj") + shape("capsule")) +
+                            modelAt(5, "e", meshVisual("empty.obj") + shape("capsule")) +
+                            modelAt(9, "h", shape("heightmap") + shape("empty")))));
+    EXPECT_EQ(scene.objects.size(), 1U);
+    EXPECT_TRUE(says(scene.report.notes, "gone.mtl"));
+    EXPECT_TRUE(says(scene.report.warnings, "empty.obj ("));
+    EXPECT_TRUE(says(scene.report.warnings, "2 visuals are left out, since <capsule>"));
+    EXPECT_TRUE(says(scene.report.warnings, "1 visual is left out, since <heightmap>"));
+    EXPECT_FALSE(says(scene.report.warnings, "<empty>"));
 }
 
 // A chain of two joints: each child's origin counts from its parent's.
@@ -377,25 +525,38 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
     const Object* base = find(scene, "base");
     EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
         Eigen::Vector3f(0, 0, 1)));
+}
+
+TEST(Urdf, JointsInACircleAreRefused) {
+    const TempFolder folder;
     const Result<Scene> circle = importScene(folder.write("circle.urdf", R"(<robot name="r">
  <link name="a"/><link name="b"/>
  <joint name="1"><parent link="a"/><child link="b"/></joint>
  <joint name="2"><parent link="b"/><child link="a"/></joint></robot>)"));
     ASSERT_FALSE(circle);
     EXPECT_NE(circle.error().message.find("form a circle"), std::string::npos);
-    // A chain this long would take minutes if each link's pose were computed from the root on.
-    std::string chain = "<link name='0'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+}
+
+// The origins of the joints add up to 30 m.
+TEST(Urdf, LongChainsAddUp) {
+    const TempFolder folder;
+    std::string chain =
+        "<link name='0'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
     constexpr int kLinks = 30'000;
     for (int i = 1; i <= kLinks; ++i) {
         const std::string number = std::to_string(i);
         chain += "<joint><origin xyz='0.001 0 0'/><parent link='" + std::to_string(i - 1) +
                  "'/><child link='" + number + "'/></joint><link name='" + number + "'";
-        chain += i < kLinks ? "/>" : "><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+        chain +=
+            i < kLinks ? "/>" : "><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
     }
     const Scene long_chain =
         imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
     expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
-    // A material without a name is its visual's alone.
+}
+
+TEST(Urdf, MaterialsWithoutANameAreTheirVisualsAlone) {
+    const TempFolder folder;
     const Scene nameless = imported(folder.write("colors.urdf", R"(<robot name="r">
  <link name="green"><visual><geometry><box size="1 1 1"/></geometry>
   <material name=""><color rgba="0 1 0 1"/></material></visual></link>
@@ -405,16 +566,29 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
     ASSERT_NE(plain, nullptr);
     EXPECT_GT(nameless.materials[nameless.triangle_material[plain->first_triangle]].base_color.x(),
               0.1F);
-    // Expanded files may mention their macros in a comment.
-    EXPECT_EQ(imported(folder.write("expanded.urdf",
-                                    "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
-                                    "<geometry><sphere radius='1'/></geometry></visual></link></robot>"))
-                  .objects.size(),
-              1U);
+}
+
+// Expanded files may mention their macros in a comment.
+TEST(Urdf, MacrosAreRefusedButInComments) {
+    const TempFolder folder;
+    EXPECT_EQ(
+        imported(folder.write("expanded.urdf",
+                              "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
+                              "<geometry><sphere radius='1'/></geometry></visual></link></robot>"))
+            .objects.size(),
+        1U);
     const Result<Scene> macros = importScene(folder.write(
         "m.urdf", "<robot xmlns:xacro='x' name='r'><xacro:include filename='y'/></robot>"));
     ASSERT_FALSE(macros);
     EXPECT_NE(macros.error().message.find("xacro"), std::string::npos);
+}
+
+TEST(Urdf, ShapesThatAreNotReadAreNamed) {
+    const Scene scene = test::importedText(
+        "<robot name='r'><link name='l'><visual><geometry><sphere radius='1'/></geometry></visual>"
+        "<visual><geometry><capsule radius='1' length='2'/></geometry></visual></link></robot>",
+        "robot.urdf");
+    EXPECT_TRUE(says(scene.report.warnings, "1 visual is left out, since <capsule>"));
 }
 
 }  // namespace

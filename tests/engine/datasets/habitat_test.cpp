@@ -110,15 +110,16 @@ TEST(Habitat, ADatasetConfigIsItsOnlySceneOrNamesThem) {
     const auto first = writeDataset(folder, instance);
     const auto config = folder.path() / "set" / "flat.scene_dataset_config.json";
     EXPECT_NE(find(imported(config), "sofa"), nullptr);
-    static_cast<void>(folder.write("set/configs/scenes/attic.scene_instance.json", instance));
+    static_cast<void>(folder.write("set/configs/scenes/attic_10.scene_instance.json", instance));
+    static_cast<void>(folder.write("set/configs/scenes/attic_2.scene_instance.json", instance));
     const Result<Scene> several = importScene(config);
     ASSERT_FALSE(several);
-    EXPECT_NE(several.error().message.find("2 scenes (attic, flat)"), std::string::npos)
+    EXPECT_NE(several.error().message.find("3 scenes (attic_2, attic_10, flat)"), std::string::npos)
         << several.error().message;
     const auto scenes = habitat::scenesOfDataset(config);
     ASSERT_TRUE(scenes);
-    ASSERT_EQ(scenes->size(), 2U);
-    EXPECT_EQ((*scenes)[1], first);
+    ASSERT_EQ(scenes->size(), 3U);
+    EXPECT_EQ((*scenes)[2], first);
 }
 
 // In Habitat-sim the model is turned by its axes and scaled, then moved by minus scale times COM,
@@ -309,6 +310,18 @@ TEST(Habitat, ConfigsOfTooManyPathsAreRefused) {
     ASSERT_FALSE(scenes);
     EXPECT_NE(scenes.error().message.find("more than 2000 paths of stages"), std::string::npos)
         << scenes.error().message;
+}
+
+TEST(Habitat, NamesThatAreNotSearchedForAreSaid) {
+    const TempFolder folder;
+    std::string objects = R"({"template_name": "none"})";
+    for (int i = 0; i < 2'000; ++i) {
+        objects += R"(, {"template_name": "none_)" + std::to_string(i) + R"("})";
+    }
+    const Scene scene = imported(writeDataset(
+        folder, R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" +
+                    objects + "]}"));
+    EXPECT_TRUE(says(scene.report.warnings, "more than 2,000 names of templates"));
 }
 
 TEST(Habitat, DamagedFilesAreRefused) {

@@ -2,6 +2,8 @@
 #include "engine/io/import/ply_mesh.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/semantics/labelled_faces.h"
+#include "engine/io/semantics/labelled_surface.h"
+#include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
 #include "tests/support/glb_writer.h"
 #include "tests/support/imported_scene.h"
@@ -17,6 +19,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -174,7 +177,7 @@ std::vector<std::uint32_t> indicesOf(const Triangles& mesh) {
 }
 
 /// The mesh as .glb: z up with the colours of objects, 0xHH20F0 where HH is ten times the number.
-std::string coloredGlb(const Triangles& mesh) {
+std::string coloredGlb(const Triangles& mesh, int placements = 1) {
     test::GlbWriter writer;
     std::vector<std::uint8_t> colors;
     for (const int number : mesh.of_position) {
@@ -188,6 +191,10 @@ std::string coloredGlb(const Triangles& mesh) {
     const auto index = writer.addAccessor(writer.addView(indices), 5125, "SCALAR", indices.size());
     writer.addMesh(
         "all", {{"attributes", {{"POSITION", position}, {"COLOR_0", color}}}, {"indices", index}});
+    for (int i = 1; i < placements; ++i) {
+        writer.json["nodes"].push_back({{"mesh", 0}});
+        writer.json["scenes"][0]["nodes"].push_back(i);
+    }
     return writer.glb();
 }
 
@@ -224,6 +231,44 @@ TEST(Labelled, HabitatsColoursAreTheObjectsOfItsText) {
     const Result<Scene> damaged = importScene(labelled);
     ASSERT_FALSE(damaged);
     EXPECT_TRUE(damaged.error().where.ends_with("house.semantic.txt:2")) << damaged.error().where;
+}
+
+// A few hundred kilobytes that ask for 60,030,000 triangles.
+TEST(Labelled, PlacementsBeyondTheBudgetAreRefused) {
+    const TempFolder folder;
+    Triangles mesh = trianglesOf({{{0, 0, 0}, {1, 1, 1}, 1}});
+    const std::array<int, 3> face = mesh.faces.front();
+    mesh.faces.assign(30'000, face);
+    static_cast<void>(folder.write("house.semantic.txt", kHouseText));
+    const Result<Scene> scene =
+        importScene(folder.write("house.semantic.glb", coloredGlb(mesh, 2'001)));
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().message.find("60000000 triangles"), std::string::npos)
+        << scene.error().message;
+}
+
+// Triangles of 0.1 mm, 0.2 mm apart, as in a file whose unit is the kilometre; the third repeats
+// the second.
+TEST(LabelledSurface, TellsSmallTrianglesApart) {
+    RawScene labelled;
+    for (const float z : {0.0F, 2e-4F, 2e-4F}) {
+        MeshPart part;
+        part.positions = {{0, 0, z}, {1e-4F, 0, z}, {0, 1e-4F, z}};
+        part.triangles = {{0, 1, 2}};
+        for (const Vector3f& p : part.positions) part.bounds.extend(p);
+        SourceObject object;
+        object.parts = {labelled.parts.size()};
+        labelled.parts.push_back(std::move(part));
+        labelled.objects.push_back(std::move(object));
+    }
+    const semantics::LabelledSurface surface(labelled);
+    const int expected[] = {1, 2, 2};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const MeshPart& part = labelled.parts[i];
+        const auto corners = semantics::cornersOf(part, part.triangles[0]);
+        EXPECT_EQ(surface.objectAt(corners, 1e-5), expected[i]) << i;
+        EXPECT_LT(surface.distance(semantics::middleOf(corners), 1e-5), 1e-9) << i;
+    }
 }
 
 // Turned a quarter about x either way or not at all, the box of this room is the same.
@@ -402,6 +447,10 @@ TEST(PlyMesh, ReadsNumbersWithAPlusAndOutOfRange) {
     EXPECT_EQ(mesh->positions[1], Vector3f(5, -2, kInfinity));
     EXPECT_EQ(mesh->positions[2], Vector3f(0, -kInfinity, 0));
     EXPECT_EQ(mesh->face_indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    // 1e-396 and 1e395, whatever the exponents say.
+    const std::string zeros(400, '0');
+    EXPECT_EQ(io::numberFrom("0." + zeros + "1e5"), 0.0);
+    EXPECT_EQ(io::numberFrom("-1" + zeros + "e-5"), -std::numeric_limits<double>::infinity());
     for (const char* wrong : {"+-1", "++1", "+", "1.5x", "1e"}) {
         EXPECT_FALSE(parsePlyMesh(facesNumbered("float", {wrong}), "wrong.ply")) << wrong;
     }

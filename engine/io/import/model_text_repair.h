@@ -11,8 +11,8 @@
 
 namespace dollytrack {
 
-/// What was wrong in the text files of a model.
-struct TextDefects {
+/// What was repaired in the text files of a model, and what was missing.
+struct ModelTextRepairs {
     std::size_t mended_faces = 0;             // see mendObjLines()
     std::set<std::string> missing_materials;  // names of .mtl files that could not be opened
 
@@ -43,9 +43,9 @@ struct TextDefects {
 /// anything was changed.
 bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 
-/// Drops blanks behind each <color> of a Collada text, at which assimp gives up the file. Returns
+/// Removes blanks between <color> and its first number; assimp rejects the file otherwise. Returns
 /// whether there were any.
-bool dropBlanksBeforeColors(std::vector<std::uint8_t>& text);
+bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
 /// The stream of an OBJ or Collada file as assimp can read it, by the file's extension: assimp
 /// takes ".5" for no number and drops the corner. Takes the stream over and returns it from its

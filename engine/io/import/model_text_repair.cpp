@@ -1,4 +1,4 @@
-#include "engine/io/import/obj_numbers.h"
+#include "engine/io/import/model_text_repair.h"
 
 #include "engine/io/import/assimp_files.h"
 
@@ -171,7 +171,7 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces) {
     return changed;
 }
 
-bool dropBlanksBeforeColors(std::vector<std::uint8_t>& text) {
+bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
     constexpr std::string_view kTag = "<color";
     const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
     std::string kept;
@@ -200,7 +200,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
     bool changed = false;
     if (!text.empty() && stream->Read(text.data(), 1, text.size()) == text.size()) {
         if (collada) {
-            changed = dropBlanksBeforeColors(text);
+            changed = removeBlanksBeforeColors(text);
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);

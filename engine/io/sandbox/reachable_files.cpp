@@ -1,4 +1,4 @@
-#include "engine/io/import/reachable_files.h"
+#include "engine/io/sandbox/reachable_files.h"
 
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/sandbox/confined_folder.h"
@@ -53,7 +53,7 @@ bool ReachableFiles::reaches(const fs::path& path) const {
     });
 }
 
-std::vector<std::string> ReachableFiles::namesIn(const fs::path& folder) const {
+Result<std::vector<std::string>> ReachableFiles::namesIn(const fs::path& folder) const {
     constexpr std::size_t kMost = 100'000;
     std::vector<std::string> names;
     // One that is missing is noted, too: the scene depends on whether it is there.
@@ -68,8 +68,12 @@ std::vector<std::string> ReachableFiles::namesIn(const fs::path& folder) const {
         std::error_code unknown;
         const std::string name = at->path().filename().string();
         if (name.starts_with('.') || at->is_symlink(unknown)) continue;
+        if (names.size() >= kMost) {
+            return fail(ErrorCode::BadInput,
+                        "the folder holds more than 100,000 files; spread them over several",
+                        folder.string());
+        }
         names.push_back(name);
-        if (names.size() >= kMost) break;
     }
     std::sort(names.begin(), names.end());
     return names;

@@ -29,8 +29,9 @@ class ReachableFiles {
     [[nodiscard]] bool reaches(const std::filesystem::path& path) const;
 
     /// The names of the files and folders in a folder that it reaches, sorted; links and names that
-    /// begin with a dot are left out, and of very many the rest.
-    [[nodiscard]] std::vector<std::string> namesIn(const std::filesystem::path& folder) const;
+    /// begin with a dot are left out. Error: BadInput, where there are more than 100,000.
+    [[nodiscard]] Result<std::vector<std::string>> namesIn(
+        const std::filesystem::path& folder) const;
 
   private:
     std::vector<std::filesystem::path> folders_;
