@@ -16,6 +16,9 @@
 
 namespace dollytrack::gazebo {
 
+/// Visuals that one file may have.
+inline constexpr std::size_t kMostVisuals = 100'000;
+
 /// XML of all files of one scene together, in bytes.
 constexpr std::uint64_t kMostXmlBytes = std::uint64_t{64} << 20U;
 

@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDeepestModel = 16;
-constexpr std::size_t kMostVisuals = 100'000;
 constexpr std::size_t kMostIncludes = 20'000;
 constexpr std::size_t kMostFrames = 1'000'000;
 constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;

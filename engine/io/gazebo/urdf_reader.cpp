@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostVisuals = 100'000;
 constexpr std::size_t kMostLinks = 100'000;
 
 class UrdfReader {

@@ -278,9 +278,9 @@ class SceneReader {
         if (!read) return tl::unexpected(read.error());
         // The mesh that is shown: the labelled one where there is no other.
         fs::path shown = *asset;
-        if (labelled) shown = labelled->pictured.empty() ? labelled->labelled : labelled->pictured;
+        if (labelled) shown = labelled->textured.empty() ? labelled->labelled : labelled->textured;
         for (TextureRequest& texture : read->textures) texture.folder = shown.parent_path();
-        const bool semantic_shown = shown != *asset && labelled->pictured.empty();
+        const bool semantic_shown = shown != *asset && labelled->textured.empty();
         const AxisKeys axis_keys = semantic_shown ? semanticAxisKeys(found.attributes) : AxisKeys{};
         const Eigen::Vector3d origin = vectorIn(found.attributes, "origin", Eigen::Vector3d::Zero())
                                            .value_or(Eigen::Vector3d::Zero());
@@ -305,8 +305,8 @@ class SceneReader {
         if (!labelled) {
             scene_.notes.push_back("the semantic mesh " + cleanText(semantic->filename().string()) +
                                    " has no file of names beside it; it was not used");
-        } else if (labelled->pictured.empty() && labelsCanBeMoved(stage.attributes)) {
-            labelled->pictured = asset;
+        } else if (labelled->textured.empty() && labelsCanBeMoved(stage.attributes)) {
+            labelled->textured = asset;
         }
         return labelled;
     }
