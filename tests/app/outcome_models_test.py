@@ -238,6 +238,20 @@ class Judges(unittest.TestCase):
             self.assertIn("NumPy" if there else package, made.stdout)
 
     @unittest.skipUnless(HAS_TORCH, "torch is missing (Debian's python3-torch)")
+    def test_detector_refuses_a_device_that_it_cannot_use(self):
+        import torch
+        path = self.folder / "request.json"
+        refused = {"tpu": "must be cpu or cuda, not 'tpu'"}
+        if not torch.cuda.is_available():
+            refused["cuda"] = "PyTorch finds no graphics card"
+        for device, words in refused.items():
+            path.write_text(json.dumps(self.request([], [], device=device)), encoding="utf-8")
+            made = subprocess.run(["/usr/bin/python3", JUDGES / "detector.py", "--check", path],
+                                  capture_output=True, text=True)
+            self.assertEqual(made.returncode, 2, made.stderr)
+            self.assertIn(words, made.stderr)
+
+    @unittest.skipUnless(HAS_TORCH, "torch is missing (Debian's python3-torch)")
     def test_detector_learns_coloured_rectangles(self):
         known = write_dataset(self.folder / "known", rectangles(48, 1))
         other = write_dataset(self.folder / "other", rectangles(24, 2))
