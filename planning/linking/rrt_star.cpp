@@ -151,7 +151,8 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         const bool was_found = best_end >= 0;
         tryGoal(tree.last());
         if (!was_found && best_end >= 0) {
-            // Compare with the iterations left: i + ... could overflow for the largest limit.
+            // Take the smaller of the remaining and the further iterations: adding to i could
+            // overflow if the limit is the largest int.
             stop = i + std::min(stop - i, std::max(problem.improve_at_least, i / 2));
         }
     }
