@@ -15,7 +15,7 @@
 namespace dollytrack::planning {
 namespace {
 
-// Cells are stored as floats, so positions on a level differ by their rounding.
+// Cell centres are stored as floats, so a position may be off its level by a rounding error.
 constexpr double kSameHeight_m = 1e-5;
 constexpr double kFarthest_m = 0.25;       // cap of gap()
 constexpr double kLeastLevel_m2 = 0.5;     // a smaller level is a stair tread or a sill

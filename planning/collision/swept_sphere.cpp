@@ -15,7 +15,7 @@ namespace {
 constexpr double kContact = 0.001;
 // The distance field's lower bound is enough where the excess clearance is larger than this.
 constexpr double kPlenty = 0.05;
-// Longest step, about a cell: free space is tested at every step, even far from surfaces.
+// Longest step, m: the state of cells is tested at least this often, even far from surfaces.
 constexpr double kLongestStep = 0.25;
 
 }  // namespace

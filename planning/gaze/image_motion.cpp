@@ -12,7 +12,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kParts = 3;              // of the path between two keys, each sampled at its middle
-constexpr int kAcross = 4, kDown = 3;  // rays
+constexpr int kAcross = 4, kDown = 3;  // grid of rays over the image
 constexpr double kFarthest_m = 20.0;
 
 /// Median distance to the surfaces in a view, m; surfaces farther than 20 m count as 20 m.

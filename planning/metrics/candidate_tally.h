@@ -25,7 +25,7 @@ class CandidateTally {
     /// With Occluded: the object that hides it in most candidates; 0 if it hides itself.
     [[nodiscard]] int occluder() const;
 
-    /// A sentence with the numbers, for loss().
+    /// A sentence that explains loss() with numbers.
     [[nodiscard]] std::string reason(const Scene& scene) const;
 
     /// "too near to wall (12), hidden by sofa (3)": the most frequent reasons, at most `kinds`.

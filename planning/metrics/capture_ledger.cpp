@@ -74,7 +74,8 @@ class RowMaker {
         row_.distance_m = (center() - frame.pose.position).norm();
     }
 
-    /// Whether a view that does what no frame does was found, and lost later.
+    /// Whether some position point captures the object (or captures it well) although no frame
+    /// does: the view was lost after the search.
     bool lostOnTheWay() {
         int furthest = -1;
         Reached how_far = Reached::Found;

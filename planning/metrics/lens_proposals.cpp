@@ -16,7 +16,7 @@ constexpr double kNarrowest = 10.0;
 constexpr double kWidest = 120.0;  // wider pinhole images are strongly stretched at the border
 constexpr double kWhole = 0.92;    // largest share of the image's length for an object
 
-/// Empty if no near plane fits in the camera's sphere.
+/// A proposal with another lens; empty if no near plane fits in the camera's sphere.
 std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
     Proposal made = unchanged(what, std::nullopt);
     changeTo(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
@@ -29,7 +29,7 @@ class Lenses {
   public:
     explicit Lenses(const WhatIf& what) : what_(what) {}
 
-    /// Null if no camera can have this lens.
+    /// The view estimator for a lens; null if no camera can have it.
     [[nodiscard]] const ViewEstimator* at(double hfov_deg) {
         const auto known = made_.find(hfov_deg);
         if (known != made_.end()) return &known->second;
@@ -47,7 +47,7 @@ class Lenses {
 
     [[nodiscard]] std::size_t count() const { return made_.size(); }
 
-    /// Requires that at() returned a lens for the angle.
+    /// A proposal with a lens for which at() returned an estimator.
     [[nodiscard]] Proposal propose(double hfov_deg, const Pose& view) const {
         Proposal made = *withLens(what_, hfov_deg);
         made.view = view;

@@ -22,7 +22,8 @@ class PlanTrials {
   public:
     explicit PlanTrials(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
 
-    /// Null if planning fails or the job is cancelled.
+    /// Plans with a change, or returns the cached result. Null if planning fails or the job is
+    /// cancelled.
     std::shared_ptr<const Plan> run(const PlanChange& change, const JobContext& job);
 
     /// The pipeline for the whole scene, or for the scene without an object, in the state of its

@@ -9,9 +9,9 @@
 // Shared parts of all kinds of remedies.
 namespace dollytrack::planning {
 
-inline constexpr std::size_t kLookedAt = 24;    // candidates that a kind of remedy estimates
+inline constexpr std::size_t kLookedAt = 24;    // most candidates that a kind of remedy estimates
                                                 // exactly
-inline constexpr std::size_t kMostOfAKind = 2;  // proposals of one kind
+inline constexpr std::size_t kMostOfAKind = 2;  // most proposals of one kind
 inline constexpr double kAlmost = 0.9;          // share of the requirement that a coarse estimate
                                                 // must reach before an exact one is made
 

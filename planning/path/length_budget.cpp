@@ -20,7 +20,7 @@ constexpr std::size_t kSeeds = 16;  // single stops from which tours are grown
 constexpr std::array<double, 2> kAppetites = {1.0, 2.0};  // exponents of worth in worth per metre
 constexpr double kWorthOnly = 8.0;  // exponent for cases where stops are limited, not metres
 constexpr int kRungs = 32;          // number of lengths for which tours are made, up to the whole
-constexpr double kRungShape = 1.5;  // exponent; above 1: more of them at short lengths
+constexpr double kRungShape = 1.5;  // exponent of their spacing; above 1: denser at short lengths
 constexpr double kBeyond = 1.5;     // relative to the requested length, since walks skip corners of
                                     // the roadmap's paths
 
@@ -93,7 +93,7 @@ class Budget {
         while (dropOne(shown)) on_the_way.push_back(choice());
     }
 
-    /// As leaveOutOneByOne(), but the last by rank first.
+    /// As leaveOutOneByOne(), but drops stops in reverse order of rank.
     void leaveOutByRank(std::vector<TourChoice>& on_the_way) {
         const auto last = [](const BudgetedTour& tour, int stop, double metres) {
             return std::optional(

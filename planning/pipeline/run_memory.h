@@ -81,12 +81,12 @@ class RunMemory {
     std::optional<CameraParams> shown_with_;
 
     // Objects moved since the ray structure was built, and that structure.
-    std::vector<int> moved_since_cast_;  // ascending
+    std::vector<int> moved_since_cast_;  // ids, ascending
     std::shared_ptr<const RayCaster> rays_before_;
 
     // Objects moved since the maps were built. If a build was cancelled, there is no earlier map to
     // update.
-    std::vector<int> moved_since_surfaces_;  // ascending
+    std::vector<int> moved_since_surfaces_;  // ids, ascending
     std::vector<int> moved_since_free_space_;
 
     // Objects moved since searches and views were made, and the map at that time.

@@ -154,7 +154,7 @@ class Smoother {
         return wish;
     }
 
-    /// The collision test is cheaper and comes first.
+    /// Whether the set-back is collision-free and keeps the captures; the cheaper test comes first.
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
         return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&

@@ -7,7 +7,8 @@ struct TimingParams;
 /// Limits of the camera's motion, in radians; the parameters use degrees.
 struct MotionLimits {
     double speed_mps = 0.0;
-    double acceleration_mps2 = 0.0;  // along the path and across it together
+    double acceleration_mps2 = 0.0;  // of the acceleration vector: along the path and across it
+                                     // together
     double turn_rps = 0.0;
     double turn_acceleration_rps2 = 0.0;
 };

@@ -31,8 +31,8 @@ class SpeedTrack {
         double arc_m = 0.0;
         double limit2 = 0.0;    // squared speed limit here
         double gain2 = 0.0;     // largest change of the squared speed to the next node
-        double fastest2 = 0.0;  // squared, given the speeds at the keys
-        double slowest2 = 0.0;  // squared, limited by braking
+        double fastest2 = 0.0;  // largest squared speed, given the speeds at the keys
+        double slowest2 = 0.0;  // smallest squared speed that braking allows
     };
 
     void cut(const SmoothPath& path, const MotionLimits& limits);

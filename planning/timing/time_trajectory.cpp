@@ -232,7 +232,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     const auto most_frames =
         static_cast<std::size_t>(keepsFrameRate(params) ? clipFrames(params) : params.max_frames);
     const bool whole_clip = params.duration_s > 0.0;
-    // Interval at the limits of motion; a clip is slower.
+    // Frame interval with motion at its limits; in a clip of given duration the motion is slower.
     const double settled_s = whole_clip ? settleInto(motions, interval_s, most_frames)
                              : keepsFrameRate(params)
                                  ? settleWithin(motions, interval_s, 0)

@@ -25,11 +25,11 @@ struct AskedPoints {
     PlacedPoints placed;
     std::vector<MustSee> must_see;
     std::vector<TourRoom> tour_rooms;
-    Anchors anchors = Anchors::None;  // the kinds asked for
+    Anchors anchors = Anchors::None;  // kinds wanted by the constraints
     std::vector<AskedAnchor> found_anchors;
 };
 
-/// By kind asked for: the number of anchors found, and how many have a viewpoint on the paths.
+/// For each wanted kind, the number of anchors found, and how many have a viewpoint on the paths.
 std::vector<AnchorTally> countAnchors(const AskedPoints& asked,
                                       const std::vector<SmoothPath>& paths);
 

@@ -18,7 +18,7 @@ Subject makeSubject(const ViewEstimator& views, const std::vector<int>& objects)
 
 /// Share of the image's width or height, whichever is larger, that the subject takes when the
 /// camera at `position` looks at its centre. Measured symmetrically about the image centre, so that
-/// 1 touches the image's border. Infinite if part of the subject lies in front of the near plane.
+/// 1 touches the image's border. Infinite if part of the subject is nearer than the near plane.
 double fillFrom(const ViewEstimator& views, const Subject& subject,
                 const Eigen::Vector3d& position);
 

@@ -38,8 +38,8 @@ class ViewEstimator {
     };
 
     /// Samples the object's extent in the image with rays on a regular grid of about `grid` x
-    /// `grid` square cells, never denser than pixels. Zero if part of the object lies in front of
-    /// the near plane; `cropped` if it lies outside the image. Targets only.
+    /// `grid` square cells, never denser than pixels. Zero if part of the object is nearer than the
+    /// near plane; `cropped` if it lies outside the image. Targets only.
     [[nodiscard]] Estimate estimate(const Pose& pose, int object_id, int grid) const;
 
     /// The grid that decides whether an object is captured; a denser one does not change the
@@ -59,7 +59,7 @@ class ViewEstimator {
     [[nodiscard]] double scannedShare(const Pose& pose) const;
 
     /// Bounding box of the object's silhouette on the unbounded image, px, at most a few per cent
-    /// too large. Empty if part of the object lies in front of the near plane. Targets only.
+    /// too large. Empty if part of the object is nearer than the near plane. Targets only.
     [[nodiscard]] std::optional<Eigen::AlignedBox2d> extent(const Pose& pose, int object_id) const;
 
     /// Up to 26 extreme points of a target, world, m; their convex hull is close to the object's.
