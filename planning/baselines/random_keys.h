@@ -7,7 +7,7 @@ namespace dollytrack::planning {
 /// Baseline: random key frames joined by RRT*, as in TartanAir (Wang et al., IROS 2020, section 3).
 /// Its generator is not public; this follows the description: key positions drawn from free space,
 /// joined by RRT*, constant speed, roll-free headings that turn from key to key. Differences: the
-/// speed is twice `max_speed_mps` (a drone's), and all keys of a room form one trajectory. Error:
+/// speed is twice the speed limit (a drone's), and all keys of a room form one trajectory. Error:
 /// Cancelled.
 Result<Flight> planRandomKeysEasy(const RivalScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job);

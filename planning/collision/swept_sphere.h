@@ -73,7 +73,7 @@ class SweptSphere {
     /// Centres of a component's cells that the region allows, for sampling.
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const;
 
-    /// Null if nothing is restricted.
+    /// The region given to the constructor; null if there was none or it restricts nothing.
     [[nodiscard]] const AllowedRegion* region() const { return region_; }
 
   private:

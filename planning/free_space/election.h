@@ -10,9 +10,10 @@
 
 namespace dollytrack::planning {
 
-/// Rules for which cells count as inside the building, from strict to lax.
+/// Rules for which cells are certainly inside the building, from strict to lax. Cells with fewer
+/// walls may be possibly inside.
 enum class EnclosureRule {
-    Walls,      // walls in 12 of 16 directions, or in 8 between floor and ceiling
+    Walls,      // walls in 12 of 16 directions (if not roofed), or in 8 between floor and ceiling
     FewWalls,   // walls in 8 directions, or in 5 above a floor: doll's houses, cut-away rooms
     FloorOnly,  // any cell above a floor
 };

@@ -55,7 +55,8 @@ std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& 
 
 /// Finds the rooms among the connected components of `fits`: components of sufficient volume,
 /// height and clearance that do not lie inside a piece of furniture; at most 250. If there is none,
-/// the largest component of at least 0.05 m3 is the only room.
+/// the largest component is a room if it has at least 0.05 m3 and is not inside furniture. May find
+/// no room.
 FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid& grid,
                      const std::vector<std::uint8_t>& fits,
                      const std::vector<std::uint16_t>& squared_gaps);

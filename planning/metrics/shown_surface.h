@@ -58,7 +58,8 @@ class SurfaceLooks {
     SurfaceLooks(const SurfaceLooks&) = delete;
     SurfaceLooks& operator=(const SurfaceLooks&) = delete;
 
-    /// Error: Cancelled, which also clears the cache.
+    /// Samples all frames of a trajectory at new poses. Error: Cancelled, which also clears the
+    /// cache.
     Result<FrameSurfaces> look(const Trajectory& trajectory, const JobContext& job);
 
   private:

@@ -51,10 +51,10 @@ class Pipeline {
         return run(params, {}, job);
     }
 
-    /// Free space of the last run; null before the first.
+    /// Free space of the last run; null if none got that far.
     [[nodiscard]] std::shared_ptr<const FreeSpace> freeSpace() const;
     [[nodiscard]] std::shared_ptr<const RayCaster> rays() const;
-    /// Allowed region of the last run (no-go boxes, height band); null before the first.
+    /// Allowed region of the last run (no-go boxes, height band); null if none got that far.
     [[nodiscard]] std::shared_ptr<const AllowedRegion> region() const;
 
   private:

@@ -10,9 +10,9 @@ class ViewEstimator;
 struct TargetParams;
 struct ViewpointParams;
 
-/// Makes the set O (paper, 3.2.1-3.2.2): one observation point per target, and one per group of
-/// small objects on the same supporting surface. A group is split until one view shows each
-/// member's box with at least 10 % of the image. Directions include the yaw and pitch offsets.
+/// Makes the set O (paper, 3.2.1-3.2.2): one observation point per group of small objects on the
+/// same supporting surface, and one for every other target. A group is split until one view shows
+/// each member's box with at least 10 % of the image. Directions include the yaw and pitch offsets.
 std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
                                                    const TargetParams& targets,
                                                    const ViewpointParams& viewpoints);

@@ -10,8 +10,7 @@ class AllowedRegion;
 class FreeSpace;
 class ViewEstimator;
 
-/// Box around all surface points that the rays of an estimate of this object can reach at its own
-/// position, m.
+/// Box around an object, with a margin, in which all rays cast for its estimate end; world, m.
 Eigen::AlignedBox3d reachedBox(const ViewEstimator& views, int object_id);
 
 /// Objects that moved since cached results were computed, with bounding boxes of where they were
