@@ -36,7 +36,7 @@ void applyCameraPreset(PlanParams& params) {
             params.constraints.max_pitch_deg = 45.0;
             params.shake.shake = ShakeKind::Handheld;
             break;
-        case CameraPreset::Drone:  // a small quadrotor with propeller guards and a gimbal
+        case CameraPreset::Drone:  // a small drone with propeller guards and its camera on a gimbal
             params.camera.camera_radius_m = 0.2;
             params.free_space.min_height_m = 0.4;
             params.constraints.min_pitch_deg = -85.0;

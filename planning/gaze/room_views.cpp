@@ -231,7 +231,8 @@ class RoomViewSearch {
     std::vector<Choice> choices_;
 };
 
-/// Number of room views that the budget of frames allows for a tour of `key_frames`.
+/// Number of room views for a tour of `key_frames`: the share view_mix of the frames left by the
+/// budget (without one, of half the key frames), at most two per key frame.
 std::size_t mostRoomViews(const PlanParams& params, std::size_t key_frames) {
     const auto keys = static_cast<double>(key_frames);
     const double spare = params.timing.max_frames > 0

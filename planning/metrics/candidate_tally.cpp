@@ -13,7 +13,7 @@ std::string nameOf(const Scene& scene, int object_id, const char* without) {
     return object_id > 0 ? scene.object(object_id).name : std::string(without);
 }
 
-/// The reason as a phrase, to follow "200 places are".
+/// The reason as a phrase that continues "200 positions are".
 std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
     switch (verdict) {
         case Verdict::InObstacle:

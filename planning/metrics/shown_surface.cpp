@@ -37,8 +37,8 @@ std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id, double patch_
     return key;
 }
 
-/// Numbers keys from 0 in order of first appearance, in one open-addressing hash table. No key is
-/// 0, since no object id is.
+/// Numbers keys from 0 in order of first appearance, in one open-addressing hash table. Keys must
+/// not be 0, which holds for object ids below 65536.
 class KeyNumbers {
   public:
     int operator[](std::uint64_t key) {

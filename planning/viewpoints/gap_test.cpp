@@ -15,8 +15,7 @@ namespace {
 constexpr double kMostReach_m = 0.6;
 constexpr double kReachInRadii = 6.0;
 constexpr int kGapDirections = 96;
-constexpr int kGapLines = kGapDirections / 2;  // the second half of the directions is opposite to
-                                               // the first
+constexpr int kGapLines = kGapDirections / 2;  // lines along the upper half of the directions
 constexpr int kGapLinesNeeded = kGapLines / 3;
 constexpr double kFacing = -0.5;  // largest cosine between the normals of facing surfaces
 // Nearest surface as a share of the reach: for a third of the lines to be within reach, the gap

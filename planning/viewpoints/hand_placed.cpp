@@ -41,7 +41,7 @@ std::string metres(double value) {
     return fmt::format("{:.2f} m", value);
 }
 
-/// "35.0 degrees down"
+/// Elevation in words: "35.0 degrees down".
 std::string upOrDown(const Eigen::Vector3d& forward) {
     const double degrees = elevationOf(forward) * 180.0 / std::numbers::pi;
     return fmt::format("{:.1f} degrees {}", std::abs(degrees), degrees < 0.0 ? "down" : "up");
